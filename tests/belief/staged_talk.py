@@ -67,5 +67,4 @@ class Talkers:
 
     def heard(self, name: str = "word") -> list[Any]:
         """Return what all robots have heard."""
-        found: list[Any] = self.beliefs["heard"][name].tolist()
-        return found
+        return self.beliefs["heard"][name].tolist()

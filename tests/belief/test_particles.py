@@ -34,29 +34,23 @@ def pose_at(x: float, y: float, heading: float) -> np.ndarray:
     return own
 
 
-def test_a_draw_has_mean_0_and_deviation_1_and_is_never_far_out() -> None:
+def test_a_draw_has_mean_0_and_deviation_1_and_an_outlier_costs_no_more_than_half_the_bound() -> None:
     noise = noise_of()
     found = np.array([kernels.draw(noise) for _ in range(20_000)])
     assert found.mean() == pytest.approx(0.0, abs=0.03) and found.std() == pytest.approx(1.0, abs=0.02)
     assert abs(found).max() < 2.5
-
-
-def test_an_outlier_costs_no_more_than_half_the_bound() -> None:
     assert kernels.bounded(0.01, 9.0) == pytest.approx(0.005, rel=0.01)  # as a normal distribution would have it
     assert kernels.bounded(9.0, 9.0) == pytest.approx(2.25)
     assert kernels.bounded(1e12, 9.0) == pytest.approx(4.5)
 
 
-def test_particles_are_placed_round_a_told_pose_as_widely_as_robots_are_placed() -> None:
+def test_particles_are_placed_as_widely_as_robots_and_move_as_the_odometry_says_in_the_axes_at_its_end() -> None:
     particles = set_of(0.0, count=4000)
     kernels.place_particles(particles, pose_at(1.0, -0.5, 3.1)[0], 0.03, 0.05, noise_of(), 1.0)
     assert particles["x"].mean() == pytest.approx(1.0, abs=0.003)
     assert particles["x"].std() == pytest.approx(0.03, rel=0.05)
     assert np.angle(np.exp(1j * (particles["heading"] - 3.1))).std() == pytest.approx(0.05, rel=0.05)
     assert abs(particles["heading"]).max() <= np.float32(np.pi)
-
-
-def test_a_particle_moves_as_the_odometry_says_in_the_axes_at_its_end() -> None:
     particle = set_of(1.0, 0.5, np.pi / 2, count=1)
     turned = np.pi / 2 + 0.2
     moved = kernels.move_particle(particle[0], (0.1, 0.05, 0.2, 0.0, 0.0, 0.0), 9.0, 9.0, noise_of(), 1.0)
@@ -150,13 +144,10 @@ def test_a_pose_that_is_drawn_from_a_thing_sees_it_as_it_is_seen() -> None:
         assert seen == pytest.approx(bearing, abs=1e-5)
 
 
-def test_a_thing_is_nearer_after_a_step_ahead_and_on_the_right_after_a_turn_to_the_left_which_comes_last() -> None:
+def test_a_thing_is_nearer_after_a_step_ahead_on_the_right_after_a_turn_to_the_left_and_motions_add_up() -> None:
     assert move_point(1.0, 0.2, 0.3, 0.0, 0.0) == (0.7, 0.2)
     assert move_point(1.0, 0.0, 0.0, 0.0, np.pi / 2) == pytest.approx((0.0, -1.0), abs=1e-15)
     assert move_point(1.0, 0.5, 1.0, 0.0, np.pi / 2) == pytest.approx((0.5, 0.0), abs=1e-15)
-
-
-def test_two_motions_are_the_same_as_one_and_a_mirrored_one_moves_to_the_mirrored_place() -> None:
     x, y = move_point(0.9, 0.4, 0.1, -0.05, 0.3)
     ahead, left = 0.1 + np.cos(0.3) * 0.2 - np.sin(0.3) * 0.1, -0.05 + np.sin(0.3) * 0.2 + np.cos(0.3) * 0.1
     assert move_point(x, y, 0.2, 0.1, -0.7) == pytest.approx(move_point(0.9, 0.4, ahead, left, -0.4), abs=1e-15)

@@ -15,9 +15,6 @@ RATE = 16  # [1/s] control steps of the legged league
 LATE = 8  # frames that a word is on its way
 
 
-# Words
-
-
 def test_ms06_fifteen_words_tell_near_distances_finely_and_far_ones_coarsely() -> None:
     """MS06: four bits are sixteen words, one of which says that the ball is not seen."""
     distances = np.linspace(0.0, 6.0, 20_000)
@@ -32,11 +29,7 @@ def test_ms06_fifteen_words_tell_near_distances_finely_and_far_ones_coarsely() -
     assert all(word_for(distance_of(word)) == word for word in range(1, FARTHEST + 1))
 
 
-# Sound
-
-
 def test_ms06_a_word_is_heard_by_team_mates_alone_half_a_second_later() -> None:
-    """MS06: sound is all there is between legged robots."""
     talkers = Talkers()
     talkers.see(1, 0.5)
     talkers.step(LATE)
@@ -132,7 +125,7 @@ def test_any_period_and_delay_make_a_channel(period: float, delay: float) -> Non
     assert talkers.heard()[0] == word_for(0.3)
 
 
-def test_only_the_rows_that_use_their_sensors_talk() -> None:
+def test_only_the_rows_that_use_their_sensors_talk_and_swapping_the_teams_swaps_what_is_heard() -> None:
     talkers = Talkers()
     talkers.rows = np.array([0, 2])
     for r in range(3):
@@ -140,9 +133,6 @@ def test_only_the_rows_that_use_their_sensors_talk() -> None:
     talkers.step(LATE + 1)
     assert talkers.heard() == [word_for(0.9), 0, word_for(0.3), 0, 0, 0]
     assert talkers.messages["known"].tolist() == [1, 0, 1, 0, 0, 0]
-
-
-def test_swapping_the_teams_swaps_what_is_heard() -> None:
     talkers, swapped = Talkers(audio_loss=0.3), Talkers(audio_loss=0.3)
     distances = np.random.default_rng(2).uniform(0.1, 3.0, 6)
     swapped.noise = np.roll(talkers.noise, 3, axis=0)
@@ -155,11 +145,7 @@ def test_swapping_the_teams_swaps_what_is_heard() -> None:
         assert np.roll(talkers.beliefs["heard"], 3).tobytes() == swapped.beliefs["heard"].tobytes()
 
 
-# Radio
-
-
 def test_mh05_a_radio_message_is_heard_a_few_frames_later_with_its_distance() -> None:
-    """MH05: wireless network; the distance of the nearest team-mate to the ball is in it."""
     talkers = Talkers(MIDDLE)
     talkers.see(1, 2.34)
     talkers.step(3)
@@ -172,9 +158,6 @@ def test_mh05_a_radio_message_is_heard_a_few_frames_later_with_its_distance() ->
     quiet.see(1, 2.34)
     quiet.step(20)
     assert quiet.messages["known"].tolist() == [0] * 6
-
-
-# In play
 
 
 @each_league

@@ -18,7 +18,6 @@ MILLIMETRES = 4e-3  # [m] what a pixel of the fine camera is worth at 1.5 m
 
 
 def test_ms02_the_ball_is_kept_in_polar_coordinates_of_the_robot() -> None:
-    """MS02: distance and bearing from the observer, 0 straight ahead, left positive."""
     robot = Watcher(averaged=1)
     robot.see(0.8, 0.0)
     assert (robot.ball["distance"], robot.ball["bearing"]) == pytest.approx((0.8, 0.0), abs=MILLIMETRES)
@@ -30,7 +29,6 @@ def test_ms02_the_ball_is_kept_in_polar_coordinates_of_the_robot() -> None:
 
 
 def test_ms03_confidence_is_100_when_seen_and_fades_when_not() -> None:
-    """MS03: 10 a second are lost while the ball is not seen, down to 0; frames that were not delivered count."""
     robot = Watcher()
     assert robot.see(0.8, 0.0)["confidence"] == 100.0
     for frame in range(1, 200):
@@ -53,7 +51,7 @@ def test_a_robot_that_lies_down_or_is_sent_off_does_not_look(body: dict[str, int
         assert ball["confidence"] == pytest.approx(100.0 - 10.0 * frame / 16)
 
 
-def test_a_robot_that_was_carried_forgets_the_ball() -> None:
+def test_a_robot_that_was_carried_forgets_the_ball_and_one_never_seen_is_somewhere_without_confidence() -> None:
     robot = Watcher()
     for _ in range(20):
         robot.see(0.8, 0.3, forward=0.01)
@@ -63,9 +61,6 @@ def test_a_robot_that_was_carried_forgets_the_ball() -> None:
     robot.see(0.6, 0.0, pose=POSE_TOLD)  # it may see the ball in the very same frame
     assert robot.filtered_place == pytest.approx((0.6, 0.0), abs=MILLIMETRES)
     assert robot.ball["confidence"] == 100.0
-
-
-def test_a_ball_that_was_never_seen_is_somewhere_and_no_one_is_sure_of_it() -> None:
     robot = Watcher()
     for _ in range(16 * 180):  # three minutes
         robot.miss(forward=0.0075, left=-0.002, turn=0.05)
@@ -84,7 +79,6 @@ def walk(robot: Watcher, x: float, y: float, steps: int, forward: float, turn: f
 
 
 def test_ms15_a_still_ball_is_where_it_was_after_a_walk_out_of_sight() -> None:
-    """MS15: distance and bearing follow rotation and translation; with rotation alone, or nothing, they do not."""
     errors = {}
     for odometry in ("full", "rotation", "none"):
         robot = Watcher(odometry=odometry)
@@ -110,7 +104,6 @@ def test_ms15_after_a_whole_circle_the_ball_is_where_it_was() -> None:
 
 
 def test_ms15_a_dribbled_ball_comes_along() -> None:
-    """MS15, footnote 2: no update while the robot walks with the ball at its chest."""
     for settings, ahead in (({}, 0.15), ({"odometry_while_dribbling": True}, 0.05)):
         robot = Watcher(**settings)
         robot.see(0.15, 0.01)
@@ -134,7 +127,6 @@ def test_ms15_other_balls_are_not_dribbled(x: float, y: float, forward: float) -
 
 
 def test_ms16_the_filtered_place_is_the_mean_of_the_last_four_in_cartesian_coordinates() -> None:
-    """MS16, footnote 3: not of distances and bearings."""
     robot, off = Watcher(), Watcher(averaged=1)
     seen = [(0.3, 0.6), (0.3, -0.6), (0.5, 0.4), (0.5, -0.4), (1.0, 0.0)]
     raw = []
@@ -150,17 +142,14 @@ def test_ms16_the_filtered_place_is_the_mean_of_the_last_four_in_cartesian_coord
     assert robot.ball["filtered_distance"] == pytest.approx(hypot(0.575, 0.15), abs=MILLIMETRES)
 
 
-def test_ms16_sightings_are_averaged_where_they_are_now() -> None:
-    """MS16: a robot that walks towards a still ball averages no old distances."""
+def test_ms16_sightings_are_averaged_where_they_are_now_and_never_with_stale_ones() -> None:
+    """MS16: a robot that walks to a still ball averages no old distances; sightings of over a second ago drop out."""
     robot, still = Watcher(), Watcher(odometry="none")
     for step in range(20):
         for one in (robot, still):
             one.see(0.8 - 0.01 * step, 0.0, forward=0.01)
     assert robot.filtered_place == pytest.approx((0.61, 0.0), abs=1e-3)
     assert still.filtered_place == pytest.approx((0.625, 0.0), abs=1e-3)
-
-
-def test_ms16_a_ball_that_is_found_again_is_not_averaged_with_a_stale_one() -> None:
     for pause, expected in ((8, 0.9), (18, 0.6)):
         robot = Watcher()
         for _ in range(4):
@@ -191,9 +180,6 @@ def test_no_memory_is_asked_to_do_what_it_cannot() -> None:
     ):
         with pytest.raises(ValueError, match=message):
             LeggedMemory(**change)
-
-
-# Whole streams of percepts
 
 
 def draw_stream(frames: int, seed: int) -> Any:

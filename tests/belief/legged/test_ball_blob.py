@@ -19,7 +19,6 @@ def camera_height(tilt: float) -> float:
 
 
 def test_ms08_the_bearing_is_head_angle_plus_place_in_the_picture() -> None:
-    """MS08: a far ball in the picture's middle is where the head points; beside it, as far as the pixels say."""
     robot = Watcher(infrared_override=False)
     for pan in (-1.0, 0.0, 0.4):
         robot.head = pan, -0.1
@@ -45,7 +44,6 @@ def square(robot: Watcher, size: int = 200, **frame: Any) -> Any:
 
 
 def test_ms09_the_range_is_read_from_the_table_of_sizes() -> None:
-    """MS09: whatever the table says of a size is the range from the camera; sizes beyond it read as its ends."""
     robot = Watcher(infrared_override=False)
     for place, found in ((700, 1.25), (8191, 0.05)):
         robot.tables["ball_width"][0, place] = robot.tables["ball_height"][0, place] = found
@@ -72,7 +70,6 @@ def test_ms10_almost_under_the_head_the_range_is_height_by_angle() -> None:
 
 
 def test_ms10_a_ball_straight_below_the_camera_or_behind_it_is_placed() -> None:
-    """MS10: at 90 degrees down the range is 0, beyond it the ball lies behind the camera."""
     robot = Watcher(infrared_override=False)
     robot.head = 0.0, -radians(82.0)
     camera, _, height = camera_place(*robot.head, robot.sensors[0])
@@ -131,13 +128,10 @@ def test_ms12_the_beam_must_be_on_the_ball(aside: int) -> None:
         assert (robot.ball["distance"] < 0.6) == wins
 
 
-def test_the_ranger_alone_measures_a_ball_in_full_view() -> None:
+def test_the_ranger_alone_measures_a_ball_in_full_view_and_meets_it_beside_its_middle_too() -> None:
     assert look_at_hidden_ball(0.5, 1.0, ball_range="infrared") == pytest.approx(0.5, abs=1e-3)
     assert look_at_hidden_ball(0.5, 1.0, 0.6, ball_range="infrared") > 0.7
     assert look_at_hidden_ball(0.5, 1.0, 0.6) == pytest.approx(0.5, abs=5e-3)
-
-
-def test_the_ranger_meets_the_ball_beside_its_middle_too() -> None:
     robot = Watcher(ball_range="infrared")
     robot.head = 0.0, -0.33
     camera, _, height = camera_place(*robot.head, robot.sensors[0])
@@ -176,14 +170,13 @@ SMALL = (2, -2, 2, 0, 8)  # [px] an orange patch: more than the small least area
 
 @pytest.mark.parametrize(("double_area", "confidence"), [(True, 90.0), (False, 100.0)])
 def test_ms14_after_a_near_sighting_a_small_patch_is_no_ball(double_area: bool, confidence: float) -> None:
-    """MS14: a player that has just seen the ball nearby asks for a larger area."""
     robot = Watcher.coarse(double_area=double_area, fading=160.0)
     robot.see(0.5, 0.0)
     assert robot.look(SMALL)["confidence"] == confidence
 
 
 def test_ms14_after_a_far_sighting_or_a_long_time_it_is() -> None:
-    """MS14: 0.8 m and a second make the difference."""
+    """MS14: 0.8 m and a second make the difference; at 176x144 a patch has four times as many pixels as at 88x72."""
     robot = Watcher.coarse(fading=160.0)
     robot.see(1.2, 0.0)
     assert robot.look(SMALL)["confidence"] == 100.0
@@ -192,10 +185,6 @@ def test_ms14_after_a_far_sighting_or_a_long_time_it_is() -> None:
     for _ in range(16):
         assert robot.look(SMALL)["age"] > 0.0
     assert robot.look(SMALL)["age"] == 0.0
-
-
-def test_ms14_areas_grow_with_the_resolution() -> None:
-    """MS14: areas are given at 88x72; the same patch has four times as many pixels at 176x144."""
     for resolution, least in ((0, 1), (1, 2), (2, 8)):
         for area in (least - 1, least):
             robot = Watcher(resolution, area_small=2.0, area_large=12.0)
@@ -203,13 +192,10 @@ def test_ms14_areas_grow_with_the_resolution() -> None:
             assert seen == (area == least and area > 0)
 
 
-def test_the_largest_blob_is_the_ball_whatever_the_order() -> None:
+def test_the_largest_blob_is_the_ball_whatever_the_order_and_angles_stay_in_a_turn() -> None:
     robot = Watcher.coarse()
     assert robot.look((12, 9, 0, -3, 9), (-20, -30, 5, -5, 100))["bearing"] < -0.2
     assert Watcher.coarse().look((0, 0, 0, 0, 0))["confidence"] == 0.0
-
-
-def test_angles_stay_in_a_turn() -> None:
     robot = Watcher()
     robot.head = pi / 2, -0.3
     assert square(robot)["bearing"] == pytest.approx(pi / 2, abs=0.1)

@@ -77,7 +77,6 @@ def off_centre(pan: float, tilt: float, x: float, y: float) -> float:
 @pytest.mark.parametrize("bearing", [0.0, 0.5, -1.1])
 @pytest.mark.parametrize("distance", [0.2, 0.35, 0.8, 2.5])
 def test_ms07_the_believed_ball_is_put_at_the_centre_of_the_picture(distance: float, bearing: float) -> None:
-    """MS07: wherever it lies within the reach of the neck, the optical axis goes through its centre."""
     head = Head(distance, bearing)
     pan, tilt = head.gaze()
     x, y = distance * cos(bearing), distance * sin(bearing)
@@ -102,9 +101,7 @@ def test_ms07_a_ball_that_was_seen_a_moment_ago_is_still_looked_at() -> None:
 
 @pytest.mark.parametrize("share", [(1.0, 1.0), (0.4, 0.4), (0.2, 0.2)])
 @pytest.mark.parametrize(("x", "y"), [(0.35, 0.0), (0.5, -0.2), (0.7, 0.4)])
-def test_ms07_a_blob_comes_to_the_middle_of_the_picture_however_far_it_seems(
-    x: float, y: float, share: tuple[float, float]
-) -> None:
+def test_ms07_a_blob_comes_to_the_middle_of_the_picture_however_far_it_seems(x, y, share) -> None:
     """MS07: a ball of which a fifth is seen in width and height seems five times as far away; its blob is centred."""
     head, eye = Head(), Watcher(averaged=1, infrared_override=False, under_head=False)
     for _ in range(4):  # the camera moves with the head, so that the first turn only comes near
@@ -117,12 +114,8 @@ def test_ms07_a_blob_comes_to_the_middle_of_the_picture_however_far_it_seems(
     assert eye.ball["distance"] > 0.9 * np.hypot(x, y) / share[0] * (1.0 if share[0] == 1.0 else 0.6)
 
 
-# Searching
-
-
 @pytest.mark.parametrize("bearing", [0.3, -0.3, 2.9, -1e-9])
 def test_ms07_the_search_begins_on_the_side_where_the_ball_was_believed(bearing: float) -> None:
-    """MS07: and sweeps to the other side in one period."""
     pans = Head(0.9, bearing, age=1.1, confidence=89.0).sweep(PERIOD)[:, 0]
     assert pans[0] == pytest.approx(np.sign(bearing) * LEAGUE.head.pan_limit)
     assert (np.diff(pans) * np.sign(bearing) < 0.0).all()
@@ -137,13 +130,10 @@ def test_the_search_sweeps_near_and_far_ground_in_turn_without_a_jump() -> None:
     assert np.ptp(gazes[:, 0]) == pytest.approx(2 * LEAGUE.head.pan_limit, rel=0.05)
 
 
-def test_a_ball_lost_at_the_feet_is_searched_for_at_the_feet_first() -> None:
+def test_a_search_that_follows_another_begins_anew_at_the_feet_where_the_ball_was_lost_there() -> None:
     for side in (1.0, -1.0):
         pan, tilt = Head(0.2, 0.1 * side, age=1.5, confidence=85.0).gaze()
         assert tilt == NEAR_TILT and pan == pytest.approx(side * LEAGUE.head.pan_limit)
-
-
-def test_a_search_that_follows_another_begins_anew() -> None:
     head = Head(0.9, 0.3, age=2.0, confidence=80.0)
     head.sweep(1.7 * PERIOD)
     head.believe(0.9, -0.3)
@@ -169,7 +159,7 @@ def test_a_robot_that_never_saw_the_ball_searches_and_its_mirror_image_the_other
     assert found[0, 0] == LEAGUE.head.pan_limit
 
 
-def test_the_two_tilts_cover_all_ground_that_a_ball_may_lie_on() -> None:
+def test_the_two_tilts_cover_all_ground_that_a_ball_may_lie_on_and_settings_say_when_they_are_searched() -> None:
     """One of the sweeps shows a fifth of a ball's height or more, from between the paws to the farthest corner."""
     half = 0.5 * LEAGUE.sensors.view_height
     between_paws = LEAGUE.body.front + RADIUS
@@ -181,14 +171,8 @@ def test_the_two_tilts_cover_all_ground_that_a_ball_may_lie_on() -> None:
             off = abs(np.arctan2(down, level) - tilt)
             seen.append(off - np.arcsin(min(RADIUS / np.hypot(down, level), 1.0)) * 0.6 < half)
         assert any(seen), distance
-
-
-def test_the_settings_say_when_and_how_fast_it_searches() -> None:
     assert Head(0.9, 0.3, age=2.9, search_after=3.0).gaze()[0] < 0.5
     assert np.isfinite(Head(0.9, 0.3, search_after=0.0, search_period=0.0).sweep(1.0)).all()
-
-
-# Walking
 
 
 def watch(match: Match, actions: Any, seconds: float) -> np.ndarray:
@@ -217,15 +201,12 @@ def test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks(
     assert np.median(settled) < 0.1 * CENTRED  # it leads by the robot's own motion, and does not lag behind
 
 
-def test_the_head_leads_a_ball_that_lies_still_and_not_one_that_comes_along() -> None:
+def test_the_head_leads_a_ball_that_lies_still_and_catches_one_aside_at_the_speed_of_its_joints() -> None:
     for distance, lead in ((0.5, True), (0.15, False)):
         head = Head(distance, 0.2)
         at_rest = head.gaze()
         head.percepts["body"]["turn"] = 0.05
         assert (head.gaze()[0] < at_rest[0]) == lead
-
-
-def test_the_head_catches_a_ball_aside_at_the_speed_of_its_joints() -> None:
     match = stage(steady(LEGGED), observe="belief", ball=(0.4, 0.6), robots={0: (0.0, 0.0)})
     found = watch(match, asking(match), 1.0)
     frames = np.arctan2(0.6, 0.4 - 0.075) / LEAGUE.head.pan_speed * LEAGUE.control_rate

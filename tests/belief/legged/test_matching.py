@@ -20,8 +20,7 @@ CUBIC = {"distance_power": 3.0, "angle_power": 0.0}
 
 def settings(**changes: Any) -> np.void:
     """Return the record of the memory's settings."""
-    record: np.void = LEAGUE.memory.changed(changes).record()[0]
-    return record
+    return LEAGUE.memory.changed(changes).record()[0]
 
 
 def memory(*players: tuple[float, float, float] | None) -> np.ndarray:
@@ -61,21 +60,16 @@ def test_ms32_uncertainty_grows_from_a_half_to_a_hundred() -> None:
 
 
 def test_ms30_likelihood_is_uncertainty_by_distance_cubed_by_angle() -> None:
-    """MS30: a player 0.5 m farther and 30 degrees aside, unseen for 3 s."""
     angle = pi / 6
     x, y = 1.2 * np.cos(angle), 1.2 * np.sin(angle)
     distance = hypot(x - 0.7, y)
     found = likelihood(memory((0.7, 0.0, 3.0))[0], x, y, angle, settings())
     assert found == pytest.approx(10.5 / distance**3 / angle, rel=1e-12)
-
-
-def test_ms30_a_player_is_matched_with_the_nearest_in_memory() -> None:
     tracks = memory((0.8, 0.0, 1.0), (1.5, 0.5, 1.0), (1.0, -0.8, 1.0))  # all seen equally long ago
     assert [slot_for(tracks, *place) for place in ((0.9, 0.05), (1.3, 0.5), (1.0, -0.6))] == [0, 1, 2]
 
 
 def test_ms30_no_slot_is_taken_twice_in_one_view() -> None:
-    """MS30: a slot of age 0 has been taken, however near it is."""
     tracks = memory((1.0, 0.0, 0.0), (-1.0, 0.0, 0.1))
     assert slot_for(tracks, 1.0, 0.01) == 1
     tracks["age"] = 0.0
@@ -89,21 +83,17 @@ def test_ms31_with_the_first_power_an_uncertain_player_far_away_is_replaced() ->
 
 
 def test_ms31_the_angle_counts_more_than_the_range() -> None:
-    """MS31: 0.3 m too far in the right direction, or 0.25 m aside."""
     tracks = memory((1.0, 0.0, 1.0), (1.3, 0.25, 1.0))
     assert slot_for(tracks, 1.3, 0.01) == 0 and slot_for(tracks, 1.3, 0.01, angle_power=0.0) == 1
 
 
-def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree() -> None:
+def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree_and_angles_are_taken_the_short_way() -> None:
     track = memory((1.0, 0.0, 0.0))[0]
     assert likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(
         0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
     )
     own_place = memory((0.0, 0.0, 0.0))[0]
     assert likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
-
-
-def test_angles_are_taken_the_short_way_round() -> None:
     assert angle_between(3.0, -3.0) == pytest.approx(2 * pi - 6.0)
     assert angle_between(0.4, 0.1) == angle_between(0.1, 0.4) == angle_between(-0.1, -0.4)
     assert angle_between(pi, -pi) == 0.0
@@ -119,9 +109,6 @@ def test_an_empty_slot_is_used_unless_a_player_in_memory_is_near() -> None:
     just_seen = memory(None, (1.0, 0.0, 0.0625))
     assert slot_for(just_seen, 1.5, 0.01) == 1  # a range error
     assert slot_for(just_seen, 1.5, 0.01, empty_distance=0.3, empty_angle=0.1) == 0
-
-
-# One player alone in sight
 
 
 @compiled

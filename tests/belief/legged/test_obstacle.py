@@ -70,7 +70,6 @@ def remember(robot: Ranger, *distances: float) -> None:
 
 
 def test_ms49_a_reading_much_closer_than_every_player_is_an_obstacle() -> None:
-    """MS49: where the body is that the beam meets; a player keeps its own, wrong, distance."""
     robot, without = Ranger(), Ranger(obstacle=False)
     for pan, reading in ((0.0, 0.15), (0.8, 0.25), (-1.3, 0.39)):
         for one in (robot, without):
@@ -122,7 +121,7 @@ def test_only_a_reading_within_the_reliable_range_is_believed_by_a_robot_that_st
         assert (robot.measure(0.2, **body) != (0.0, 0.0)) is (not body)
 
 
-def test_a_mirrored_robot_believes_in_a_mirrored_obstacle() -> None:
+def test_a_mirrored_robot_believes_in_a_mirrored_obstacle_and_percepts_beyond_all_measure_break_nothing() -> None:
     robot, image, rng, believed = Ranger(), Ranger(), np.random.default_rng(3), 0
     for _ in range(400):
         robot.pan, robot.tilt = rng.uniform(-1.56, 1.56), rng.uniform(-0.5, 0.5)
@@ -134,9 +133,6 @@ def test_a_mirrored_robot_believes_in_a_mirrored_obstacle() -> None:
         assert_same(mirrored_beliefs(robot.beliefs), image.beliefs, 0.0)
         believed += int(robot.beliefs["obstacle"]["distance"][0] > 0.0)
     assert believed > 50
-
-
-def test_percepts_beyond_all_measure_break_nothing() -> None:
     robot, rng = Ranger(), np.random.default_rng(4)
     numbers = [0.0, -0.0, 1e-30, 0.1, 0.4, -1.0, pi, 1e6, -1e6, 3e38, -3e38, inf, -inf, np.nan]
     with np.errstate(invalid="ignore", over="ignore"):
@@ -151,9 +147,6 @@ def test_percepts_beyond_all_measure_break_nothing() -> None:
             found = robot.beliefs["obstacle"][0]
             assert np.isfinite(found["distance"]) and found["distance"] >= 0.0
             assert abs(found["bearing"]) <= pi + 1e-6
-
-
-# In a match
 
 
 def facing(matches: int, distance: Any, view: Any = 0.0, **settings: Any) -> Match:
@@ -244,16 +237,9 @@ def test_a_lone_robot_takes_neither_ball_nor_boards_nor_carpet_for_somebody() ->
     assert read > 1000
 
 
-def test_an_obstacle_is_observed_and_saved() -> None:
+def test_an_obstacle_is_saved_and_one_that_cannot_be_is_refused() -> None:
     match, _, _, _ = come_near()
-    place = match.observation_names.index("obstacle_near")
-    assert match.observation_names[place + 1 : place + 3] == ["obstacle_cos", "obstacle_sin"]
-    found, seen = match.beliefs["obstacle"], match.observations[..., place : place + 3]
-    there, near = found["distance"] > 0.0, 0.1 * hypot(3.0, 2.0)
-    assert there.any() and not there.all()
-    shown = near / (found["distance"] + near), np.cos(found["bearing"]), np.sin(found["bearing"])
-    expected = np.stack(shown, axis=-1)
-    assert seen[there] == pytest.approx(expected[there], abs=1e-6) and not seen[~there].any()
+    assert (match.beliefs["obstacle"]["distance"] > 0.0).any()
     saved, kept = match.save(), match.beliefs["obstacle"].copy()
     match.beliefs["obstacle"]["distance"] = 0.5
     match.load(saved)

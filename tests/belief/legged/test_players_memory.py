@@ -15,7 +15,6 @@ from tests.scenes.symmetry import assert_same, mirrored_percepts, mirrored_track
 
 
 def test_ms36_players_in_memory_are_moved_by_own_steps() -> None:
-    """MS36: exactly, while nobody is in sight; without it they go along with the robot."""
     robot, still = Onlooker(), Onlooker(player_odometry=False)
     for one in (robot, still):
         one.look([one.show(*LEFT)], [one.show(*RIGHT)])
@@ -34,7 +33,6 @@ def test_ms36_players_in_memory_are_moved_by_own_steps() -> None:
 
 
 def test_ms03_trust_in_a_player_fades_while_it_is_not_seen() -> None:
-    """MS03: from 100 by 10 a second, to 0."""
     robot = Onlooker()
     opponent = robot.opponents[0:1]
     robot.look([robot.show(*AHEAD)])
@@ -49,7 +47,7 @@ def test_ms03_trust_in_a_player_fades_while_it_is_not_seen() -> None:
     assert opponent["confidence"][0] == 100.0
 
 
-def test_what_has_not_been_seen_for_long_is_forgotten() -> None:
+def test_what_has_not_been_seen_for_long_is_forgotten_and_a_robot_that_was_carried_forgets_all() -> None:
     robot = Onlooker(ghost_time=5.0)
     robot.look([robot.show(*AHEAD)], [robot.show(*LEFT)])
     robot.wait(4.9)
@@ -59,9 +57,6 @@ def test_what_has_not_been_seen_for_long_is_forgotten() -> None:
     empty = np.zeros((1, 5), TRACK)
     empty["number"][0, [0, 2]] = -1
     assert robot.tracks.tobytes() == empty.tobytes()
-
-
-def test_a_robot_that_was_carried_forgets_all_players() -> None:
     robot = Onlooker()
     robot.look([robot.show(*LEFT)], [robot.show(*AHEAD)])
     robot.look([robot.show(*RIGHT)], pose=2)
@@ -79,7 +74,7 @@ def test_a_robot_that_is_down_or_out_does_not_look(body: dict[str, int]) -> None
     assert robot.opponents["age"][0] == robot.dt and robot.memories["opponents"][0] == 0
 
 
-def test_a_ghost_pushes_a_real_player_out_of_a_full_memory() -> None:
+def test_a_ghost_pushes_a_real_player_out_of_a_full_memory_and_a_missed_one_costs_it_nothing() -> None:
     robot = Onlooker()
     for pan in (-1.2, 0.0, 1.2):
         robot.pan = pan
@@ -88,9 +83,6 @@ def test_a_ghost_pushes_a_real_player_out_of_a_full_memory() -> None:
     robot.look([robot.show(0.9, 0.0), player(25.0, 15.0, 2)])
     lost = [bearing for bearing in (-1.2, 0.0, 1.2) if np.abs(robot.opponents["bearing"] - bearing).min() > 0.1]
     assert len(places(robot.opponents)) == 3 and len(lost) == 1 and lost != [0.0]
-
-
-def test_a_missed_player_costs_the_memory_nothing() -> None:
     robot = Onlooker()
     robot.look([robot.show(*LEFT), robot.show(*RIGHT)])
     before = places(robot.opponents)
@@ -108,16 +100,21 @@ def test_one_player_alone_leaves_the_other_slots_empty_under_the_final_rule_alon
     assert used == {(1.0, 0.0): 3, (3.0, 1.0): 1}
 
 
-# Nothing breaks
-
-
-def test_eleven_robots_in_one_bearing_are_one_player() -> None:
+def test_eleven_robots_in_one_bearing_are_one_player_and_one_in_the_same_place_breaks_nothing() -> None:
     robot = Onlooker(11, 11)
     row = [robot.show(x, 0.0) for x in np.linspace(0.5, 2.5, 11)]
     for _ in range(40):
         robot.look(row[:4], row[4:8], infrared=0.25)
     assert (robot.memories["opponents"][0], robot.memories["teammates"][0]) == (1, 1)
     assert len(places(robot.tracks[0])) == 2 and finite(robot)
+    robot = Onlooker()
+    robot.tables["player_front"] = 0.0
+    robot.pan = pi
+    for _ in range(20):
+        robot.look([player(0.0, 0.0, 40)], [player(1.0, 1.0, 40)])
+    robot.look(forward=float(robot.tracks["x"][0, 0]), left=float(robot.tracks["y"][0, 0]))
+    robot.look([player(0.0, 0.0, 40)])
+    assert finite(robot)
 
 
 @pytest.mark.parametrize("mode", ["largest", "combined"])
@@ -132,23 +129,9 @@ def test_blobs_of_no_size_or_of_the_whole_picture_break_nothing(mode: str, slots
     assert finite(robot) and len(places(robot.tracks[0])) >= 2
 
 
-def test_a_robot_in_the_same_place_breaks_nothing() -> None:
-    robot = Onlooker()
-    robot.tables["player_front"] = 0.0
-    robot.pan = pi
-    for _ in range(20):
-        robot.look([player(0.0, 0.0, 40)], [player(1.0, 1.0, 40)])
-    robot.look(forward=float(robot.tracks["x"][0, 0]), left=float(robot.tracks["y"][0, 0]))
-    robot.look([player(0.0, 0.0, 40)])
-    assert finite(robot)
-
-
 def finite(robot: Onlooker) -> bool:
     """Tell whether every number of the tracks is finite."""
     return all(np.isfinite(robot.tracks[name]).all() for name in TRACK.names or ())
-
-
-# Symmetry
 
 
 @pytest.mark.parametrize("changes", [{}, {"player_blob": "combined", "grouping": 1.0}, {"slots": "nearest"}])

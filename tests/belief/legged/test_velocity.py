@@ -32,7 +32,6 @@ def readings(robot: Watcher, frames: int, vx: float) -> list[int]:
 
 
 def test_ms17_a_velocity_every_third_of_a_second() -> None:
-    """MS17: 5 or 6 of 16 frames a second lie between two readings, three times a second."""
     frames = readings(Watcher(), 161, -0.05)
     assert len(frames) == 29  # of 30 readings the first has none to compare with
     assert set(np.diff(frames)) == {5, 6}
@@ -67,27 +66,13 @@ def after_a_gap(robot: Watcher, missed: int) -> float:
 
 
 def test_ms17_after_more_than_a_second_and_a_half_the_place_is_only_stored() -> None:
-    """MS17: 0.3 m in 1.4 s is a velocity, in 2 s it is none; then the next reading makes one again."""
+    """MS17: 0.3 m in 1.4 s is a velocity, in 2 s it is none; 1.5 s after the last reading all velocities are 0."""
     assert after_a_gap(Watcher(), 17) == pytest.approx(-0.3 / (22 / 16), abs=SLOW)
     robot = Watcher()
     assert after_a_gap(robot, 31) == 0.0
     roll(robot, 12, 0.9, 0.0, -0.3, 0.0)
     assert robot.ball["radial"] < -0.2
     assert after_a_gap(Watcher(velocity_gate=False), 31) == pytest.approx(-0.15, abs=SLOW)
-
-
-@pytest.mark.parametrize(("seen", "missed", "sampled"), [(17, 0, 16), (17, 6, 16), (20, 3, 22)])
-def test_ms17_a_ball_that_was_not_seen_for_a_third_of_a_second_gives_no_reading(
-    seen: int, missed: int, sampled: int
-) -> None:
-    """MS17: the reading at frame 22 is stored if the ball was seen 3 frames ago, and is not if it was 6 ago."""
-    robot = Watcher()
-    stand_still(robot, seen, missed)
-    assert robot.memories["sampled"][0] == sampled
-
-
-def test_ms17_a_velocity_is_forgotten_with_its_reading() -> None:
-    """MS17: a second and a half after the last reading all velocities are 0."""
     robot = Watcher()
     roll(robot, 33, 1.2, 0.0, -0.3, 0.1)
     assert robot.ball["radial"] < -0.2 and robot.ball["vy"] > 0.05
@@ -97,6 +82,14 @@ def test_ms17_a_velocity_is_forgotten_with_its_reading() -> None:
     for _ in range(5):
         robot.miss()
     assert [robot.ball[name] for name in ("radial", "angular", "vx", "vy")] == [0.0] * 4
+
+
+@pytest.mark.parametrize(("seen", "missed", "sampled"), [(17, 0, 16), (17, 6, 16), (20, 3, 22)])
+def test_ms17_a_ball_that_was_not_seen_for_a_third_of_a_second_gives_no_reading(seen, missed, sampled) -> None:
+    """MS17: the reading at frame 22 is stored if the ball was seen 3 frames ago, and is not if it was 6 ago."""
+    robot = Watcher()
+    stand_still(robot, seen, missed)
+    assert robot.memories["sampled"][0] == sampled
 
 
 @pytest.mark.parametrize(("radial_from", "radial"), [(None, -0.015), ("raw", -0.06)])
@@ -144,17 +137,14 @@ def test_a_still_ball_stands_still_over_the_ground_however_the_robot_walks(walk:
     assert (robot.ball["vx"], robot.ball["vy"]) == pytest.approx((0.0, 0.0), abs=SLOW)
 
 
-def test_ms18_the_moving_robot_sees_it_come_and_turn() -> None:
+def test_ms18_the_moving_robot_sees_it_come_and_turn_and_one_that_is_stuck_sees_it_stay() -> None:
+    """MS18: feet that walk against an obstacle do not bring the ball nearer, whatever odometry says."""
     robot, x, y = Watcher(), 1.2, 0.0
     for _ in range(40):
         x, y = move_point(x, y, 0.0075, 0.0, 0.02)
         robot.see(x, y, forward=0.0075, turn=0.02)
     assert robot.ball["radial"] == pytest.approx(-0.12 * cos(robot.ball["bearing"]), abs=0.02)
     assert robot.ball["angular"] == pytest.approx(-0.02 * 16 + 0.12 * y / hypot(x, y) ** 2, abs=0.05)
-
-
-def test_ms18_a_robot_that_is_stuck_sees_it_stay() -> None:
-    """MS18: feet that walk against an obstacle do not bring the ball nearer, whatever odometry says."""
     robot = Watcher()
     for _ in range(40):
         robot.see(0.8, 0.0, forward=0.0075)

@@ -101,8 +101,7 @@ class Radio(Talkers):
 
     def present(self, r: int) -> list[int]:
         """Return the numbers in the slots of robot r that are in use."""
-        numbers: list[int] = self.tracks["number"][r][self.tracks["present"][r] == 1].tolist()
-        return numbers
+        return self.tracks["number"][r][self.tracks["present"][r] == 1].tolist()
 
 
 def turned(x: Any, y: Any, angle: float) -> np.ndarray:

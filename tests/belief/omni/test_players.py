@@ -26,8 +26,7 @@ BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
 
 def tracks_of(match: Match, teammates: bool) -> np.ndarray:
     """Return the slots (M, n) that robot 0 has for a team."""
-    tracks: np.ndarray = match.tracks[:, 0, :MATES] if teammates else match.tracks[:, 0, MATES:]
-    return tracks
+    return match.tracks[:, 0, :MATES] if teammates else match.tracks[:, 0, MATES:]
 
 
 def with_players(places: dict[int, tuple[float, float]], home: int, away: int, **settings: Any) -> Match:
@@ -67,7 +66,6 @@ def test_mh06_a_player_that_moves_is_tracked_with_its_velocity(name: str) -> Non
 
 
 def test_mh06_two_that_pass_each_other_keep_their_tracks() -> None:
-    """MH06: the nearest pair of reading and prediction belongs together, so that tracks do not change hands."""
     match = with_players({1: (3.0, -2.0), 2: (3.7, 2.0)}, 1, 2, matches=20)
     actions = asking(match, 1, left=0.7) + asking(match, 2, left=-0.7)
     for step in range(95):  # they are in one line of sight after 1.3 s
@@ -86,7 +84,6 @@ def find_pair(percepts, tracks, filters, readings, gate, found):  # type: ignore
 
 
 def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
-    """MH06: whatever their order, and only pairs within the gate."""
     percepts, tracks, filters = np.zeros(1, OMNI_PERCEPT), np.zeros(3, TRACK), np.zeros(3, FILTER)
     readings, found = np.zeros(2, READING), np.zeros(2, np.int64)
     percepts["players"]["teammate"][0, :2] = tracks["present"][:2] = 1  # the third slot is empty
@@ -124,15 +121,12 @@ def test_who_is_not_seen_coasts_fades_and_is_forgotten() -> None:
     assert empty["number"] == -1 and empty["confidence"] == empty["x"] == empty["distance"] == 0.0
 
 
-def test_markers_keep_teams_apart_even_side_by_side() -> None:
+def test_markers_keep_teams_apart_even_side_by_side_and_the_nearest_keep_the_slots() -> None:
     match = with_players({1: (2.0, 0.3), 2: (2.0, -0.3)}, 2, 1)
     play(match, 0.5)
     mates, others = tracks_of(match, True), tracks_of(match, False)
     assert (mates["present"].sum(axis=1) == 1).all() and (others["present"].sum(axis=1) == 1).all()
     assert (mates["y"][:, 0] > 0.15).all() and (others["y"][:, 0] < -0.15).all()
-
-
-def test_the_nearest_keep_the_slots() -> None:
     places = {r: (1.0 + 0.6 * r, 3.0 * np.sin(1.7 * r)) for r in range(1, 9)}
     match = with_players(places, 1, 8)
     play(match, 0.5)
@@ -167,11 +161,8 @@ def test_any_number_of_slots_will_do(slots: Slots) -> None:
     assert match.tracks["present"].sum(axis=2).mean() > 2.5
 
 
-def test_the_memory_of_a_robot_is_small() -> None:
+def test_the_memory_of_a_robot_is_small_and_standing_in_a_crowd_breaks_nothing() -> None:
     assert OMNI_MEMORY.itemsize - OMNI_MEMORY["pose"].itemsize <= 768 and BALL_MEMORY.itemsize <= 128
-
-
-def test_standing_in_a_crowd_breaks_nothing() -> None:
     match = thinking(2, 11, 11)
     for r in range(22):
         put(match, r, 0.0, 0.0)

@@ -6,17 +6,12 @@ import numpy as np
 import pytest
 
 from tests.belief.omni.staged_omni import Radio, turned
-from tests.scenes.symmetry import MIRROR, assert_same, mirrored_beliefs, mirrored_tracks
 
 DT = 0.02  # [s]
 LATE = 3  # frames that a report is on its way
 
 
-# Team-mates
-
-
 def test_mh05_team_mates_are_where_they_say() -> None:
-    """MH05: pose, speed, number and keeper, in the robot's own frame, as late as the radio is."""
     radio = Radio()
     radio.stand(1, 1.0, 1.0, -2.0, forward=1.5, left=-0.5)
     radio.step(LATE)
@@ -53,7 +48,7 @@ def test_what_the_own_camera_sees_keeps_its_place_and_gets_the_number_until_it_s
         assert age > 0.0 or track["confidence"] == 100.0
 
 
-def test_two_that_are_seen_get_their_own_numbers() -> None:
+def test_two_that_are_seen_get_their_own_numbers_and_a_stranger_beyond_the_gate_is_another_player() -> None:
     radio = Radio()
     radio.stand(1, 1.0, 0.4, 0.0)
     radio.stand(2, 1.0, -0.4, 0.0)
@@ -61,22 +56,27 @@ def test_two_that_are_seen_get_their_own_numbers() -> None:
     radio.film(0, 1, *turned(3.0, 0.4 - 0.5 + 0.1, -0.3))  # robot 1
     radio.step(LATE + 1)
     assert radio.tracks["number"][0, :2].tolist() == [2, 1]
-
-
-def test_a_stranger_beyond_the_gate_is_another_player() -> None:
     radio = Radio(home=2)
     radio.film(0, 0, *turned(3.0 + 1.4, 0.5, -0.3))  # 3 m away: 1 m, and 0.1 rad for the own heading
     radio.step(LATE + 1)
     assert radio.present(0) == [-1, 1]
 
 
-def test_what_is_told_takes_no_slot_from_what_is_seen() -> None:
+def test_what_is_told_takes_no_slot_from_what_is_seen_and_of_too_many_the_nearest_are_kept() -> None:
     radio = Radio(home=6)
     for slot in range(4):  # all slots are full of players far away from what is told
         radio.film(0, slot, *turned(7.0, 2.0 * slot - 4.0, -0.3))
     radio.step(LATE + 1)
     seen = radio.tracks[0, :4]
     assert (seen["confidence"] == 100.0).all() and (seen["number"] == -1).all()
+    radio = Radio(home=11)
+    away = np.array([0.0, 9.0, 3.0, 8.0, 1.0, 7.0, 2.0, 6.0, 4.0, 5.0, 10.0])
+    for r in range(11):
+        radio.stand(r, -5.0 + away[r], 0.0, 0.0)
+    radio.step(LATE + 1)
+    slots = radio.league.slots.teammates
+    nearest = sorted(np.argsort(away)[1 : slots + 1].tolist())
+    assert sorted(radio.present(0)) == nearest
 
 
 def test_a_team_mate_that_was_told_moves_with_each_report_and_is_not_moved_on_without_compensation() -> None:
@@ -92,17 +92,6 @@ def test_a_team_mate_that_was_told_moves_with_each_report_and_is_not_moved_on_wi
     assert radio.place_of(0, 1) == pytest.approx([1.0, 1.0])
 
 
-def test_of_more_team_mates_than_slots_the_nearest_are_kept() -> None:
-    radio = Radio(home=11)
-    away = np.array([0.0, 9.0, 3.0, 8.0, 1.0, 7.0, 2.0, 6.0, 4.0, 5.0, 10.0])
-    for r in range(11):
-        radio.stand(r, -5.0 + away[r], 0.0, 0.0)
-    radio.step(LATE + 1)
-    slots = radio.league.slots.teammates
-    nearest = sorted(np.argsort(away)[1 : slots + 1].tolist())
-    assert sorted(radio.present(0)) == nearest
-
-
 def test_one_who_does_not_know_where_it_is_is_not_placed_and_one_who_is_sent_off_falls_silent() -> None:
     radio = Radio()
     radio.beliefs["own"]["confidence"][1] = 0.0
@@ -115,11 +104,7 @@ def test_one_who_does_not_know_where_it_is_is_not_placed_and_one_who_is_sent_off
     assert radio.present(0) == [] and radio.present(1) == [0]
 
 
-# The ball
-
-
 def test_mh05_a_ball_that_one_sees_is_known_to_all() -> None:
-    """MH05: place and speed, less sure and later than at first hand."""
     radio = Radio()
     radio.settings["delay_compensation"] = 0
     radio.track_ball(1, 2.0, 0.5, 1.0, -0.5)
@@ -168,9 +153,7 @@ def test_a_ball_rolls_on_while_the_report_is_on_its_way() -> None:
 @pytest.mark.parametrize(("age", "told", "own"), [
     (0.1, 0.0, True), (0.48, 0.0, True), (0.52, 0.0, False), (3.0, 0.0, False), (1.0, 2.0, True),
 ])  # fmt: skip
-def test_the_own_ball_counts_until_it_has_not_been_seen_for_a_while_and_before_an_older_one(
-    age: float, told: float, own: bool
-) -> None:
+def test_the_own_ball_counts_until_it_has_not_been_seen_for_a_while_and_before_an_older_one(age, told, own) -> None:
     radio = Radio()
     radio.track_ball(1, 2.0, 0.5, age=told)
     radio.step(LATE)
@@ -188,7 +171,7 @@ def test_the_most_confident_team_mate_is_believed_then_the_nearest_to_the_ball(a
     assert radio.ball_of(0) == pytest.approx([1.0, -1.5])
 
 
-def test_a_robot_that_mistakes_its_own_place_mistakes_the_place_of_the_ball() -> None:
+def test_a_robot_mistakes_the_ball_by_its_own_place_and_two_who_do_not_see_it_do_not_keep_it_alive() -> None:
     radio = Radio()
     radio.track_ball(1, 2.0, 0.5)
     radio.stand(0, -2.0 + 0.4, 0.5, 0.3)
@@ -197,9 +180,6 @@ def test_a_robot_that_mistakes_its_own_place_mistakes_the_place_of_the_ball() ->
     ball = radio.beliefs["ball"][0]
     true = turned(2.0 + 2.0, 0.5 - 0.5, -0.3)
     assert np.hypot(ball["x"] - true[0], ball["y"] - true[1]) == pytest.approx(0.4)
-
-
-def test_two_who_do_not_see_the_ball_do_not_keep_it_alive() -> None:
     radio = Radio()
     radio.track_ball(1, 2.0, 0.5)
     radio.step(10)
@@ -224,9 +204,6 @@ def test_a_robot_that_shares_nothing_knows_what_it_sees_alone_and_no_ball_anywhe
     assert (radio.beliefs["ball"]["age"] == inf).all() and (radio.beliefs["ball"]["confidence"] == 0.0).all()
 
 
-# Whatever happens
-
-
 def test_a_crowd_in_one_place_breaks_nothing() -> None:
     radio = Radio(home=11, away=11)
     for r in range(22):
@@ -237,28 +214,3 @@ def test_a_crowd_in_one_place_breaks_nothing() -> None:
         assert np.isfinite(radio.tracks[name]).all()
     for name in ("x", "y", "distance", "bearing", "radial", "angular", "confidence"):
         assert np.isfinite(radio.beliefs["ball"][name]).all()
-
-
-def crowd(flip: bool, swap: bool) -> Radio:
-    """Return two teams in play after some frames; mirrored left-right, or with the rows of the teams swapped."""
-    rng, radio = np.random.default_rng(3), Radio(home=5, away=5, radio_loss=0.2)
-    side, order = -1.0 if flip else 1.0, np.roll(np.arange(10), 5) if swap else np.arange(10)
-    radio.noise = radio.noise[order]
-    poses, balls = rng.uniform(-3.0, 3.0, (10, 5)), rng.uniform(-3.0, 3.0, (10, 5))
-    for r in range(10):
-        x, y, heading, forward, left = poses[order[r]]
-        radio.stand(r, x, side * y, side * heading, forward, side * left)
-        x, y, vx, vy, age = balls[order[r]]
-        radio.track_ball(r, x, side * y, vx, side * vy, abs(age))
-        for slot in range(2):
-            radio.film(r, slot, poses[order[r], slot], side * poses[order[r], slot + 1], 0.3)
-    radio.step(30)
-    return radio
-
-
-def test_a_mirror_shows_mirrored_beliefs_and_swapping_the_teams_swaps_them() -> None:
-    one, image, swapped = crowd(False, False), crowd(True, False), crowd(False, True)
-    assert_same(mirrored_beliefs(one.beliefs), image.beliefs, MIRROR)
-    assert_same(mirrored_tracks(one.tracks), image.tracks, MIRROR)
-    assert np.roll(one.beliefs, 5).tobytes() == swapped.beliefs.tobytes()
-    assert np.roll(one.tracks, 5, axis=0).tobytes() == swapped.tracks.tobytes()

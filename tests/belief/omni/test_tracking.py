@@ -126,7 +126,6 @@ def test_mh06_the_line_fit_is_that_of_least_squares() -> None:
 
 @pytest.mark.parametrize("name", ["kalman", "least-squares"])
 def test_mh06_filters_smooth_places_find_velocities_and_know_how_old_a_reading_is(name: str) -> None:
-    """MH06: better than single readings, and with a velocity, which a single reading does not have."""
     places = rolling(400, (5.0, -3.0), (-0.8, 0.9))
     readings = noisy(places)
     found, raw = track(readings, filter=name), track(readings, filter="none")
@@ -141,7 +140,7 @@ def test_mh06_filters_smooth_places_find_velocities_and_know_how_old_a_reading_i
     assert aware < 1e-3 and unaware == pytest.approx(0.06 * np.hypot(2.0, 2.0), rel=0.05)
 
 
-def test_a_thing_that_is_not_seen_rolls_on_and_slows_down() -> None:
+def test_a_thing_that_is_not_seen_rolls_on_and_slows_down_and_nothing_fails_at_distance_0_or_after_hours() -> None:
     readings = np.full((200, 2), np.nan)
     readings[:50] = rolling(50, (1.0, 0.5), (1.0, 0.0))
     found = track(readings, slowing=0.4)
@@ -149,6 +148,13 @@ def test_a_thing_that_is_not_seen_rolls_on_and_slows_down() -> None:
     assert np.hypot(*found[99, 2:]) == pytest.approx(speed - 0.4, abs=1e-6)
     assert found[-1, 2:] == pytest.approx([0.0, 0.0], abs=1e-12)
     assert found[-1, 0] - found[49, 0] == pytest.approx(speed**2 / (2.0 * 0.4), rel=0.02)
+    readings = np.full((2000, 2), np.nan)
+    readings[0] = readings[1] = readings[-1] = 0.0
+    for name in ("kalman", "least-squares", "none"):
+        assert np.isfinite(track(readings, filter=name, late=0.06)).all()
+    P, gains = np.zeros(1, COVARIANCE), np.zeros((1, 2))
+    covariance_after(P, 1, 3600.0, 4.0, 0.0, 0.0, 1e-4, gains)
+    assert np.isfinite(gains).all()
 
 
 def test_a_picture_is_moved_by_the_odometry_since_its_exposure() -> None:
@@ -176,16 +182,6 @@ def test_a_filter_is_as_sure_as_it_is_right() -> None:
         ratios.append((error @ line) ** 2 / scratch[2]["along"]["xx"][0])
         ratios.append((error @ [-line[1], line[0]]) ** 2 / scratch[2]["across"]["xx"][0])
     assert 0.5 < np.mean(ratios) < 1.5
-
-
-def test_nothing_of_a_filter_fails_at_distance_zero_or_after_hours() -> None:
-    readings = np.full((2000, 2), np.nan)
-    readings[0] = readings[1] = readings[-1] = 0.0
-    for name in ("kalman", "least-squares", "none"):
-        assert np.isfinite(track(readings, filter=name, late=0.06)).all()
-    P, gains = np.zeros(1, COVARIANCE), np.zeros((1, 2))
-    covariance_after(P, 1, 3600.0, 4.0, 0.0, 0.0, 1e-4, gains)
-    assert np.isfinite(gains).all()
 
 
 def test_memories_that_cannot_be_are_refused() -> None:

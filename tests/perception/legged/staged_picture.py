@@ -114,8 +114,7 @@ class Scene:
         """Return the area (M,) [px] of all pieces of a kind."""
         pieces, found = self.draw()
         shown = np.arange(PIECES) < found[:, kind, None]
-        area: np.ndarray = (pieces["area"][:, kind] * shown).sum(axis=1)
-        return area
+        return (pieces["area"][:, kind] * shown).sum(axis=1)
 
     def look(self, frames: int = 1) -> np.ndarray:
         """Let all robots take some pictures; return their percepts (M, R) of the last."""

@@ -1,9 +1,11 @@
 """The jersey in the picture: what of it is seen from where, what a lowered head hides, and blobs that are lost."""
 
-from typing import Any
 from math import pi
+from typing import Any
+
 import numpy as np
 import pytest
+
 from soccer_env.perception.legged.sketch import OPPONENTS, TEAMMATES
 from tests.perception.legged.staged_picture import Scene
 
@@ -13,7 +15,9 @@ FOCAL = 81.2  # [px] for heights, at 88x72
 FOCAL_X = 80.0  # [px] for widths
 
 
-def views(headings: np.ndarray, away: float = 1.0, tilt: Any = 0.0, look_at: bool = False, **sensors: float) -> list[np.ndarray]:
+def views(
+    headings: np.ndarray, away: float = 1.0, tilt: Any = 0.0, look_at: bool = False, **sensors: float
+) -> list[np.ndarray]:
     """Return the pieces of an opponent at each heading, its head at some tilts; the camera may look at its head."""
     scene = Scene(len(headings), **sensors)
     scene.put(1, away, 0.0, headings, tilt=tilt)
@@ -47,20 +51,10 @@ def test_ms37_the_width_of_a_jersey_depends_on_the_view_and_its_height_hardly_do
     assert width.std() / width.mean() > 2.0 * height.std() / height.mean()
 
 
-def test_ms37_a_player_appears_slightly_smaller_head_on() -> None:
-    front, side = (largest(pieces)[1] for pieces in views(np.array([FRONT, SIDE])))
-    # Distances of chest and flank from the camera, 0.142 m ahead of the own origin, 0.203 m high.
-    assert front == pytest.approx(CHEST * FOCAL / (1.0 - 0.142 - 0.105), rel=0.01)
-    assert side == pytest.approx(FLANK * FOCAL / (1.0 - 0.142 - 0.0775), rel=0.01)
-    assert 0.85 < front / side < 1.0
-
-
 @pytest.mark.parametrize(("heading", "pan", "stickers"), [
     (FRONT, 0.0, 3), (REAR, 0.0, 3), (FRONT + 0.8, 0.0, 6), (FRONT, 0.7, 4), (SIDE, -0.7, 4),
 ])  # fmt: skip
-def test_ms37_several_stickers_are_seen_and_only_those_that_face_the_camera(
-    heading: float, pan: float, stickers: int
-) -> None:
+def test_ms37_several_stickers_are_seen_and_only_those_that_face_the_camera(heading, pan, stickers) -> None:
     scene = Scene(1)
     scene.put(1, 1.0, 0.0, heading, pan)
     assert scene.draw()[1][0, OPPONENTS] == stickers
@@ -80,10 +74,15 @@ def test_ms37_each_side_of_the_trunk_has_two_stickers_of_one_height(heading: flo
     assert len(views(np.array([heading]), away=1.2, trunk_stickers=1)[0]) == len(pieces) - 1
 
 
-def test_ms37_the_scale_of_the_jersey_scales_all_stickers() -> None:
+def test_ms37_a_player_appears_slightly_smaller_head_on() -> None:
     plain, large = (views(np.array([FRONT + 0.6]), jersey=jersey)[0] for jersey in (1.0, 1.3))
     assert large["high"] - large["low"] == pytest.approx(1.3 * (plain["high"] - plain["low"]), rel=0.03)
     assert large["area"] == pytest.approx(1.69 * plain["area"], rel=0.03)
+    front, side = (largest(pieces)[1] for pieces in views(np.array([FRONT, SIDE])))
+    # Distances of chest and flank from the camera, 0.142 m ahead of the own origin, 0.203 m high.
+    assert front == pytest.approx(CHEST * FOCAL / (1.0 - 0.142 - 0.105), rel=0.01)
+    assert side == pytest.approx(FLANK * FOCAL / (1.0 - 0.142 - 0.0775), rel=0.01)
+    assert 0.85 < front / side < 1.0
 
 
 def test_ms37_without_its_head_stickers_a_player_is_half_as_high() -> None:
@@ -102,17 +101,12 @@ def test_team_mates_and_opponents_are_told_apart() -> None:
     assert scene.draw()[1][0, TEAMMATES] >= 2
 
 
-
-
 def test_ms50_a_lowered_head_hides_a_part_of_the_jersey() -> None:
     up, level, down = front_of_a_head(np.array([0.2, 0.0, -0.6]))
     assert len(up) == len(level) == 3 and len(down) == 2  # chest and brow; chest alone
     chest, part = (largest(row)[1] for row in (level, down))
     assert 0.2 * chest < part < 0.6 * chest  # it looks "much farther than it actually was"
     assert largest(up)[1] == pytest.approx(chest, rel=0.05)
-
-
-def test_ms50_the_head_hides_stickers_from_a_set_angle_on() -> None:
     seen = front_of_a_head(np.radians([-29.0, -31.0]))
     assert [len(row) for row in seen] == [3, 2]
     low = front_of_a_head(np.radians([-31.0]), head_down=np.radians(60.0))[0]

@@ -4,18 +4,17 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from tests.scenes.staging import LEGGED, asking, place, play, put, stage, stand
+from soccer_env.leagues import find_league
+from tests.scenes.staging import LEGGED, asking, place, play, stage, stand
 
 SWITCHES = ("head", "chin", "back", "feet")
 
 
 def feeling(**settings: object) -> Match:
     """Return a match of two legged robots far apart, the ball in the pocket of robot 0."""
-    match = stage(LEGGED, 1, 1, 1, observe="percepts", **settings)
-    put(match, 0, 0.0, 0.0)
-    put(match, 1, 1.0, 0.5)
-    place(match, ball=(match.league.body.front + match.league.ball.radius, 0.0))
-    return match
+    league = find_league(LEGGED)
+    pocket = (league.body.front + league.ball.radius, 0.0)
+    return stage(LEGGED, ball=pocket, robots={0: (0.0, 0.0), 1: (1.0, 0.5)}, observe="percepts", **settings)
 
 
 def felt(match: Match, r: int = 0) -> tuple[int, ...]:

@@ -1,12 +1,13 @@
-"""What the mirror camera's picture depends on: the curve of its mirror, and light, which the colour table follows or not."""
+"""What the mirror camera's picture depends on: the curve of its mirror, and light, which the colour table follows."""
+
+from typing import Any
 
 import numpy as np
 import pytest
+
+from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.optics.mirror_camera import ground_distance, image_radius, metres_per_pixel, mirror_of
-from tests.scenes.staging import MIDDLE
-from typing import Any
-from soccer_env import Match
 from tests.perception.omni.staged_omni import NOW, SURE, around, look, watching
 from tests.scenes.staging import MIDDLE, play, put, put_ball
 
@@ -79,15 +80,12 @@ def test_mh02_the_mirror_shows_ten_metres_in_290_pixels() -> None:
         assert across == pytest.approx(distance / image_radius(MIRROR, distance))
 
 
-def test_far_off_a_pixel_spans_as_much_as_the_distances_square() -> None:
+def test_far_off_a_pixel_spans_as_much_as_the_distances_square_and_no_radius_is_read_beyond_the_horizon() -> None:
     """Twice as far, four times as coarse; the limit is d^2 (1 + ...) / (radius of the horizon * h / bend)."""
     scale, bend, height = MIRROR
     near, far = metres_per_pixel(MIRROR, 1e4)[0], metres_per_pixel(MIRROR, 2e4)[0]
     assert far == pytest.approx(4.0 * near, rel=1e-3)
     assert near == pytest.approx(1e8 * bend * bend / (scale * height), rel=1e-3)
-
-
-def test_no_radius_is_read_beyond_the_horizon() -> None:
     scale, bend, height = MIRROR
     assert image_radius(MIRROR, 1e9) == pytest.approx(scale / bend)
     farthest = ground_distance(MIRROR, 1e6)
@@ -104,7 +102,6 @@ def test_an_eccentricity_of_one_is_the_paraboloid() -> None:
 
 
 LEAGUE = find_league(MIDDLE)
-S = LEAGUE.sensors
 CHANGING = {"light_drift": 0.5, **SURE, **NOW}
 
 
@@ -138,7 +135,6 @@ def test_mh07_light_swings_as_told_and_differs_from_match_to_match() -> None:
 
 
 def test_mh07_the_adaptive_table_follows_the_light_and_the_fixed_one_does_not() -> None:
-    """MH07: H26, a fixed colour table fails when the light changes, the adapting one does not."""
     shares, errors = {}, {}
     for table in ("adaptive", "fixed"):
         match = watching(40, sensors={**CHANGING, "light_period": 60.0, "colour_table": table}, seed=6)
@@ -154,20 +150,20 @@ def test_mh07_the_adaptive_table_follows_the_light_and_the_fixed_one_does_not() 
 
 
 def test_mh07_a_table_that_is_off_by_its_width_misses_half() -> None:
-    """MH07: of balls, players and lines alike."""
     match = watching(400, sensors={**CHANGING, "light_drift": 1.0, "colour_table": "fixed"}, seed=7)
     ball_at(match, 1.0)
     bearings = around(400) + 1.0
     put(match, 1, 2.0 * np.cos(bearings), 2.0 * np.sin(bearings))
     percepts = look(match)
     off = abs(percepts["light"])
-    for near, share in ((abs(off - S.table_width) < 0.04, 0.5), (off < 0.06, 1.0), (off > 0.7, 0.0)):
+    for near, share in ((abs(off - SENSORS.table_width) < 0.04, 0.5), (off < 0.06, 1.0), (off > 0.7, 0.0)):
         assert near.sum() > 5
         assert (percepts["ball"]["seen"][near] == 1).mean() == pytest.approx(share, abs=0.3 if share == 0.5 else 0.05)
         assert (percepts["players"]["seen"][near, 0] == 1).mean() == pytest.approx(share, abs=0.3)
 
 
-def test_in_constant_light_the_table_does_not_matter() -> None:
+def test_in_constant_light_the_table_does_not_matter_and_delayed_pictures_keep_one() -> None:
+    """The table goes from picture to picture, not from delivery to delivery."""
     percepts = []
     for table in ("adaptive", "fixed"):
         match = Match(MIDDLE, home=2, away=2, seed=8, observe="percepts", sensors={"colour_table": table})
@@ -175,6 +171,12 @@ def test_in_constant_light_the_table_does_not_matter() -> None:
         percepts.append(match.percepts.tobytes())
         assert not match.percepts["light"].any() and not match.batch.senses.sensor_states["table"].any()
     assert percepts[0] == percepts[1]
+    lags = []
+    for late in (0, 3):
+        match = watching(10, sensors={**CHANGING, "light_period": 20.0, "camera_delay": late}, seed=9)
+        seen = seeing(match, 8.0)
+        lags.append(abs(seen["light"] - seen["table"])[100:].mean())
+    assert lags[1] == pytest.approx(lags[0], rel=0.1)
 
 
 def table_after(off: float, seconds: float = 1.0, placed: bool = False, **settings: Any) -> float:
@@ -192,16 +194,12 @@ def table_after(off: float, seconds: float = 1.0, placed: bool = False, **settin
     return float(senses.sensor_states["table"][0, 0]) - light
 
 
-def test_the_table_takes_its_time() -> None:
-    """A time constant: after a sudden change a share of 1 - 1/e of it is made good in `table_time`."""
-    assert table_after(0.2, 1.0) == pytest.approx(0.2 / np.e, abs=0.02)
-
-
 def test_mh07_light_that_jumps_leaves_the_table_behind() -> None:
-    """MH07: colours beyond two standard deviations of their class are taken for something else."""
-    reach = 2.0 * S.table_width / np.sqrt(2.0 * np.log(2.0))
+    """MH07: colours beyond two deviations of their class are taken for others; `table_time` makes good 1 - 1/e."""
+    reach = 2.0 * SENSORS.table_width / np.sqrt(2.0 * np.log(2.0))
     assert table_after(1.2 * reach, 4.0) == pytest.approx(1.2 * reach, abs=1e-6)
     assert abs(table_after(0.8 * reach, 4.0)) < 0.1 * reach
+    assert table_after(0.2, 1.0) == pytest.approx(0.2 / np.e, abs=0.02)
 
 
 def test_mh07_who_cannot_know_its_place_learns_no_colours() -> None:
@@ -214,16 +212,5 @@ def test_mh07_who_cannot_know_its_place_learns_no_colours() -> None:
 
 
 def test_mh07_who_is_told_its_place_trains_a_table_anew() -> None:
-    """MH07: it needs no table to begin with, however far the light has gone meanwhile."""
     assert abs(table_after(1.0, 0.1, placed=True)) < 0.05
     assert table_after(1.0, 0.1) == pytest.approx(1.0, abs=1e-6)
-
-
-def test_delayed_pictures_keep_one_table() -> None:
-    """The table goes from picture to picture, not from delivery to delivery."""
-    lags = []
-    for late in (0, 3):
-        match = watching(10, sensors={**CHANGING, "light_period": 20.0, "camera_delay": late}, seed=9)
-        seen = seeing(match, 8.0)
-        lags.append(abs(seen["light"] - seen["table"])[100:].mean())
-    assert lags[1] == pytest.approx(lags[0], rel=0.1)

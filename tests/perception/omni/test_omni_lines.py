@@ -1,15 +1,16 @@
 """White lines, other robots and goals in the picture of the mirror camera."""
 
 from dataclasses import replace
+
 import numpy as np
 import pytest
+
 from soccer_env.leagues import find_league
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
-from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
-from tests.perception.omni.staged_omni import NOW, SHARP, SURE, gather, look, watching
-from tests.scenes.staging import MIDDLE, put
 from soccer_env.percept_types import OTHERS
-from tests.perception.omni.staged_omni import SURE, apart, look, watching
+from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
+from tests.perception.omni.staged_omni import NOW, SHARP, SURE, apart, gather, look, watching
+from tests.scenes.staging import MIDDLE, put
 
 LEAGUE = find_league(MIDDLE)
 PITCH = LEAGUE.pitch
@@ -63,7 +64,6 @@ def march(x: float, y: float, angle: float) -> float:
 
 
 def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
-    """MH02: directions run from straight ahead to the left; a whole pixel limits the distance."""
     match = watching(40, sensors={**SURE, **SHARP})
     rng = np.random.default_rng(1)
     x, y, heading = rng.uniform(-6.3, 6.3, 40), rng.uniform(-4.3, 4.3, 40), rng.uniform(-np.pi, np.pi, 40)
@@ -78,7 +78,7 @@ def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
     assert not lines[:, count:].any()
 
 
-def test_lines_are_missed_and_misjudged_like_all_things() -> None:
+def test_lines_are_missed_and_misjudged_like_all_things_and_none_is_seen_through_a_robot() -> None:
     match = watching(20, sensors=NOW)
     put(match, 0, 2.0, 2.0, 0.0)
     found = gather(match, 200)["lines"][..., 6]  # the touchline to the left
@@ -89,9 +89,6 @@ def test_lines_are_missed_and_misjudged_like_all_things() -> None:
         np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_per_pixel(mirror_of(S), 2.0)[0], rel=0.1
     )
     assert abs(error.mean()) < 0.2 * error.std()
-
-
-def test_no_line_is_seen_through_a_robot() -> None:
     match = watching(sensors={**SURE, **SHARP})
     put(match, 0, 2.0, 2.0, 0.0)
     assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
@@ -111,9 +108,6 @@ def test_there_may_be_1_to_32_directions(count: int) -> None:
     assert lines[0] == pytest.approx(2.0, abs=0.03) and not lines[count:].any()
 
 
-# Players
-
-
 def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> None:
     match = watching(200, 2, 3, sensors=SURE)
     for r, (x, y) in {1: (2.0, 1.0), 2: (-1.0, 0.5), 3: (0.5, -3.0), 4: (-4.0, -1.0)}.items():
@@ -129,7 +123,7 @@ def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> N
         assert abs(apart(players["bearing"][:, :4], np.array(expected) - heading)).max() < 0.03
 
 
-def test_a_robot_behind_a_robot_is_not_seen() -> None:
+def test_a_robot_behind_a_robot_is_not_seen_and_robots_that_are_off_neither_see_nor_are_seen() -> None:
     match = watching(50, 2, 1, sensors=SURE)
     put(match, 1, 2.0, 0.0)
     put(match, 2, 4.0, 0.0)
@@ -137,17 +131,11 @@ def test_a_robot_behind_a_robot_is_not_seen() -> None:
     assert players["seen"].sum(axis=1).max() == 1 and (players["teammate"][:, 0] == 1).all()
     put(match, 2, 4.0, 1.0)
     assert look(match)["players"]["seen"].sum() == 100
-
-
-def test_robots_that_are_off_neither_see_nor_are_seen() -> None:
     match = watching(20, 1, 1, sensors={**SURE, "false_balls": 1.0})
     assert look(match)["players"]["seen"].sum() == 0
     match.robots["active"][:, 0] = 0
     percepts = look(match)
     assert percepts["ball"]["seen"].sum() == percepts["own_goal"]["seen"].sum() == 0 and not percepts["lines"].any()
-
-
-# Goals
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
