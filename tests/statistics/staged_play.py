@@ -49,6 +49,11 @@ class Scene:
         self.match.rebuild()
         self.play(1, idle=True)
 
+    def walk(self, row: int, share: float, seconds: float) -> None:
+        """Let a robot walk ahead at a share of its top speed for a time [s]."""
+        self.actions[:, row, 0] = share
+        self.play(round(seconds * self.match.league.control_rate))
+
     def play(self, steps: int, idle: bool = False) -> None:
         """Step with the actions that are set."""
         for _ in range(steps):

@@ -6,22 +6,19 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.maps import added, maps_of
 from soccer_env.statistics.records import LOOK, SHOTS
 from soccer_env.types import AWAY, HOME, Phase
 from tests.statistics.counted_steps import KEEPER, KICKER, MATE, SECOND, THEIR_KEEPER, THEIR_PLAYER, Steps, shoot
-from tests.statistics.recorded_play import Recording, bridged, recording_of, running, runs_of
+from tests.statistics.recorded_play import MINUTES, Recording, bridged, chasers, recording_of, running, runs_of
 
 ROWS = (3, 3)
-MINUTES = {"legged-2001": 3.0, "middle-size-2006": 1.5}
 
 
 def shots(steps: Steps, team: int = HOME) -> list[Any]:
     """Return the shots of a team."""
-    found: list[Any] = maps_of(steps.tally[0], team, ROWS)["shots_for"]
-    return found
+    return maps_of(steps.tally[0], team, ROWS)["shots_for"]
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
@@ -37,8 +34,7 @@ def test_a_shot_is_noted_where_the_ball_was_played(direction: float) -> None:
     (0.0, [MATE], "blocked"), (0.4, [THEIR_KEEPER], "blocked"), (0.0, [THEIR_PLAYER, THEIR_KEEPER], "blocked"),
     (0.0, [THEIR_KEEPER, THEIR_PLAYER], "saved"), (0.0, [KEEPER], "blocked"),
 ])  # fmt: skip
-def test_who_touches_a_shot_first_saves_or_blocks_it(y: float, touches: list[int], outcome: str) -> None:
-    steps = Steps()
+def test_who_touches_a_shot_first_saves_or_blocks_it(steps: Steps, y: float, touches: list[int], outcome: str) -> None:
     shoot(steps, y=y)
     for row in touches:
         steps.count(touch=row)
@@ -47,8 +43,7 @@ def test_who_touches_a_shot_first_saves_or_blocks_it(y: float, touches: list[int
 
 
 @pytest.mark.parametrize("touches", [[], [THEIR_KEEPER], [THEIR_PLAYER]])
-def test_a_shot_that_goes_in_is_a_goal_whoever_touched_it(touches: list[int]) -> None:
-    steps = Steps()
+def test_a_shot_that_goes_in_is_a_goal_whoever_touched_it(steps: Steps, touches: list[int]) -> None:
     shoot(steps)
     for row in touches:
         steps.count(touch=row)
@@ -56,37 +51,28 @@ def test_a_shot_that_goes_in_is_a_goal_whoever_touched_it(touches: list[int]) ->
     assert [shot[2] for shot in shots(steps)] == ["goal"]
 
 
-def test_a_kick_that_is_in_before_it_could_be_judged_is_on_the_map() -> None:
+def test_a_kick_that_is_in_before_it_could_be_judged_is_on_the_map_and_a_goal_after_a_shot_does_not_change_it() -> None:
     """It would not have rolled there, the physics says otherwise: the shot that `shots` counts has a place too."""
-    steps = Steps()
+    steps, later = Steps(), Steps()
     shoot(steps, x=1.4, vx=0.3)
     assert shots(steps) == []
     steps.score(HOME)
     assert shots(steps) == [[2, KICKER, "goal", 1.4, 0.0]] and steps.of("shots") == [1, 0]
+    shoot(later)
+    later.count(touch=THEIR_KEEPER)
+    later.count(steps=6 * SECOND)
+    later.count(touch=THEIR_PLAYER)
+    later.score(HOME)
+    assert [shot[2] for shot in shots(later)] == ["saved"]
 
 
-def test_a_goal_after_the_shot_was_over_does_not_change_it() -> None:
-    steps = Steps()
-    shoot(steps)
-    steps.count(touch=THEIR_KEEPER)
-    steps.count(steps=6 * SECOND)
-    steps.count(touch=THEIR_PLAYER)
-    steps.score(HOME)
-    assert [shot[2] for shot in shots(steps)] == ["saved"]
-
-
-def test_shots_beyond_the_first_64_are_counted_and_not_noted() -> None:
-    steps = Steps()
+def test_shots_beyond_the_first_64_are_counted_only_and_passes_noted_from_player_to_player(steps: Steps) -> None:
     for _ in range(SHOTS + 3):
         shoot(steps)
         steps.count(touch=THEIR_KEEPER)
         steps.count(steps=6 * SECOND, restart=Phase.DROP_BALL)
     assert steps.of("shots") == [SHOTS + 3, 0]
     assert [shot[2] for shot in shots(steps)] == ["saved"] * SHOTS
-
-
-def test_passes_are_noted_from_player_to_player() -> None:
-    steps = Steps()
     for sender, receiver in ((KICKER, MATE), (MATE, KICKER), (KICKER, THEIR_PLAYER), (THEIR_PLAYER, THEIR_KEEPER)):
         steps.ball(0.0, 0.0)
         steps.count(touch=sender)
@@ -98,14 +84,6 @@ def test_passes_are_noted_from_player_to_player() -> None:
     assert found["passes_for"] == [[0, 0, 0], [0, 0, 1], [0, 1, 0]]
     assert found["passes_against"] == [[0, 0, 0], [1, 0, 0], [0, 0, 0]]
     assert [steps.of(name) for name in ("passes", "interceptions")] == [[2, 1], [0, 1]]
-
-
-def chasers(name: str, **settings: Any) -> Match:
-    """Return matches of the chaser against itself that see the truth."""
-    players = find_league(name).team_size
-    given = {"home": players, "away": players, "senses": "ideal", "minutes": MINUTES[name], **settings}
-    given["matches"] = len(given["seeds"])
-    return Match(name, controllers={"home": "chaser", "away": "chaser"}, **given)
 
 
 @pytest.fixture(scope="module", params=["legged-2001", "middle-size-2006"])

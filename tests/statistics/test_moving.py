@@ -31,16 +31,14 @@ def aim(steps: Steps, wanted: float, made: float) -> None:
     steps.set(KICKER, vx=0.0, vy=made)
 
 
-def test_distance_is_the_way_from_step_to_step() -> None:
-    steps = Steps()
+def test_distance_is_the_way_from_step_to_step(steps: Steps) -> None:
     steps.set(KICKER, placed=0)
     steps.count()
     walk(steps, 10)
     assert steps.of("distance") == pytest.approx([0.1, 0.0])
 
 
-def test_nobody_covers_a_distance_as_he_is_put_somewhere_or_while_the_ball_is_out_of_play() -> None:
-    steps = Steps()
+def test_nobody_covers_a_distance_as_he_is_put_somewhere_or_while_the_ball_is_out_of_play(steps: Steps) -> None:
     steps.count()
     steps.set(KICKER, placed=1)
     walk(steps, 1, 0.5)
@@ -54,8 +52,7 @@ def test_nobody_covers_a_distance_as_he_is_put_somewhere_or_while_the_ball_is_ou
     assert steps.of("distance") == pytest.approx([0.5, 0.0])
 
 
-def test_a_robot_that_is_sent_off_covers_nothing_and_is_not_present() -> None:
-    steps = Steps()
+def test_a_robot_that_is_sent_off_covers_nothing_and_is_not_present(steps: Steps) -> None:
     steps.count()
     steps.set(KICKER, active=0)
     walk(steps, SECOND)
@@ -66,16 +63,14 @@ def test_a_robot_that_is_sent_off_covers_nothing_and_is_not_present() -> None:
 
 
 @pytest.mark.parametrize(("count", "seconds"), [(LONG - 1, 0.0), (LONG, STUCK), (LONG + 5, STUCK + 5 / SECOND)])
-def test_who_is_stopped_for_long_is_stuck_from_the_first_moment(count: int, seconds: float) -> None:
-    steps = Steps()
+def test_who_is_stopped_for_long_is_stuck_from_the_first_moment(steps: Steps, count: int, seconds: float) -> None:
     aim(steps, TOP, 0.0)
     steps.count(steps=count)
     assert steps.of("stuck") == pytest.approx([seconds, 0.0])
 
 
 @pytest.mark.parametrize(("pause", "seconds"), [(PAUSE, (20 + PAUSE + 10) / SECOND), (PAUSE + 1, 0.0)])
-def test_a_short_break_does_not_end_it(pause: int, seconds: float) -> None:
-    steps = Steps()
+def test_a_short_break_does_not_end_it(steps: Steps, pause: int, seconds: float) -> None:
     aim(steps, TOP, 0.0)
     steps.count(steps=20)
     aim(steps, TOP, TOP)
@@ -89,16 +84,14 @@ def test_a_short_break_does_not_end_it(pause: int, seconds: float) -> None:
     (WANTS * TOP * 1.01, 0.0, True), (WANTS * TOP * 0.99, 0.0, False), (TOP, MAKES * TOP * 0.99, True),
     (TOP, MAKES * TOP * 1.01, False),
 ])  # fmt: skip
-def test_who_wants_little_or_gets_on_is_not_stuck(wanted: float, made: float, stuck: bool) -> None:
-    steps = Steps()
+def test_who_wants_little_or_gets_on_is_not_stuck(steps: Steps, wanted: float, made: float, stuck: bool) -> None:
     aim(steps, wanted, made)
     steps.count(steps=2 * LONG)
     assert (steps.of("stuck")[HOME] > 0.0) == stuck
 
 
 @pytest.mark.parametrize("field", ["kick_clock", "fallen"])
-def test_who_winds_up_a_kick_or_lies_on_the_ground_is_not_stuck(field: str) -> None:
-    steps = Steps()
+def test_who_winds_up_a_kick_or_lies_on_the_ground_is_not_stuck(steps: Steps, field: str) -> None:
     aim(steps, TOP, 0.0)
     steps.set(KICKER, **{field: 1.0})
     steps.count(steps=2 * LONG)
@@ -118,13 +111,9 @@ def test_the_heat_map_is_that_of_a_team_that_attacks_to_the_right(direction, x, 
     heat = steps.tally["maps"]["heat"][0]
     assert heat[BALL].sum() == heat[BALL, row, column] == 3
     assert heat[:BALL].sum(axis=(1, 2)).tolist() == [9, 9]
-
-
-def test_the_heat_map_rests_while_the_ball_is_out_of_play() -> None:
-    steps = Steps()
     steps.match.matches["phase"] = Phase.CORNER_KICK
     steps.count(steps=3 * LOOK)
-    assert not steps.tally["maps"]["heat"].any()
+    assert heat[BALL].sum() == 3, "it rests while the ball is out of play"
 
 
 def test_the_mean_place_of_a_player_is_that_in_play() -> None:
