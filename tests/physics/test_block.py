@@ -56,7 +56,7 @@ def test_ms53_a_block_takes_the_time_of_its_joints_and_stands_for_as_long_as_the
     assert found == pytest.approx(expected, abs=1e-9) and max(found) == 1.0 and found[-1] == 0.0
 
 
-def test_while_it_blocks_a_robot_stands_still_and_then_walks_again():
+def test_while_it_blocks_a_robot_stands_still_and_in_a_league_without_a_block_nothing_happens():
     match = keeper()
     for _ in range(steps_in(match, 1.3)):
         match.step(asking(match, kick=1.0, forward=1.0, left=0.5))
@@ -64,10 +64,12 @@ def test_while_it_blocks_a_robot_stands_still_and_then_walks_again():
     assert np.hypot(match.robots["x"][0, 0], match.robots["y"][0, 0]) < 1e-9
     play(match, 2.0, asking(match, forward=1.0))
     assert match.robots["x"][0, 0] > 0.05
+    match = keeper(league=steady(LEGGED))
+    match.step(asking(match, kick=1.0))
+    assert match.robots["kick_clock"][0, 0] == 0.0 and most_reach(constants_of(match.league)[0]) == BODY.reach
 
 
 def test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach():
-    """MS53: a field player stands, and a goalkeeper with the ball kicks it."""
     match = keeper(3)
     match.robots["keeper"][1, 0] = 0
     put_ball(match, 5.0 * np.ones(3), 0.0)
@@ -79,14 +81,7 @@ def test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach(
     assert match.robots["kick_strength"][:, 0].tolist() == [0.0, 0.0, 1.0]
 
 
-def test_without_a_block_in_the_league_a_goalkeeper_that_kicks_the_air_does_nothing():
-    match = keeper(league=steady(LEGGED))
-    match.step(asking(match, kick=1.0))
-    assert match.robots["kick_clock"][0, 0] == 0.0 and most_reach(constants_of(match.league)[0]) == BODY.reach
-
-
 def test_ms53_spread_legs_stop_a_ball_as_far_aside_as_they_reach_and_none_a_centimetre_farther():
-    """MS53: from the chest to the paws nothing comes through, and not farther out than that."""
     inside = np.linspace(0.0, OUTSIDE - 0.01, 20)
     for side in (1.0, -1.0):
         assert (rolled(side * inside).balls["x"] > 0.0).all(), "between trunk and paw there is a leg"
@@ -95,10 +90,17 @@ def test_ms53_spread_legs_stop_a_ball_as_far_aside_as_they_reach_and_none_a_cent
     assert passes.balls["vy"][0] == 0.0 and passes.robots["y"][0, 0] == 0.0
 
 
-def test_without_the_block_the_same_balls_pass():
+def test_legs_that_spread_push_a_ball_that_lies_beside_them_away_and_without_a_block_balls_pass():
     aside = np.linspace(BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01, OUTSIDE, 5)
     assert (rolled(aside, blocks=False).balls["vx"] < -0.3).all()
     assert (rolled(aside, blocks=False).balls["vy"] == 0.0).all()
+    match = keeper()
+    place(match, ball=(BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01))
+    play(match, actions=asking(match, kick=1.0), steps=UP + 2)
+    k = constants_of(LEAGUE)[0]
+    assert match.balls["y"][0] > OUTSIDE - 0.002
+    assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
+    assert match.matches["last_touch_robot"][0] == 0 and energy(match)[0] < 0.5 * BALL.mass * 0.5**2
 
 
 @pytest.mark.parametrize("share", [0.5, 0.7, 0.9])
@@ -119,18 +121,7 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
     assert match.balls["vy"][0] == pytest.approx(bounce * ny, abs=1e-3)
 
 
-def test_legs_that_spread_push_a_ball_that_lies_beside_them_away():
-    match = keeper()
-    place(match, ball=(BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01))
-    play(match, actions=asking(match, kick=1.0), steps=UP + 2)
-    k = constants_of(LEAGUE)[0]
-    assert match.balls["y"][0] > OUTSIDE - 0.002
-    assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
-    assert match.matches["last_touch_robot"][0] == 0 and energy(match)[0] < 0.5 * BALL.mass * 0.5**2
-
-
 def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
-    """MS53: who touched it and how far it is away follow the legs where they are."""
     match = keeper()
     play(match, actions=asking(match, kick=1.0), steps=UP)
     robot, k = match.robots[0, 0], constants_of(LEAGUE)[0]
@@ -159,7 +150,6 @@ def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
 
 
 def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():
-    """MS53: whoever blocks, ball and robots do the mirrored thing in the mirrored match."""
     one, other = keeper(), keeper()
     for match in (one, other):
         place(match, ball=(0.45, 0.2, -0.5, 0.0), robots={1: (0.5, 0.14, np.pi)})
@@ -174,12 +164,9 @@ def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():
     assert_same_records(mirrored(Records.of(one)), Records.of(other), MIRROR)
 
 
-def test_both_backends_block_to_the_bit():
+def test_both_backends_block_to_the_bit_and_a_block_is_saved_with_the_match_and_shown():
     found = [rolled(np.linspace(-0.25, 0.25, 11), backend=backend) for backend in ("c", "batch")]
     assert found[0].state_hash() == found[1].state_hash()
-
-
-def test_a_block_is_saved_with_the_match_and_shown():
     match = keeper()
     play(match, actions=asking(match, kick=1.0), steps=6)
     saved = match.save()

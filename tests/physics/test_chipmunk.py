@@ -86,7 +86,7 @@ def test_both_ways_agree_bit_for_bit_over_10000_match_steps(polygons):
 
 
 @pytest.mark.parametrize("backend", ["c", "batch"])
-def test_body_attributes_agree_with_the_rows(backend):
+def test_body_attributes_agree_with_the_rows_and_two_threads_play_what_one_plays(backend):
     batch = fill_batch(1, backend)
     bodies = list(batch.spaces[0].bodies)
     batch.step_all(DT, command(batch, np.random.default_rng(2)))
@@ -96,6 +96,16 @@ def test_body_attributes_agree_with_the_rows(backend):
     batch.write_bodies(0)
     body = bodies[2]
     assert (*body.position, body.angle, *body.velocity, body.angular_velocity) == (0.5, -0.25, 1.5, 0.125, 2.0, -3.0)
+    alone, shared = fill_batch(40, backend), fill_batch(40, backend)
+    rngs = [np.random.default_rng(5) for _ in range(2)]
+    with ThreadPoolExecutor(2) as pool:
+        for _ in range(100):
+            alone.step_all(DT, command(alone, rngs[0]))
+            substeps = command(shared, rngs[1])
+            halves = [pool.submit(shared.step_slice, DT, substeps, first, first + 20) for first in (0, 20)]
+            for half in halves:
+                half.result()
+    assert alone.bodies.tobytes() == shared.bodies.tobytes()
 
 
 @pytest.mark.parametrize("backend", ["c", "batch"])
@@ -112,20 +122,6 @@ def test_writing_back_what_was_read_changes_nothing_and_walls_stay_where_they_ar
     assert (*static.position, static.angle, *static.velocity, static.angular_velocity) == (0.0,) * 6
 
 
-@pytest.mark.parametrize("backend", ["c", "batch"])
-def test_two_threads_play_what_one_plays(backend):
-    alone, shared = fill_batch(40, backend), fill_batch(40, backend)
-    rngs = [np.random.default_rng(5) for _ in range(2)]
-    with ThreadPoolExecutor(2) as pool:
-        for _ in range(100):
-            alone.step_all(DT, command(alone, rngs[0]))
-            substeps = command(shared, rngs[1])
-            halves = [pool.submit(shared.step_slice, DT, substeps, first, first + 20) for first in (0, 20)]
-            for half in halves:
-                half.result()
-    assert alone.bodies.tobytes() == shared.bodies.tobytes()
-
-
 @compiled
 def drive_and_step(links, velocities, bodies, m, speed):
     for r in range(velocities.shape[1] - 3):
@@ -135,7 +131,7 @@ def drive_and_step(links, velocities, bodies, m, speed):
     return bodies[m, 0, 0]
 
 
-def test_a_kernel_can_write_step_and_read_in_one_call():
+def test_a_kernel_writes_steps_and_reads_in_one_call_and_a_body_at_1_m_per_s_is_2_cm_further_after_20_ms():
     inside, outside = fill_batch(2, "c"), fill_batch(2, "c")
     for _ in range(50):
         x = drive_and_step(inside.links, inside.velocities, inside.bodies, 1, 0.3)
@@ -144,9 +140,6 @@ def test_a_kernel_can_write_step_and_read_in_one_call():
         outside.step_slice(DT, 4, 1, 2)
         assert x == outside.bodies[1, 0, 0]
     assert inside.bodies.tobytes() == outside.bodies.tobytes()
-
-
-def test_a_body_at_1_m_per_s_is_2_cm_further_after_20_ms():
     batch = SpaceBatch(1, 1)
     space = pymunk.Space()
     space.add(pymunk.Body(1.0, 1.0))  # no static body: Chipmunk visits this one only

@@ -9,7 +9,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, patient, steady
-from tests.scenes.staging import asking, distance, outline, place, play, put, put_ball, speed, stage, stand, steps_in
+from tests.scenes.staging import asking, distance, each_step, outline, place, play, put, put_ball, speed, stage, stand
 
 
 def pushed(league, matches, v, seconds, forward):
@@ -55,7 +55,7 @@ def kept_for(commands, seconds=4.0):
     return last
 
 
-def test_a_guide_keeps_the_ball_by_geometry_and_friction_straight_ahead_and_loses_it_the_sooner_the_faster_it_turns():
+def test_a_guide_keeps_the_ball_straight_ahead_loses_it_the_sooner_the_faster_it_turns_and_never_pulls_it():
     drive = find_league(MIDDLE).drive
     rates = np.array([0.0, 0.2, 0.5, 1.0, 2.0, 3.0])  # [rad/s]
     ahead = np.full(len(rates), 1.0 / drive.forward)
@@ -63,15 +63,12 @@ def test_a_guide_keeps_the_ball_by_geometry_and_friction_straight_ahead_and_lose
     assert times[0] == 4.0
     assert (np.diff(times) <= 0.0).all()
     assert times[1] > 2.0 and (times[2:] < 0.8).all()
-
-
-def test_a_guide_does_not_pull_the_ball_along_when_it_brakes_goes_back_or_aside():
     standing, back, aside = [0.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]
     assert (kept_for(np.array([standing, back, aside]), 1.5) < 0.5).all()
 
 
 @each_league
-def test_a_ball_a_little_off_the_middle_is_steered_into_the_pocket_by_its_tips(name):
+def test_a_ball_off_the_middle_is_steered_into_the_pocket_and_overlaps_nothing_there(name):
     league = steady(name)
     aside = np.linspace(-0.6, 0.6, 21) * (league.body.tip_y - league.body.tip_radius)
     match = stage(league, 21)
@@ -80,10 +77,6 @@ def test_a_ball_a_little_off_the_middle_is_steered_into_the_pocket_by_its_tips(n
     share = 0.5 if name == LEGGED else 0.2
     play(match, 0.5 / (share * league.drive.forward), asking(match, forward=share))
     assert (match.robots["has_ball"][:, 0] == 1).mean() > 0.9
-
-
-@each_league
-def test_a_ball_against_the_front_lies_in_the_pocket_and_overlaps_nothing(name):
     league = find_league(name)
     match = stage(league, robots={0: (0.0, 0.0, 0.7)})
     reach = league.body.front + league.ball.radius
@@ -155,14 +148,19 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
 
 
 @each_league
-def test_a_rolling_ball_loses_speed_at_a_constant_rate(name):
+def test_a_rolling_ball_loses_speed_at_a_constant_rate_never_slides_again_and_stays_where_it_comes_to_rest(name):
     match = stage(endless(name), ball=(0.0, 0.0, 2.0, 0.0))
-    speeds = []
-    for _ in range(20):
-        match.step(stand(match))
-        speeds.append(match.balls["vx"][0])
+    speeds = each_step(match, lambda: match.balls["vx"][0], steps=20)
     expected = 2.0 - match.league.ball.rolling * match.league.dt * np.arange(1, 21)
     np.testing.assert_allclose(speeds, expected, rtol=1e-12)
+    match = stage(endless(name), ball=(0.0, 0.0, 1.0, -0.7))
+    while speed(match.balls).any():
+        match.step(stand(match))
+        assert match.balls["vx"] == match.balls["roll_x"] and match.balls["vy"] == match.balls["roll_y"]
+    match = stage(patient(name), 3, ball=([0.0, 0.3, -0.7], [0.1, 0.0, 0.4]))
+    before = match.balls.copy()
+    play(match, steps=200)
+    np.testing.assert_array_equal(match.balls, before)
 
 
 @each_league
@@ -189,23 +187,7 @@ def test_a_kicked_ball_slides_until_it_rolls_at_three_fifths_of_its_speed(name):
 
 
 @each_league
-def test_a_ball_that_rolls_never_slides_again_by_itself(name):
-    match = stage(endless(name), ball=(0.0, 0.0, 1.0, -0.7))
-    while speed(match.balls).any():
-        match.step(stand(match))
-        assert match.balls["vx"] == match.balls["roll_x"] and match.balls["vy"] == match.balls["roll_y"]
-
-
-@each_league
-def test_a_ball_at_rest_stays_exactly_where_it_is(name):
-    match = stage(patient(name), 3, ball=([0.0, 0.3, -0.7], [0.1, 0.0, 0.4]))
-    before = match.balls.copy()
-    play(match, steps=200)
-    np.testing.assert_array_equal(match.balls, before)
-
-
-@each_league
-def test_backspin_slows_a_ball_and_can_bring_it_back(name):
+def test_backspin_slows_a_ball_and_can_bring_it_back_and_nothing_moves_faster_than_the_balls_top_speed(name):
     match = stage(endless(name), ball=(0.0, 0.0, 0.3, 0.0))
     match.balls["roll_x"] = -1.0
     match.rebuild()
@@ -214,10 +196,6 @@ def test_backspin_slows_a_ball_and_can_bring_it_back(name):
         match.step(stand(match))
         furthest = max(furthest, match.balls["x"][0])
     assert furthest > 0.0 and match.balls["x"][0] < furthest
-
-
-@each_league
-def test_nothing_moves_faster_than_the_balls_top_speed(name):
     top = find_league(name).ball.top_speed
     times = np.array([1.05, 1.5, 5.0, 50.0])
     match = stage(endless(name), 4, ball=(0.0, 0.0, 0.6 * times * top, -0.8 * times * top))
@@ -231,10 +209,7 @@ def test_a_ball_that_spins_on_the_spot_slows_down_at_a_constant_rate_and_stops(n
     match = stage(name)
     match.balls["spin"] = 3.0
     match.rebuild()
-    pivot, spins = match.league.ball.pivot, []
-    for _ in range(steps_in(match, 2.0)):
-        match.step(stand(match))
-        spins.append(match.balls["spin"][0])
+    spins = each_step(match, lambda: match.balls["spin"][0], 2.0)
     times = match.league.dt * np.arange(1, len(spins) + 1)
-    np.testing.assert_allclose(spins, np.maximum(3.0 - pivot * times, 0.0), atol=1e-9)
+    np.testing.assert_allclose(spins, np.maximum(3.0 - match.league.ball.pivot * times, 0.0), atol=1e-9)
     assert (match.balls["vx"][0], match.balls["vy"][0]) == (0.0, 0.0)

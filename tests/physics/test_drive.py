@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league, endless, steady
-from tests.scenes.staging import asking, place, play, put, speed, stage, stand, steps_in
+from tests.scenes.staging import asking, each_step, place, play, put, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 
@@ -23,12 +23,10 @@ def on_its_own(league, matches=1, **settings):
 
 def walked(match: Match, actions: np.ndarray, steps: int) -> np.ndarray:
     """Return the speed ahead of robot 0 of the first match after each step."""
-    speeds = []
-    for _ in range(steps):
-        match.step(actions)
-        heading = match.robots["heading"][0, 0]
-        speeds.append(np.cos(heading) * match.robots["vx"][0, 0] + np.sin(heading) * match.robots["vy"][0, 0])
-    return np.array(speeds)
+    vx, vy, heading = each_step(
+        match, lambda: [match.robots[n][0, 0] for n in ("vx", "vy", "heading")], 0.0, actions, steps
+    ).T
+    return np.cos(heading) * vx + np.sin(heading) * vy
 
 
 @pytest.mark.parametrize(("name", "steps"), [("legged-2001-smooth", 2), (MIDDLE, 5)])
@@ -74,11 +72,8 @@ def test_gait_steps_are_even_even_if_slip_is_drawn_at_other_times():
     np.testing.assert_array_equal(np.flatnonzero(np.diff(targets)) + 1, [8, 16, 24, 32, 40])
 
 
-def test_wheels_follow_at_every_control_step():
+def test_wheels_follow_at_every_control_step_and_reach_2_6_m_per_s_after_0_65_s():
     np.testing.assert_allclose(targets_of(on_its_own(steady(MIDDLE)), 20)[5:], 2.6 * np.arange(1, 16) / 20.0)
-
-
-def test_an_omnidirectional_robot_reaches_2_6_m_per_s_after_0_65_s():
     match = on_its_own(steady(MIDDLE))
     speeds = walked(match, asking(match, forward=1.0), 60)
     delay, top = 5, 2.6
@@ -127,14 +122,11 @@ def test_robots_turn_at_their_top_rate_and_no_faster(name, rate):
     assert match.robots["omega"][0, 0] == pytest.approx(rate)
 
 
-def test_a_turn_counter_clockwise_is_positive_and_left_is_to_the_left():
+def test_a_turn_counter_clockwise_is_positive_left_is_to_the_left_and_a_differential_base_cannot_move_there():
     match = on_its_own(steady(MIDDLE), 2)
     play(match, actions=asking(match, turn=[0.2, 0.0], left=[0.0, 0.5]), steps=25)
     assert match.robots["heading"][0, 0] > 0.1 and match.robots["heading"][1, 0] == 0.0
     assert match.robots["y"][1, 0] > 0.1 and abs(match.robots["x"][1, 0]) < 1e-9
-
-
-def test_a_differential_base_cannot_move_sideways():
     match = on_its_own(find_league(DIFFERENTIAL), 20)
     match.robots["heading"][:, 0] = np.linspace(-3.0, 3.0, 20)
     match.rebuild()
@@ -191,16 +183,13 @@ def test_a_walk_misses_its_speed_by_the_leagues_slip(name, slip):
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE])
 def test_slip_holds_for_half_a_second_and_then_is_drawn_anew(name):
     match = on_its_own(name)
-    drawn = []
-    for _ in range(steps_in(match, 3.0)):
-        match.step(asking(match, forward=1.0))
-        drawn.append(match.robots["slip"]["forward"][0, 0])
+    drawn = each_step(match, lambda: match.robots["slip"]["forward"][0, 0], 3.0, asking(match, forward=1.0))
     assert len(np.unique(drawn)) == 6
     assert (np.diff(np.flatnonzero(np.diff(drawn))) == steps_in(match, 0.5)).all()
 
 
 @each_league
-def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its_slip(name):
+def test_nobody_is_faster_than_top_speed_times_slip_and_who_is_told_nothing_or_is_out_stands_still(name):
     match = on_its_own(endless(name), 100, seed=5)
     rng = np.random.default_rng(1)
     drive = match.league.drive
@@ -211,10 +200,6 @@ def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its
         slip = match.robots["slip"][:, 0]
         greatest = np.maximum(greatest, np.maximum(slip["forward"], slip["left"]))
         assert (speed(match.robots)[:, 0] <= drive.forward * greatest + 1e-9).all()
-
-
-@each_league
-def test_a_robot_without_commands_stands_where_it_is_and_so_does_one_sent_off_whatever_it_is_told(name):
     match, out = on_its_own(name, 5), stage(name, 4, robots={1: (0.5, 0.5)})
     for one, actions in ((match, None), (out, asking(out, forward=1.0, left=1.0, turn=1.0, kick=1.0))):
         before = one.robots[:, 0].copy()

@@ -10,21 +10,8 @@ from soccer_env.leagues.league import League
 from soccer_env.physics.engine.space import robot_moment
 from soccer_env.types import Phase
 from tests.scenes.leagues import LEGGED, boarded, each_league, endless, icy, steady
-from tests.scenes.staging import (
-    asking,
-    energy,
-    freeze,
-    place,
-    play,
-    put,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.looking import energy, speed
+from tests.scenes.staging import asking, freeze, place, play, put, put_ball, scatter, set_phase, stage, stand, steps_in
 
 SOLVER = 1e-9  # [J] of rounding in a step
 
@@ -143,15 +130,11 @@ def test_blows_in_a_throng_on_ice_add_no_energy(name, seed):
 
 
 @each_league
-def test_blows_of_robots_and_boards_on_ice_add_no_energy(name):
+def test_blows_of_robots_and_boards_on_ice_add_no_energy_and_those_in_a_throng_keep_momentum(name):
     league = icy(boarded(name))
     match = throng(league, seed=1, y=0.5 * league.pitch.width - 2.5 * league.body.reach)
     place(match, ball=(0.4 * league.pitch.length, -0.4 * league.pitch.width))
     assert adds_next_to_nothing(growth_in(match, 2.0))
-
-
-@each_league
-def test_blows_in_a_throng_on_ice_keep_momentum(name):
     match = throng(icy(endless(name)), seed=1)
     kept, moved = momentum(match), match.robots["vx"].copy()
     for _ in range(steps_in(match, 3.0)):

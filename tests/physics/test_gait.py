@@ -9,20 +9,8 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.gait import LEGS, most_swing, paw_offset, stance
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    endless,
-    place,
-    play,
-    put,
-    put_ball,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, endless, steady
+from tests.scenes.staging import asking, each_step, place, play, put, put_ball, stage, stand, steps_in
 
 LEFT_FORE, RIGHT_FORE, LEFT_HIND, RIGHT_HIND = range(LEGS)
 AT_FULL_SPEED = 24  # control steps after which a robot walks as it was asked to, gait steps of 8
@@ -91,20 +79,17 @@ def test_ms51_a_robot_that_turns_on_the_spot_moves_its_paws_round_its_centre() -
     assert np.hypot(*(places[0] - places[4])[[RIGHT_FORE, LEFT_HIND]].T).max() < 0.001
 
 
-def test_the_paws_of_a_robot_that_stands_are_where_they_stand() -> None:
+def test_the_paws_of_a_robot_that_stands_rest_and_in_a_mirrored_match_the_other_legs_swing_first() -> None:
+    """They have the numbers of their mirror images."""
     off, _ = cycle(walker())
     assert not off.any()
-
-
-def test_in_a_mirrored_match_the_legs_of_the_other_side_swing_first() -> None:
-    """They have the numbers of their mirror images."""
     one, _ = cycle(walker(forward=0.8, left=0.3, turn=0.5), forward=0.8, left=0.3, turn=0.5)
     other, _ = cycle(walker(0.8, -0.3, -0.5, handedness=-1.0), forward=0.8, left=-0.3, turn=-0.5)
     np.testing.assert_array_equal(one, other * (1.0, -1.0))
     assert abs(one).max() > 0.01
 
 
-def test_no_paw_swings_farther_than_it_can() -> None:
+def test_no_paw_swings_farther_than_it_can_and_a_swing_ends_with_a_control_step() -> None:
     match = stage(endless(LEGGED), 50, robots={0: (0.0, 0.0), 1: (10.0, 0.0)})
     k, rng = constants_of(match.league)[0], np.random.default_rng(1)
     farthest = 0.0
@@ -115,9 +100,6 @@ def test_no_paw_swings_farther_than_it_can() -> None:
         farthest = max(farthest, np.hypot(*np.transpose(offsets)).max())
     assert 0.6 * most_swing(k) < farthest <= most_swing(k)
     assert most_swing(constants_of(find_league(MIDDLE))[0]) == 0.0
-
-
-def test_legs_need_gait_steps_in_which_a_swing_ends_with_a_control_step() -> None:
     league = find_league(LEGGED)
     with pytest.raises(ValueError, match=r"Drive\.gait_steps must be even for a body with legs, got 7"):
         replace(league, drive=replace(league.drive, gait_steps=7))
@@ -170,11 +152,8 @@ def leg(match: Match) -> np.ndarray:
 
 def way(match: Match, seconds: float, forward: float = 0.0, left: float = 0.0, turn: float = 0.0) -> np.ndarray:
     """Let robot 0 walk for a time [s]; return how its leg has moved in the frame of robot 1 (steps, 2) [m]."""
-    places = [leg(match)]
-    for _ in range(steps_in(match, seconds)):
-        match.step(asking(match, forward=forward, left=left, turn=turn))
-        places.append(leg(match))
-    return np.array(places) - places[0]
+    start, asked = leg(match), asking(match, forward=forward, left=left, turn=turn)
+    return np.array([start, *each_step(match, lambda: leg(match), seconds, asked)]) - start
 
 
 def along_and_out(side: str, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -7,20 +7,9 @@ from soccer_env import Match
 from soccer_env.leagues.league import League
 from soccer_env.types import MAX_TEAM, Phase
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, patient, steady
+from tests.scenes.looking import deepest_overlaps, speed
 from tests.scenes.outlines import robot_gaps
-from tests.scenes.staging import (
-    asking,
-    deepest_overlaps,
-    place,
-    play,
-    put,
-    scatter,
-    set_phase,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.staging import asking, each_step, place, play, put, scatter, set_phase, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 ROBOTS = (LEGGED, MIDDLE, DIFFERENTIAL)
@@ -55,11 +44,7 @@ def all_ways() -> tuple[np.ndarray, np.ndarray]:
 
 def push(match: Match, actions: np.ndarray, seconds: float) -> np.ndarray:
     """Play for a time [s]; return where both robots have been (steps, M, 2, 2) [m]."""
-    places = []
-    for _ in range(steps_in(match, seconds)):
-        match.step(actions)
-        places.append(np.stack([match.robots["x"], match.robots["y"]], axis=-1))
-    return np.array(places)
+    return each_step(match, lambda: np.stack([match.robots["x"], match.robots["y"]], axis=-1), seconds, actions)
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -79,13 +64,23 @@ def test_not_even_with_a_run_up_of_15_cm():
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_two_that_push_head_on_creep_at_less_than_1_cm_per_s_after_the_first_second(name):
+def test_two_that_push_head_on_creep_at_less_than_1_cm_per_s_and_who_has_not_come_to_rest_brakes_with_thrust(name):
     aside = np.array([0.0, 0.03, -0.03])
     match = face_to_face(steady(endless(name)), np.full(3, np.pi), aside)
     actions = asking(match, r=[0, 1], forward=1.0)
     began = push(match, actions, 1.0)[-1]
     ended = push(match, actions, 4.0)[-1]
     assert np.hypot(*np.moveaxis(ended - began, -1, 0)).max() / 4.0 < 0.01
+    match = alone(name)
+    match.robots["stands"] = 0
+    drive, dt = match.league.drive, match.league.dt
+    knocked(match, "ahead", 4.5 * drive.thrust * dt)
+    for step in range(1, 5):
+        match.step(stand(match))
+        assert speed(match.robots)[0, 0] == pytest.approx((4.5 - step) * drive.thrust * dt)
+        assert match.robots["stands"][0, 0] == 0
+    match.step(stand(match))
+    assert speed(match.robots)[0, 0] == 0.0 and match.robots["stands"][0, 0] == 1
 
 
 def knocked(match: Match, way: str, v: float) -> None:
@@ -151,20 +146,6 @@ def test_who_is_turned_resists_with_turn_traction_if_it_stands_and_with_turn_thr
             match.step(actions)
             left = max(omega - step * most * dt, 0.0)
             assert match.robots["omega"][0, 0] == pytest.approx(-left, abs=1e-9)
-
-
-@pytest.mark.parametrize("name", ROBOTS)
-def test_who_has_not_come_to_rest_yet_brakes_with_its_thrust(name):
-    match = alone(name)
-    match.robots["stands"] = 0
-    drive, dt = match.league.drive, match.league.dt
-    knocked(match, "ahead", 4.5 * drive.thrust * dt)
-    for step in range(1, 5):
-        match.step(stand(match))
-        assert speed(match.robots)[0, 0] == pytest.approx((4.5 - step) * drive.thrust * dt)
-        assert match.robots["stands"][0, 0] == 0
-    match.step(stand(match))
-    assert speed(match.robots)[0, 0] == 0.0 and match.robots["stands"][0, 0] == 1
 
 
 def chase(match: Match) -> np.ndarray:

@@ -77,7 +77,7 @@ def test_a_legged_kick_takes_0_6_s_in_which_the_robot_comes_to_a_stand_and_stays
     assert clock[0] == pytest.approx(0.6) and clock[-1] == -0.5
 
 
-def test_a_walking_robot_brakes_as_soon_as_it_winds_up():
+def test_a_walking_robot_brakes_as_soon_as_it_winds_up_and_a_ball_that_rolls_away_meanwhile_is_missed():
     match = at_the_ball(steady(LEGGED))
     put(match, 0, match.robots["x"][:, 0], 0.1, 0.0, forward=0.07)
     place(match, ball=(match.balls["x"], 0.1, 0.07, 0.0))
@@ -87,9 +87,6 @@ def test_a_walking_robot_brakes_as_soon_as_it_winds_up():
         speeds.append(speed(match.robots)[0, 0])
     assert (np.diff(speeds[:-1]) <= 1e-9).all()
     assert speeds[6] == 0.0, "0.07 m/s at 0.24 m/s2 takes 0.3 s"
-
-
-def test_a_ball_that_rolls_away_during_the_wind_up_is_missed():
     match = at_the_ball(LEGGED)
     actions = asking(match, kick=1.0)
     match.step(actions)
@@ -102,7 +99,6 @@ def test_a_ball_that_rolls_away_during_the_wind_up_is_missed():
 
 @pytest.mark.parametrize(("name", "degrees"), [(LEGGED, 10.0), (MIDDLE, 2.0)])
 def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
-    """Where the ball lies at the middle of the front."""
     matches = 300
     match = at_the_ball(name, matches, seed=11)
     heading = np.linspace(-3.0, 3.0, matches)
@@ -139,11 +135,16 @@ def test_a_ball_outside_the_pocket_cannot_be_kicked(name, ahead, aside):
 
 
 @each_league
-def test_a_robot_without_the_ball_does_not_begin_to_kick(name):
+def test_a_robot_without_the_ball_does_not_begin_to_kick_and_no_kick_gives_more_than_the_top_speed(name):
     match = at_the_ball(name, ahead=0.5)
     for _ in range(20):
         match.step(asking(match, kick=1.0))
         assert match.robots["kick_clock"][0, 0] == 0.0
+    league = find_league(name)
+    strong = replace(league, kicker=replace(league.kicker, fastest=3.0 * league.ball.top_speed))
+    match = at_the_ball(strong)
+    _, v, _ = kicks(match, asking(match, kick=1.0), 16)
+    assert 0.5 * league.ball.top_speed < v[0] <= league.ball.top_speed
 
 
 @pytest.mark.parametrize(("name", "pause"), [(LEGGED, 0.5), (MIDDLE, 1.0)])
@@ -195,12 +196,3 @@ def test_two_robots_that_kick_against_each_other_at_once_are_equals(name):
         kicked |= bool(match.robot_events["kick"].all())
         assert abs(match.balls["x"][0]) < 1e-9 and speed(match.balls)[0] < 1e-9
     assert kicked
-
-
-@each_league
-def test_a_kick_never_gives_the_ball_more_than_its_top_speed(name):
-    league = find_league(name)
-    strong = replace(league, kicker=replace(league.kicker, fastest=3.0 * league.ball.top_speed))
-    match = at_the_ball(strong)
-    _, v, _ = kicks(match, asking(match, kick=1.0), 16)
-    assert 0.5 * league.ball.top_speed < v[0] <= league.ball.top_speed

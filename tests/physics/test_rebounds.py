@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues.league import League
 from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, icy, steady
-from tests.scenes.staging import freeze, place, play, put, put_ball, speed, stage, stand, steps_in
+from tests.scenes.staging import each_step, freeze, place, play, put, put_ball, speed, stage, stand
 
 SIDES = ("front", "left", "right", "back")
 DIRECTIONS = {"front": (-1.0, 0.0), "left": (0.0, -1.0), "right": (0.0, 1.0), "back": (1.0, 0.0)}  # of the ball
@@ -34,8 +34,7 @@ def roll_at(match: Match, side: str, speeds: np.ndarray, aside: np.ndarray) -> N
 def ahead(match: Match, side: str) -> np.ndarray:
     """Return how far beyond the middle of a side the balls' centres are, as they came [m]."""
     (x, y), (dx, dy) = hull(match.league, side), DIRECTIONS[side]
-    found: np.ndarray = (match.balls["x"] - x) * dx + (match.balls["y"] - y) * dy
-    return found
+    return (match.balls["x"] - x) * dx + (match.balls["y"] - y) * dy
 
 
 @pytest.mark.parametrize("way", [(0.0, 1.0), (1.0, 0.0)])
@@ -71,10 +70,7 @@ def test_no_ball_that_hits_a_side_squarely_rolls_on_beyond_it(name, side):
     speeds, aside = grid[0].ravel(), grid[1].ravel()
     match = stage(league, len(speeds))
     roll_at(match, side, speeds, aside)
-    farthest = np.full(len(speeds), -np.inf)
-    for _ in range(steps_in(match, 5.0)):
-        match.step(stand(match))
-        farthest = np.maximum(farthest, ahead(match, side))
+    farthest = each_step(match, lambda: ahead(match, side), 5.0)
     back = (ahead(match, side) + league.ball.radius)[speeds > 0.2 * top]
     assert farthest.max() + league.ball.radius < 0.02, "no ball gets into the side"
     assert back.max() < -0.005, "and all but slow ones come back"

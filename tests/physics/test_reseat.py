@@ -125,7 +125,7 @@ def test_spans_hold_bodies_shapes_constraint_and_contacts_and_little_else(league
         assert 150 < len(noted) < 500  # lines, of 5,700 that a Space holds
 
 
-def test_spans_are_noted_after_steps_that_are_powers_of_two():
+def test_spans_are_noted_after_powers_of_two_steps_and_fresh_shapes_are_neighbours_only_where_they_stand():
     match = played("legged-2001", 4)
     spans = match.batch.physics.spans
     spans["count"] = 0
@@ -136,6 +136,12 @@ def test_spans_are_noted_after_steps_that_are_powers_of_two():
     assert spans["count"].all()
     match.rebuild([0])
     assert spans["steps"].tolist() == [0, 8] and spans["count"][0] == 0
+    physics = played("middle-size-2006", 0).batch.physics
+    unused, place = 0, word_at(word_at(address_of(physics.spaces[0]) + SPACE_DYNAMIC) + UNUSED_PAIR)
+    while place != 0:
+        unused, place = unused + 1, word_at(place + NEXT_PAIR)
+    used = 0 if unused == 0 else BUFFER_SIZE // PAIR_SIZE - unused  # without any pair there is no pool yet
+    assert used < 7  # of seven shapes that are added in one place there would be 21
 
 
 def test_a_small_batch_fetches_nothing(monkeypatch):
@@ -156,15 +162,6 @@ def test_a_span_holds_whole_lines_and_grows_while_memory_goes_on_and_those_beyon
     for i in range(prefetch.MOST_SPANS + 5):
         add(many[0], 3 * i * LINE + LINE, LINE)
     assert many["count"][0] == prefetch.MOST_SPANS
-
-
-def test_shapes_of_a_fresh_space_are_neighbours_only_where_they_stand():
-    physics = played("middle-size-2006", 0).batch.physics
-    unused, place = 0, word_at(word_at(address_of(physics.spaces[0]) + SPACE_DYNAMIC) + UNUSED_PAIR)
-    while place != 0:
-        unused, place = unused + 1, word_at(place + NEXT_PAIR)
-    used = 0 if unused == 0 else BUFFER_SIZE // PAIR_SIZE - unused  # without any pair there is no pool yet
-    assert used < 7  # of seven shapes that are added in one place there would be 21
 
 
 def word_at(address):

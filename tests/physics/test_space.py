@@ -130,15 +130,12 @@ def test_materials_are_six_pairs_and_a_pair_must_be_one(bad):
         replace(find_league(LEGGED), materials=bad)
 
 
-def test_a_league_that_is_gone_says_what_replaced_it():
+def test_a_legged_robot_is_a_trunk_a_smooth_one_a_hull_with_tips_and_a_league_that_is_gone_says_so():
     with pytest.raises(ValueError, match="legged-2001 has legs now, legged-2001-smooth the body without them"):
         find_league("legged-2001-legs")
     smooth, league = find_league("legged-2001-smooth"), find_league(LEGGED)
     assert replace(smooth, name=league.name, body=league.body) == league and league.body.legs
     assert not smooth.body.legs and not find_league(MIDDLE).body.legs
-
-
-def test_a_legged_robot_is_a_trunk_and_a_smooth_one_a_hull_with_two_tips():
     league = find_league(LEGGED)
     _, (_, robot, other) = world(league, (0.0, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.0, 0.0))
     assert len(robot.shapes) == len(other.shapes) == 1
@@ -170,14 +167,11 @@ def test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board
     assert farthest == pytest.approx(edge - league.ball.radius, abs=0.001)
 
 
-def test_no_foot_stands_in_a_goal():
+def test_no_foot_stands_in_a_goal_and_it_is_so_low_that_the_ball_meets_the_upright_board():
+    """By the distance of the ball's centre from the slope, 45 degrees, where it touches floor and board."""
     league = find_league(LEGGED)
     inside = league.pitch.length / 2 + 0.5 * league.pitch.goal_depth
     assert walked_up(league, inside, 0.0) == pytest.approx(league.pitch.goal_width / 2, abs=0.003)
-
-
-def test_a_foot_is_so_low_that_the_ball_meets_the_upright_board():
-    """By the distance of the ball's centre from the slope, 45 degrees, where it touches floor and board."""
     league = find_league(LEGGED)
     r, highest = league.ball.radius, league.highest_foot
     assert abs(r + r - highest) / np.sqrt(2.0) == pytest.approx(r)

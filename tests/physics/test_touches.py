@@ -11,7 +11,7 @@ from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
 from soccer_env.types import AWAY, BALL, HOME, NO_TEAM, ROBOT
 from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, steady
 from tests.scenes.outlines import Shape, ball_board_gaps, gap, robot_board_gaps, robot_gaps
-from tests.scenes.staging import asking, distance, outline, place, play, put, put_ball, stage, stand, steps_in
+from tests.scenes.staging import asking, distance, each_step, outline, place, play, put, put_ball, stage, stand
 
 MANY = 200
 FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]
@@ -19,16 +19,11 @@ FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]
 
 def run_until_touched(match, seconds):
     """Return which robots (M, R) ever touched the ball, and whether robots changed the ball's velocity (M,)."""
-    touched = np.zeros(match.robots.shape, bool)
-    for _ in range(steps_in(match, seconds)):
-        match.step(stand(match))
-        touched |= match.robot_events["touch"] == 1
-    return touched
+    return each_step(match, lambda: match.robot_events["touch"] == 1, seconds).any(axis=0)
 
 
 @pytest.mark.parametrize(("name", "top"), [(LEGGED, 2.0), (MIDDLE, 11.0)])
 def test_a_bounce_within_one_control_step_is_a_touch_by_that_robot(name, top):
-    """However fast, from every side, on a robot that turns any side to it."""
     match = stage(endless(name), MANY)
     rng = np.random.default_rng(1)
     heading, angle = rng.uniform(-np.pi, np.pi, (2, MANY))
@@ -50,11 +45,8 @@ def test_a_fast_ball_on_a_robot_that_drives_away_is_a_touch():
     u = rng.uniform(0.5, 2.6, MANY)
     put(match, 1, 0.0, 0.0, np.pi, forward=u)
     place(match, ball=(rng.uniform(0.5, 0.9, MANY), rng.uniform(-0.1, 0.1, MANY), -rng.uniform(6.0, 11.0, MANY), 0.0))
-    touched = np.zeros(MANY, bool)
-    for _ in range(steps_in(match, 0.4)):
-        match.step(asking(match, r=1, forward=u / 2.6))
-        touched |= match.robot_events["touch"][:, 1] == 1
-    assert touched.all()
+    touches = each_step(match, lambda: match.robot_events["touch"][:, 1], 0.4, asking(match, r=1, forward=u / 2.6))
+    assert touches.any(axis=0).all()
     assert (match.matches["last_touch_team"] == AWAY).all()
 
 
@@ -75,16 +67,13 @@ def test_a_bounce_off_a_board_is_nobodys_touch(name):
     assert bounced.mean() > 0.7
 
 
-def test_a_ball_that_a_board_sends_towards_a_robot_has_not_touched_it_yet():
+def test_a_ball_off_a_board_has_not_touched_the_robot_that_it_rolls_towards_nor_one_that_hugs_the_board():
     match = stage(LEGGED)
     put(match, 0, 0.0, 1.0 - 0.042 - 0.042 - 0.05 - FLANK, 0.0)  # its flank is 5 cm from a ball at the board
     place(match, ball=(0.0, 0.93, 0.0, 1.5))
     match.step(stand(match))
     assert match.balls["vy"][0] < 0.0, "it has come back from the board"
     assert not match.robot_events["touch"].any()
-
-
-def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
     match = stage(LEGGED, MANY)
     rng = np.random.default_rng(1)
     put(match, 0, 0.0, 1.0 - FLANK - match.league.foot - 0.005, 0.0)
@@ -96,17 +85,13 @@ def test_a_bounce_off_a_board_beside_a_robot_that_hugs_it_is_nobodys_touch():
 
 
 @each_league
-def test_a_ball_that_passes_close_by_is_not_touched(name):
+def test_a_ball_that_passes_close_by_is_not_touched_and_a_kicked_one_is_though_gone_at_the_end_of_the_step(name):
     match = stage(endless(name))
     side, r = outline(match.league)[:, 1].max(), match.league.ball.radius
     put(match, 0, 0.0, 0.0, 0.0)
     place(match, ball=(-1.0, side + r + 0.01, match.league.ball.top_speed, 0.0))
     touched = run_until_touched(match, 1.5)
     assert match.balls["x"][0] > 0.3 and not touched.any()
-
-
-@each_league
-def test_the_kicker_touches_the_ball_even_if_it_is_gone_at_the_end_of_the_step(name):
     match = stage(steady(name))
     put(match, 1, 0.0, 0.0, 0.0)
     put_ball(match, match.league.body.front + match.league.ball.radius + 0.02, 0.0)
@@ -119,7 +104,7 @@ def test_the_kicker_touches_the_ball_even_if_it_is_gone_at_the_end_of_the_step(n
 
 
 @each_league
-def test_of_two_robots_that_touch_the_ball_the_nearer_is_the_last(name):
+def test_of_two_that_touch_the_ball_the_nearer_is_the_last_and_robots_that_meet_have_a_collision(name):
     match = stage(name, 2)
     apart = match.league.body.front + match.league.ball.radius
     put(match, 0, [-apart - 0.0005, -apart - 0.003], 0.0, 0.0)
@@ -128,10 +113,6 @@ def test_of_two_robots_that_touch_the_ball_the_nearer_is_the_last(name):
     match.step(stand(match))
     assert match.robot_events["touch"].sum(axis=1).tolist() == [2, 2]
     assert match.events["touch_team"].tolist() == [HOME, AWAY]
-
-
-@each_league
-def test_robots_that_meet_have_a_collision_and_those_apart_have_none(name):
     match = stage(name, 1, home=2, away=2)
     reach = match.league.body.reach
     put(match, 0, 0.0, 0.0, 0.0)
@@ -146,7 +127,6 @@ def test_robots_that_meet_have_a_collision_and_those_apart_have_none(name):
 
 @each_league
 def test_the_gap_to_the_ball_is_its_distance_from_the_outline(name):
-    """Measured against points along the outline."""
     league = find_league(name)
     constants = constants_of(league)[0]
     match, points, outside = stage(league), outline(league), 0
@@ -210,9 +190,7 @@ def shape(*corners: tuple[float, float], radius: float = 0.0, x: float = 0.0, y:
     (shape(*SQUARE), shape(*DIAMOND, x=2.5), 0.5),
     (shape(*SQUARE), shape(*DIAMOND, x=1.25, y=1.25), -0.5 / sqrt(2.0)),  # parted best along the slope
 ])  # fmt: skip
-def test_the_gap_of_two_shapes_is_their_distance_or_minus_the_depth_of_their_overlap(
-    first: Shape, second: Shape, expected: float
-) -> None:
+def test_the_gap_of_two_shapes_is_their_distance_or_minus_the_depth_of_their_overlap(first, second, expected) -> None:
     assert gap(first, second) == pytest.approx(expected)
     assert gap(second, first) == pytest.approx(expected)
 
@@ -226,7 +204,7 @@ def at(record: np.dtype, places: list[tuple[float, float]], heading: float = 0.0
     return found
 
 
-def test_boards_posts_and_nets_are_where_the_pitch_says() -> None:
+def test_boards_posts_and_nets_are_where_the_pitch_says_and_two_back_to_back_overlap_by_their_discs() -> None:
     league = find_league("middle-size-2006")
     pitch, radius = league.pitch, league.ball.radius
     places = [
@@ -237,9 +215,6 @@ def test_boards_posts_and_nets_are_where_the_pitch_says() -> None:
     ]
     found = ball_board_gaps(league, at(BALL, [(x, y) for x, y, _ in places]))
     assert found == pytest.approx([gap for _, _, gap in places])
-
-
-def test_two_robots_back_to_back_overlap_by_the_depth_of_their_discs_unless_one_is_off_the_field() -> None:
     league = find_league("middle-size-2006")
     apart = 2.0 * (league.body.disc_radius - league.body.disc_x) - 0.006
     robots = at(ROBOT, [(0.0, 0.0), (-apart, 0.0)])[None]

@@ -135,9 +135,6 @@ def test_a_mirrored_drop_is_the_mirror_image():
     assert_same(mirrored(Records.of(one)).robots, other.robots, 1e-9)
 
 
-# Crowds
-
-
 def crowd(match, place, rng, spread, pairs=False):
     """Put the ball somewhere and all robots about it at random, as densely as `spread` says (1: no denser), apart.
 

@@ -8,17 +8,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    each_league,
-    icy,
-    place,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league, icy
+from tests.scenes.staging import asking, each_step, place, stage, stand, steps_in
 
 
 def ball_at(match, x, y):
@@ -62,36 +53,44 @@ def test_a_rolling_ball_counts_in_the_step_in_which_it_is_over_and_from_every_an
     assert (scored == np.where(end > 0.0, HOME, AWAY)).all()
 
 
-def test_a_goal_is_between_the_posts_only():
-    """A trap: a goal judged by x alone."""
+def test_a_goal_is_between_the_posts_only_and_its_scorer_the_robot_that_touched_the_ball_last():
     league = find_league(MIDDLE)
     over, post = league.pitch.length / 2 + league.ball.radius + 0.01, league.pitch.goal_width / 2
     match = stage(league, 4)
     ball_at(match, over, [0.0, post + 0.3, -post - 0.3, 3.5])
     assert match.events["goal"].tolist() == [HOME, NO_TEAM, NO_TEAM, NO_TEAM]
     assert match.events["out"].tolist() == [0, 1, 1, 1]
+    match = stage(LEGGED, home=2, away=1, robots={1: (1.2, 0.0, 0.0)})
+    match.robots["has_ball"][:, 1] = 1
+    place(match, ball=(1.2 + match.league.body.front + match.league.ball.radius + 0.003, 0.0))
+    for _ in range(40):
+        match.step(asking(match, 1, kick=1.0))
+        if match.events["goal"][0] != NO_TEAM:
+            break
+    assert match.events["goal"][0] == HOME and match.events["scorer"][0] == 1
 
 
 @each_league
-def test_an_own_goal_counts_for_the_opponents(name):
+def test_an_own_goal_counts_for_the_opponents_and_a_shot_is_a_goal_and_a_shot_wide_is_none(name):
     league = find_league(name)
     match = stage(league)
     match.matches["last_touch_team"], match.matches["last_touch_robot"] = HOME, 0
     ball_at(match, -(league.pitch.length / 2 + league.ball.radius + 0.01), 0.0)
     assert match.events["goal"][0] == AWAY and match.events["scorer"][0] == 0
+    league = find_league(name)
+    aside = np.array([0.1, 0.75]) * league.pitch.goal_width
+    match = stage(league, 2, ball=(league.pitch.length / 2 - 0.5, aside, 0.6 * league.ball.top_speed))
+    assert (each_step(match, lambda: match.events["goal"], 1.5) == HOME).sum(axis=0).tolist() == [1, 0]
 
 
 @each_league
 def test_a_goal_is_counted_once(name):
-    """A trap: one reward too many."""
-    match, goals = Match(name, home=1, away=1, seed=1), 0
+    match = Match(name, home=1, away=1, seed=1)
     pitch, ball = match.league.pitch, match.league.ball
     match.matches["phase"] = Phase.PLAY
     place(match, ball=(pitch.length / 2 + ball.radius + 0.01, 0.0, 0.5 * ball.top_speed, 0.0))
-    for _ in range(100):
-        match.step(stand(match))
-        goals += (match.events["goal"] != NO_TEAM).sum()
-    assert goals == 1 and match.matches["score"].tolist() == [[1, 0]]
+    goals = each_step(match, lambda: match.events["goal"], steps=100)
+    assert (goals != NO_TEAM).sum() == 1 and match.matches["score"].tolist() == [[1, 0]]
 
 
 @pytest.mark.parametrize("placement", ["instant", "drive"])
@@ -106,29 +105,6 @@ def test_goals_count_in_both_halves_and_the_team_that_conceded_kicks_off_from_th
     assert scored.tolist() == [HOME, AWAY, AWAY, HOME] and (match.events["restart"] == Phase.KICK_OFF).all()
     assert (match.events["restart_team"] == 1 - scored).all() and (match.matches["restart_team"] == 1 - scored).all()
     assert match.balls[["x", "y", "vx", "vy"]].tolist() == [(0.0, 0.0, 0.0, 0.0)] * 4
-
-
-@each_league
-def test_a_shot_is_a_goal_and_a_shot_wide_is_none(name):
-    league = find_league(name)
-    aside = np.array([0.1, 0.75]) * league.pitch.goal_width
-    match = stage(league, 2, ball=(league.pitch.length / 2 - 0.5, aside, 0.6 * league.ball.top_speed))
-    goals = np.zeros(2, int)
-    for _ in range(steps_in(match, 1.5)):
-        match.step(stand(match))
-        goals += match.events["goal"] == HOME
-    assert goals.tolist() == [1, 0]
-
-
-def test_the_scorer_is_the_robot_that_touched_the_ball_last():
-    match = stage(LEGGED, home=2, away=1, robots={1: (1.2, 0.0, 0.0)})
-    match.robots["has_ball"][:, 1] = 1
-    place(match, ball=(1.2 + match.league.body.front + match.league.ball.radius + 0.003, 0.0))
-    for _ in range(40):
-        match.step(asking(match, 1, kick=1.0))
-        if match.events["goal"][0] != NO_TEAM:
-            break
-    assert match.events["goal"][0] == HOME and match.events["scorer"][0] == 1
 
 
 LEAGUE = find_league(MIDDLE)
@@ -152,15 +128,6 @@ def spots(match):
     return np.stack([match.matches["restart_x"], match.matches["restart_y"]], axis=-1)
 
 
-def test_over_the_touchline_it_is_a_throw_in_by_the_other_team_where_it_went_out():
-    x = np.linspace(-5.0, 5.0, len(CASES))
-    match = called(x, SIDES * (HALF_WIDTH + OVER))
-    assert (match.events["restart"] == Phase.THROW_IN).all() and (match.events["out"] == 1).all()
-    assert (match.events["restart_team"] == 1 - TOUCHES).all()
-    np.testing.assert_allclose(spots(match), np.stack([x, SIDES * HALF_WIDTH], axis=-1), atol=1e-9)
-    np.testing.assert_allclose(np.stack([match.balls["x"], match.balls["y"]], axis=-1), spots(match))
-
-
 def test_over_the_goal_line_it_is_a_corner_off_a_defender_and_a_goal_kick_off_an_attacker():
     match = called(ENDS * (HALF_LENGTH + OVER), SIDES * 2.5)
     defenders = np.where(ENDS * DIRECTIONS > 0.0, AWAY, HOME)
@@ -173,12 +140,18 @@ def test_over_the_goal_line_it_is_a_corner_off_a_defender_and_a_goal_kick_off_an
     np.testing.assert_allclose(spots(match), np.where(corner[:, None], corners, goal_kicks))
 
 
-def test_near_a_corner_a_throw_in_is_taken_no_nearer_to_the_goal_line_than_a_corner_kick():
+def test_over_the_touchline_it_is_a_throw_in_by_the_other_team_where_it_went_out_no_nearer_than_a_corner():
     most = HALF_LENGTH - LEAGUE.rules.corner_offset
     for x, expected in ((most - 0.01, most - 0.01), (most + 0.01, most), (HALF_LENGTH + 0.1, most)):
         match = called(ENDS * x, SIDES * (HALF_WIDTH + OVER))
         assert (match.events["restart"] == Phase.THROW_IN).all()
         np.testing.assert_allclose(spots(match), np.stack([ENDS * expected, SIDES * HALF_WIDTH], axis=-1), atol=1e-9)
+    x = np.linspace(-5.0, 5.0, len(CASES))
+    match = called(x, SIDES * (HALF_WIDTH + OVER))
+    assert (match.events["restart"] == Phase.THROW_IN).all() and (match.events["out"] == 1).all()
+    assert (match.events["restart_team"] == 1 - TOUCHES).all()
+    np.testing.assert_allclose(spots(match), np.stack([x, SIDES * HALF_WIDTH], axis=-1), atol=1e-9)
+    np.testing.assert_allclose(np.stack([match.balls["x"], match.balls["y"]], axis=-1), spots(match))
 
 
 @pytest.mark.parametrize(("beyond", "out"), [(-0.001, False), (0.001, True)])
@@ -195,7 +168,7 @@ def test_a_ball_that_nobody_touched_goes_to_the_defenders(x, y):
     assert (match.events["restart"] == (Phase.GOAL_KICK if x > HALF_LENGTH else Phase.THROW_IN)).all()
 
 
-def test_the_last_touch_before_it_went_out_decides_and_not_an_earlier_one():
+def test_the_last_touch_before_it_went_out_decides_and_a_robot_that_drives_the_ball_out_loses_it():
     match = stage(MIDDLE, robots={0: (0.0, 2.0, np.pi / 2), 1: (0.45, 3.6, np.pi / 2)})
     match.robots["has_ball"][:, 0] = 1
     place(match, ball=(0.0, 2.0 + 0.18 + 0.11 + 0.005))  # it glances off away's robot
@@ -207,9 +180,6 @@ def test_the_last_touch_before_it_went_out_decides_and_not_an_earlier_one():
         if match.events["out"][0]:
             break
     assert match.events["restart"][0] == Phase.THROW_IN and match.events["restart_team"][0] == 1 - teams[-1]
-
-
-def test_the_middle_size_robot_that_drives_the_ball_out_loses_it():
     match = stage(MIDDLE, ball=(0.0, 2.5 + 0.18 + 0.11 + 0.005), robots={0: (0.0, 2.5, np.pi / 2)})
     for _ in range(steps_in(match, 4.0)):
         match.step(asking(match, forward=0.4))

@@ -22,10 +22,17 @@ def play_on(match: Match, what: str) -> int:
 
 
 @each_league
-def test_the_first_half_ends_on_time(name):
+def test_the_first_half_ends_on_time_goals_of_its_last_moment_count_and_end_an_episode_even_then(name):
+    """It used to begin a second half of a match that was over."""
     match = Match(name, minutes=MINUTES, seed=1)
     assert play_on(match, "half_time") == steps_in(match, 6.0) and not match.terminated[0]
     assert match.matches["half"][0] == 1 and match.matches["clock"][0] == 0.0
+    match = goal_at_half_time(name)
+    assert match.events["half_time"][0] == 1 and match.matches["score"].tolist() == [[1, 0]]
+    assert match.matches["restart_team"][0] == AWAY, "the second half begins, whoever scored"
+    match = goal_at_half_time(name, episode="goal")
+    assert match.terminated[0] and match.matches["phase"][0] == Phase.OVER
+    assert match.events["half_time"][0] == 0 and match.matches["home_direction"][0] == 1.0
 
 
 @pytest.mark.parametrize(("name", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 15.0)])
@@ -87,21 +94,6 @@ def goal_at_half_time(name, **settings):
     match.step(stand(match))
     assert match.events["goal"][0] == HOME
     return match
-
-
-@each_league
-def test_a_goal_in_the_last_moment_of_a_half_counts(name):
-    match = goal_at_half_time(name)
-    assert match.events["half_time"][0] == 1 and match.matches["score"].tolist() == [[1, 0]]
-    assert match.matches["restart_team"][0] == AWAY, "the second half begins, whoever scored"
-
-
-@each_league
-def test_the_goal_that_ends_an_episode_ends_it_even_at_half_time(name):
-    """It used to begin a second half of a match that was over."""
-    match = goal_at_half_time(name, episode="goal")
-    assert match.terminated[0] and match.matches["phase"][0] == Phase.OVER
-    assert match.events["half_time"][0] == 0 and match.matches["home_direction"][0] == 1.0
 
 
 @each_league

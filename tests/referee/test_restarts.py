@@ -11,18 +11,8 @@ from soccer_env.referee.restarts import STEP_ASIDE, make_room
 from soccer_env.staging import constants_of
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league
-from tests.scenes.staging import (
-    asking,
-    deepest_overlaps,
-    distance,
-    place,
-    play,
-    scatter,
-    set_phase,
-    speed,
-    stand,
-    steps_in,
-)
+from tests.scenes.looking import deepest_overlaps, distance, speed
+from tests.scenes.staging import asking, place, play, scatter, set_phase, stand, steps_in
 
 KINDS = {
     LEGGED: (Phase.KICK_OFF,),
@@ -173,14 +163,18 @@ def test_the_taker_faces_the_ball_with_the_opponents_goal_ahead_and_goalkeepers_
 
 
 @each_league
-def test_formations_differ_from_seed_to_seed_by_centimetres(name):
+def test_formations_differ_by_centimetres_and_robots_may_stand_side_by_side_with_a_margin_between_them(name):
     match = Match(name, home=3, away=3, matches=50, seed=8)
     spread = match.robots["x"][match.matches["kick_off_team"] == HOME].std(axis=0)
     assert (spread > 0.002).all() and (spread < 0.05).all() and len(np.unique(match.robots["heading"])) == 50 * 6
+    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
+    _, radius = capsule(k)
+    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
+        assert in_the_way(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near
 
 
 @each_league
-def test_play_goes_on_once_the_ball_has_moved(name):
+def test_play_goes_on_once_the_ball_has_moved_by_a_kick_off_or_after_ten_seconds(name):
     match = Match(name, home=1, away=1, matches=2, seed=1)
     far, first = match.league.rules.in_play_distance, match.matches["kick_off_team"][0]
     match.balls["x"] = [far - 0.001, far + 0.001]
@@ -189,19 +183,11 @@ def test_play_goes_on_once_the_ball_has_moved(name):
     match.step(stand(match))
     assert match.matches["phase"].tolist() == [Phase.KICK_OFF, Phase.PLAY]
     assert match.events["in_play"].tolist() == [0, 1] and match.matches["restart_team"].tolist() == [first, NO_TEAM]
-
-
-@each_league
-def test_play_goes_on_after_ten_seconds_if_nobody_takes_the_restart(name):
     match = Match(name, home=2, away=2, seed=1)
     play(match, steps=steps_in(match, 10.0) - 1)
     assert match.matches["phase"][0] == Phase.KICK_OFF and find_league(name).rules.restart_time == 10.0
     match.step(stand(match))
     assert match.matches["phase"][0] == Phase.PLAY
-
-
-@each_league
-def test_taking_a_kick_off_puts_the_ball_in_play(name):
     match = Match(name, home=1, away=1, seed=1)
     taker = match.matches["kick_off_team"][0]
     for _ in range(steps_in(match, 9.0)):
@@ -240,11 +226,3 @@ def test_who_makes_room_for_a_carried_robot_goes_straight_away_from_the_ball_and
     assert not robots_touch(robots[0], robots[1], k)
     robots["x"][1], robots["y"][1] = new - 1.01 * STEP_ASIDE * new / np.hypot(*new)
     assert robots_touch(robots[0], robots[1], k)
-
-
-@each_league
-def test_robots_may_be_placed_side_by_side_with_the_margin_between_their_capsules(name):
-    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
-    _, radius = capsule(k)
-    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
-        assert in_the_way(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near

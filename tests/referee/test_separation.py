@@ -75,7 +75,6 @@ NOSE = NOSES / 2
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 @pytest.mark.parametrize("half", [1.0, -1.0])
 def test_the_one_that_attacks_the_goal_of_the_balls_half_is_moved_back(half, direction):
-    """Wherever the pair stands, in both halves of the match."""
     x = 0.2 * half
     match, way = overdue(
         (None, x - NOSE, None, x + NOSE),
@@ -89,20 +88,21 @@ def test_the_one_that_attacks_the_goal_of_the_balls_half_is_moved_back(half, dir
     assert way[0, defender] < 0.01 and 0.3 < way[0, attacker] <= match.league.rules.separation + 0.3
 
 
-def test_who_has_the_ball_does_not_count_and_the_attacker_comes_no_nearer_to_ball_or_goal():
+def test_the_attacker_comes_no_nearer_to_ball_or_goal_whoever_has_the_ball_and_bystanders_are_not_touched():
     held = PAWS.front + find_league(LEGGED).ball.radius + 0.001  # [m] of a ball between the paws of both
     match, way = overdue((None, 0.9, None, 0.9 + 2.0 * held), (0, 0.2, 0, 0.2), (0, 0.0, 0, np.pi), (0.9 + held, 0.2))
     robot = match.robots[0, 1]
     assert way[0, 3] < 0.01 and robot["x"] < 0.7
     assert np.hypot(robot["x"] - 0.9 - held, robot["y"] - 0.2) > 0.3
-
-
-def test_an_attacker_that_has_passed_the_defender_is_moved_aside_and_not_towards_the_goal():
     match, way = overdue((None, 0.8, None, 0.8 - NOSES), (0, 0.2, 0, 0.2), (0, np.pi, 0, 0.0), (1.2, 0.2))
     robot = match.robots[0, 1]
     goal = match.league.pitch.length / 2
     assert way[0, 3] < 0.01 and 0.3 < way[0, 1] <= match.league.rules.separation + 0.3
     assert np.hypot(goal - robot["x"], robot["y"]) >= np.hypot(goal - 0.8, 0.2) - 1e-6
+    match, way = overdue(
+        (0.5 + NOSE, 0.2 - NOSE, None, 0.2 + NOSE), (0.5, 0.3, 0, 0.3), (0, 0.0, 0, np.pi), (0.5, -0.4)
+    )
+    assert match.events["separated"][0] == 1 and way[0, 0] < 0.01
 
 
 @pytest.mark.parametrize(("keeper_x", "moved"), [(-1.2, 3), (-0.9, 1)])
@@ -112,13 +112,6 @@ def test_a_goalkeeper_in_its_own_area_is_never_moved(keeper_x, moved):
     assert match.robots["keeper"][0, 0] == 1 and match.events["separated"][0] == 1
     rows = {3: (3, 0), 1: (0, 3)}[moved]
     assert way[0, rows[0]] > 0.3 and way[0, rows[1]] < 0.01
-
-
-def test_bystanders_are_not_touched():
-    match, way = overdue(
-        (0.5 + NOSE, 0.2 - NOSE, None, 0.2 + NOSE), (0.5, 0.3, 0, 0.3), (0, 0.0, 0, np.pi), (0.5, -0.4)
-    )
-    assert match.events["separated"][0] == 1 and way[0, 0] < 0.01
 
 
 @pytest.mark.parametrize("size", [2, 3, 5, MAX_TEAM])
@@ -174,12 +167,20 @@ def test_team_mates_that_hold_each_other_by_the_legs_are_set_free_and_the_farthe
     assert (match.robots["locked"][0, :2] == 0.0).all()
 
 
-def test_time_in_contact_counts_for_a_robot_that_stands_as_for_the_one_that_it_holds():
+def test_time_in_contact_counts_for_a_robot_that_stands_too_and_a_mirrored_pair_is_parted_alike():
     """A trap of searchers: the one stands for ever, the other cannot leave."""
     match, actions = pushing()
     actions[:, 0] = 0.0
     play(match, actions=actions, steps=3)
     assert (match.robots["locked"] > 0.0).all()
+    (match, actions), (other, _) = pushing(), pushing()
+    match.robots["locked"] = 15.0
+    mirrored(Records.of(match)).put_into(other)
+    match.rebuild()
+    match.step(actions)
+    other.step(mirrored_actions(actions))
+    assert match.events["separated"][0] == other.events["separated"][0] == 1
+    assert_same(mirrored(Records.of(match)).robots, other.robots, 1e-9)
 
 
 def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody():
@@ -191,14 +192,3 @@ def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody(
     assert (apart > match.league.rules.separation).all()
     assert (abs(match.robots["x"]) < match.league.pitch.length / 2).all()
     assert (abs(match.robots["y"]) < match.league.pitch.width / 2).all()
-
-
-def test_a_mirrored_pair_is_pulled_apart_the_same_way():
-    (match, actions), (other, _) = pushing(), pushing()
-    match.robots["locked"] = 15.0
-    mirrored(Records.of(match)).put_into(other)
-    match.rebuild()
-    match.step(actions)
-    other.step(mirrored_actions(actions))
-    assert match.events["separated"][0] == other.events["separated"][0] == 1
-    assert_same(mirrored(Records.of(match)).robots, other.robots, 1e-9)

@@ -9,7 +9,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.referee.shoot_out import is_decided
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import MIDDLE, place, play, stand
+from tests.scenes.staging import MIDDLE, each_step, place, play, stand
 
 LEAGUE = find_league(MIDDLE)
 OUT = {  # where the ball goes out, and who touched it last: home attacks +x
@@ -93,7 +93,7 @@ def kick(match: Match, scored: bool) -> None:
     match.step(stand(match))
 
 
-def test_a_drawn_match_goes_on_with_a_penalty_kick_by_who_kicked_off_first():
+def test_a_drawn_match_goes_on_with_a_penalty_kick_by_who_kicked_off_first_and_the_others_keep_off():
     match = drawn()
     first = int(match.matches["kick_off_team"][0])
     assert match.matches["phase"][0] == Phase.PENALTY_KICK and not match.terminated[0]
@@ -101,9 +101,6 @@ def test_a_drawn_match_goes_on_with_a_penalty_kick_by_who_kicked_off_first():
     end = np.sign(match.matches["restart_x"][0])
     assert (end * match.balls["x"][0], match.balls["y"][0]) == (4.0, 0.0)  # 2 m from the goal line
     assert end == (1.0 if first == HOME else -1.0) * match.matches["home_direction"][0]
-
-
-def test_only_the_taker_and_the_goalkeeper_are_on_that_side():
     match = drawn()
     end = np.sign(match.matches["restart_x"][0])
     near = match.robots[0][end * match.robots["x"][0] > 0.0]
@@ -111,9 +108,6 @@ def test_only_the_taker_and_the_goalkeeper_are_on_that_side():
     assert sorted(near["team"].tolist()) == [HOME, AWAY]
     keeper = near[near["team"] != first][0]
     assert keeper["keeper"] == 1 and end * keeper["x"] > 5.5
-
-
-def test_the_others_are_kept_at_their_places_whatever_they_ask_for():
     match = drawn()
     places, end = match.robots["x"][0].copy(), np.sign(match.matches["restart_x"][0])
     actions = stand(match)
@@ -137,13 +131,20 @@ def test_goals_of_it_count_apart_and_teams_take_turns():
     assert match.matches["shoot_out_score"][0][first] == 2 and match.matches["shoot_out_score"][0][1 - first] == 1
 
 
-def test_it_ends_when_one_team_cannot_be_caught():
+def test_it_ends_when_one_team_cannot_be_caught_and_who_waits_ten_seconds_or_hits_the_own_goal_misses():
     match = drawn()
     for scored in (True, False, True, False, True, False):
         assert not match.terminated[0]
         kick(match, scored)
     assert match.terminated[0] and match.events["final_whistle"][0] == 1
     assert match.matches["phase"][0] == Phase.OVER and match.matches["restart_team"][0] == -1
+    match = drawn()
+    assert each_step(match, lambda: match.events["penalty"][0], steps=501).tolist().index(2) == 499
+    match = drawn()
+    put_ball(match, -6.12 * np.sign(match.matches["restart_x"][0]), 0.0)
+    match.rebuild()
+    match.step(stand(match))
+    assert match.events["penalty"][0] == 2 and match.matches["shoot_out_score"][0].tolist() == [0, 0]
 
 
 @pytest.mark.parametrize(("taken", "first", "second", "over"), [
@@ -163,15 +164,6 @@ def test_when_it_is_decided(taken, first, second, over):
     assert bool(is_decided(record, k)) == over
 
 
-def test_a_kick_that_nobody_takes_is_missed_after_ten_seconds():
-    match = drawn()
-    kicks = []
-    for _ in range(501):
-        match.step(stand(match))
-        kicks.append(int(match.events["penalty"][0]))
-    assert kicks.index(2) == 499
-
-
 @pytest.mark.parametrize(("speed", "result"), [(0.0, 2), (0.057, 2), (0.059, 0)])  # [m/s], of which a step takes 8 mm/s
 def test_a_ball_that_comes_to_rest_is_missed(speed, result):
     match = drawn()
@@ -181,14 +173,6 @@ def test_a_ball_that_comes_to_rest_is_missed(speed, result):
     match.step(stand(match))
     assert match.matches["phase"][0] == (Phase.PENALTY_KICK if result else Phase.PLAY)
     assert match.events["penalty"][0] == result
-
-
-def test_the_own_goal_is_a_miss():
-    match = drawn()
-    put_ball(match, -6.12 * np.sign(match.matches["restart_x"][0]), 0.0)
-    match.rebuild()
-    match.step(stand(match))
-    assert match.events["penalty"][0] == 2 and match.matches["shoot_out_score"][0].tolist() == [0, 0]
 
 
 @pytest.mark.parametrize(("steps", "result"), [(2, 1), (1, 2)])

@@ -82,7 +82,7 @@ def test_nobody_scores_while_holding_the_ball():
     assert match.events["annulled"][0] == 1
 
 
-def test_a_kick_off_shot_gives_the_defenders_a_kick_off():
+def test_a_kick_off_shot_gives_the_defenders_a_kick_off_and_each_kick_off_begins_anew():
     def shot(*where, **settings):
         match = rolling_in(*where, **settings)
         match.matches["kick_off_shot"] = 0
@@ -92,6 +92,12 @@ def test_a_kick_off_shot_gives_the_defenders_a_kick_off():
     assert after_goal(match) == ([0, 0], 1)
     assert match.matches["phase"][0] == Phase.KICK_OFF and match.matches["restart_team"][0] == 1
     assert after_goal(shot(side=-1.0)) == ([0, 1], 0) and after_goal(shot("kick_off_shot=False")) == ([1, 0], 0)
+    match = court("kick_off_shot=True")
+    match.matches["phase"], match.matches["restart_team"] = Phase.KICK_OFF, 1
+    match.step(stand(match))
+    assert match.matches["kick_off_shot"][0] == 1
+    match = court("kick_off_shot=True")
+    assert fouls(match, stand(match), 0.2) == [] and match.matches["kick_off_shot"][0] == -1
 
 
 @pytest.mark.parametrize(("beyond", "owner"), [(0.01, -1), (-0.01, 0)])
@@ -107,15 +113,6 @@ def test_the_kicking_team_has_to_touch_the_ball_when_all_of_it_has_left_the_circ
     place(match, robots={1: ((away - POCKET) * x, (away - POCKET) * y, way)})
     match.step(stand(match))
     assert match.robot_events["touch"][0, 1] == 1 and match.matches["kick_off_shot"][0] == owner
-
-
-def test_each_kick_off_begins_anew_and_a_scene_in_play_has_none():
-    match = court("kick_off_shot=True")
-    match.matches["phase"], match.matches["restart_team"] = Phase.KICK_OFF, 1
-    match.step(stand(match))
-    assert match.matches["kick_off_shot"][0] == 1
-    match = court("kick_off_shot=True")
-    assert fouls(match, stand(match), 0.2) == [] and match.matches["kick_off_shot"][0] == -1
 
 
 def chasers(**settings):

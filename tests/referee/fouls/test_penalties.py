@@ -58,13 +58,21 @@ def test_it_is_parked_for_30_s_and_comes_back_at_the_halfway_line_away_from_the_
     assert robot["heading"] == pytest.approx(-side * pi / 2) and robot["vx"] == robot["vy"] == 0.0
 
 
-def test_out_it_does_not_move_touch_or_push_and_its_clock_is_told():
+def test_out_it_does_not_move_touch_or_push_and_where_somebody_stands_it_comes_back_beside():
     match, actions = penalised()
     for _ in range(40):
         match.step(actions)
         assert match.robots["x"][0, 1] == PARKED + 2.0 and match.robots["vx"][0, 1] == 0.0
         assert match.robot_events["touch"][0, 1] == match.robot_events["collision"][0, 1] == 0
     assert match.robots["penalty"][0, 1] == 27.5
+    match, other = soon_back(), soon_back(4)
+    line = match.league.pitch.width / 2 - 0.2
+    place(match, robots={5: (0.0, line, 0.0), 4: (1.0, 0.0, 0.0), 2: (-0.35, line, 0.0)})
+    assert back_after(match, stand(match)) == 2 * STEP
+    assert -1.0 < match.robots["x"][0, 1] < -0.5 and match.robots["y"][0, 1] > 0.7
+    assert deepest_overlaps(match)["robot robot"] == 0.0
+    place(other, ball=(0.0, -0.001), robots={1: (0.0, line, 0.0)})
+    assert back_after(other, stand(other), 4) == 2 * STEP and other.robots["x"][0, 4] > 0.25
 
 
 @pytest.mark.parametrize(("r", "ball", "hand", "side"), [
@@ -81,17 +89,6 @@ def test_it_comes_back_away_from_the_ball_and_if_that_lies_in_the_middle_on_its_
     assert robot["x"] == 0.0 and np.sign(robot["y"]) == side and robot["heading"] == pytest.approx(-side * pi / 2)
 
 
-def test_where_somebody_stands_it_comes_back_beside_towards_its_own_goal():
-    match, other = soon_back(), soon_back(4)
-    line = match.league.pitch.width / 2 - 0.2
-    place(match, robots={5: (0.0, line, 0.0), 4: (1.0, 0.0, 0.0), 2: (-0.35, line, 0.0)})
-    assert back_after(match, stand(match)) == 2 * STEP
-    assert -1.0 < match.robots["x"][0, 1] < -0.5 and match.robots["y"][0, 1] > 0.7
-    assert deepest_overlaps(match)["robot robot"] == 0.0
-    place(other, ball=(0.0, -0.001), robots={1: (0.0, line, 0.0)})
-    assert back_after(other, stand(other), 4) == 2 * STEP and other.robots["x"][0, 4] > 0.25
-
-
 @pytest.mark.parametrize(("ball", "near", "far"), [(0.9, 0.0, 0.0), (0.0, -0.35, -0.2)])
 def test_with_no_room_on_that_side_it_comes_back_on_the_other_clear_of_the_ball(ball, near, far):
     match = stage(LEGGED, 1, 11, 11, rules=f"simple:dropped_ball=False,{RULE}")
@@ -102,7 +99,7 @@ def test_with_no_room_on_that_side_it_comes_back_on_the_other_clear_of_the_ball(
     assert match.robots["y"][0, 8] < -0.7 and near <= match.robots["x"][0, 8] <= far
 
 
-def test_a_kick_off_ends_penalties_and_the_robot_takes_part():
+def test_kick_off_and_half_time_end_penalties_a_dropped_ball_does_not_nor_anything_without_pardon():
     match, actions = penalised()
     put_ball(match, 1.53, 0.0, 0.5)
     match.rebuild()
@@ -114,9 +111,6 @@ def test_a_kick_off_ends_penalties_and_the_robot_takes_part():
     assert match.robot_events["returned"][0, 1] == 1 and robot["active"] == 1 and robot["penalty"] == 0.0
     assert -1.5 < robot["x"] < 0.0 and robot["placed"] == 1
     assert deepest_overlaps(match)["robot robot"] == 0.0
-
-
-def test_half_time_ends_penalties_too_and_a_dropped_ball_does_not():
     match, actions = penalised()
     match.matches["half_length"] = match.matches["clock"] + 1.0
     assert back_after(match, actions, seconds=2.0) == 1.0 and match.matches["home_direction"][0] == -1.0
@@ -126,9 +120,6 @@ def test_half_time_ends_penalties_too_and_a_dropped_ball_does_not():
     match.matches["still_clock"] = match.league.rules.stuck_time - STEP
     assert back_after(match, stand(match), seconds=STEP) is None and match.events["restart"][0] == Phase.DROP_BALL
     assert back_after(match, stand(match), seconds=29.0) is None
-
-
-def test_without_pardon_the_clock_runs_on_through_a_kick_off():
     match, actions = penalised(rules="pushing=True")
     match.matches["half_length"] = match.matches["clock"] + 1.0
     assert back_after(match, stand(match), seconds=1.0) is None and match.events["half_time"][0] == 1
@@ -162,21 +153,6 @@ def test_a_robot_that_is_taken_out_while_it_kicks_forgets_the_kick(kick_clock):
     assert match.robots["kick_clock"][0, 1] == 0.0 and match.robots["active"][0, 1] == 0
 
 
-def test_legs_that_were_caught_come_free():
-    match = court(RULE)
-    put(match, 1, 0.3, 0.4, 0.0)
-    put(match, 4, 0.3 + NOSES - 0.05, 0.4 + 0.05, pi)  # a paw between the other's forepaws
-    match.robots["pushing"][0, 1] = 3.2
-    match.robots["walk"]["forward"][0, 1] = match.robots["target"]["forward"][0, 1] = 0.12
-    match.rebuild()
-    match.robots["caught_by"][0, 4] = 2
-    match.robots["gait_phase"][0] = 1
-    found = fouls(match, asks(match, r1=1.0), STEP)
-    assert rows(found) == [1] and (match.robots["caught_by"] == 0).all()
-    fouls(match, stand(match), 1.0)
-    assert abs(match.robots["x"][0, 4] - 0.3 - NOSES) < 0.1 and abs(match.robots["vx"][0, 4]) < 0.05
-
-
 def test_a_match_saved_in_mid_penalty_goes_on_alike_and_so_do_both_backends():
     (match, actions), (other, _) = penalised(backend="c"), penalised(backend="batch")
     play(match, actions=actions, steps=50)
@@ -190,7 +166,19 @@ def test_a_match_saved_in_mid_penalty_goes_on_alike_and_so_do_both_backends():
     assert (back_after(other, actions), other.state_hash()) == hashes[0]
 
 
-def test_removal_time_zero_puts_it_back_at_once():
+def test_removal_time_zero_puts_it_back_at_once_and_legs_that_were_caught_come_free():
     match, _ = penalised(rules=f"{RULE},removal_time=0")
     assert match.robots["active"][0, 1] == 1 and match.robots["x"][0, 1] == 0.0
     assert match.robot_events["returned"][0, 1] == 1
+    match = court(RULE)
+    put(match, 1, 0.3, 0.4, 0.0)
+    put(match, 4, 0.3 + NOSES - 0.05, 0.4 + 0.05, pi)  # a paw between the other's forepaws
+    match.robots["pushing"][0, 1] = 3.2
+    match.robots["walk"]["forward"][0, 1] = match.robots["target"]["forward"][0, 1] = 0.12
+    match.rebuild()
+    match.robots["caught_by"][0, 4] = 2
+    match.robots["gait_phase"][0] = 1
+    found = fouls(match, asks(match, r1=1.0), STEP)
+    assert rows(found) == [1] and (match.robots["caught_by"] == 0).all()
+    fouls(match, stand(match), 1.0)
+    assert abs(match.robots["x"][0, 4] - 0.3 - NOSES) < 0.1 and abs(match.robots["vx"][0, 4]) < 0.05

@@ -34,12 +34,18 @@ def test_a_field_player_with_two_feet_in_its_own_area_is_illegal(x, y, heading, 
     assert found == ([(1.0 + STEP, 1, Foul.ILLEGAL_DEFENDER)] if guilty else [])
 
 
-def test_a_second_is_legal_and_short_visits_add_up():
+def test_a_second_is_legal_short_visits_add_up_and_where_there_is_no_goalkeeper_nothing_is_called():
     match = standing_at(-1.2)
     assert fouls(match, stand(match), 1.0) == []
     place(match, robots={1: (0.0, 0.0)})
     fouls(match, stand(match), 0.5)
     assert match.robots["trespass"][0, 1] == 0.5
+    match = standing_at(-1.2)
+    assert match.robots["active"][0, 0] == 0 and rows(fouls(match, stand(match), 2.0)) == [1]
+    alone = stage(LEGGED, rules=f"simple:{AREAS},dropped_ball=False", robots={0: (-1.2, 0.0)})
+    alone.robots["trespass"] = 0.0  # as in a court
+    off = standing_at(-1.2, rules="illegal_defender=False")
+    assert fouls(alone, stand(alone), 3.0) == fouls(off, stand(off), 3.0) == []
 
 
 @pytest.mark.parametrize(("r", "x", "direction", "guilty"), [
@@ -50,15 +56,6 @@ def test_goalkeepers_and_attackers_may_be_there_and_both_teams_and_halves_are_al
     match = standing_at(x, r=r)
     match.matches["home_direction"] = direction
     assert rows(fouls(match, stand(match), 2.0)) == guilty
-
-
-def test_it_is_called_though_the_goalkeeper_is_out_but_not_where_there_is_none_or_with_the_switch_off():
-    match = standing_at(-1.2)
-    assert match.robots["active"][0, 0] == 0 and rows(fouls(match, stand(match), 2.0)) == [1]
-    alone = stage(LEGGED, rules=f"simple:{AREAS},dropped_ball=False", robots={0: (-1.2, 0.0)})
-    alone.robots["trespass"] = 0.0  # as in a court
-    off = standing_at(-1.2, rules="illegal_defender=False")
-    assert fouls(alone, stand(alone), 3.0) == fouls(off, stand(off), 3.0) == []
 
 
 def test_whom_an_opponent_or_the_referee_put_there_has_time_to_walk_out():
@@ -126,16 +123,13 @@ def test_a_ball_that_nobody_touches_for_30_s_gives_a_kick_off_to_those_in_whose_
     assert match.events["stuck"][0] == 1 and match.balls["x"][0] == 0.0
 
 
-def test_a_touch_begins_the_30_s_anew_and_the_switch_off_ends_them():
+def test_a_touch_begins_the_30_s_anew_a_dropped_ball_does_not_and_the_switch_off_ends_them():
     match = court("global_stuck=True")
     place(match, ball=(-0.9, 0.3), robots={1: (-0.9 - POCKET, 0.3)})
     assert until_restart(match, 33.0) is None
     match = court("global_stuck=False")
     place(match, ball=(-0.9, 0.3))
     assert until_restart(match, 33.0) is None
-
-
-def test_a_dropped_ball_that_nobody_comes_for_does_not_stop_the_clock():
     match = court("global_stuck=True")
     match.batch.constants["rules_dropped_ball"] = 1
     place(match, ball=(-0.9, 0.3))
@@ -152,7 +146,7 @@ def scrum(rules="local_stuck=True", x=-0.5, r=1):
     return match
 
 
-def test_after_30_s_at_one_place_the_nearest_robot_goes_to_the_halfway_line_and_the_ball_stays():
+def test_after_30_s_at_one_place_the_nearest_robot_goes_to_the_halfway_line_unless_nobody_touches_the_ball():
     match = scrum()
     assert fouls(match, stand(match), 29.9) == []
     found = fouls(match, stand(match), 0.2)  # the first step finds where play is
@@ -160,6 +154,12 @@ def test_after_30_s_at_one_place_the_nearest_robot_goes_to_the_halfway_line_and_
     assert match.robots["x"][0, 1] == 0.0 and match.robots["active"][0, 1] == 1
     assert abs(match.balls["x"][0] + 0.5) < 0.01 and match.matches["phase"][0] == Phase.PLAY
     assert rows(fouls(match, stand(match), 31.0)) == [4]
+    match = court("local_stuck=True")
+    place(match, ball=(-0.5, 0.3), robots={1: (-0.9, 0.3)})
+    assert fouls(match, stand(match), 60.0) == []
+    place(match, robots={1: (-0.5 - POCKET, 0.3)})
+    assert fouls(match, stand(match), 29.9) == []
+    assert rows(fouls(match, stand(match), 0.3)) == [1]
 
 
 def late(match, x=0.0, y=0.0, clock=30.0 - STEP):
@@ -203,22 +203,10 @@ def test_seconds_in_which_nobody_is_at_the_ball_do_not_count_and_many_of_them_be
     assert match.matches["local_clock"][0] == clock
 
 
-def test_a_goalkeeper_in_the_other_half_is_carried_like_anybody():
+def test_a_goalkeeper_in_the_other_half_is_carried_and_the_ball_of_one_in_its_own_is_taken_to_the_centre_spot():
     match = late(scrum(x=0.6, r=KEEPER))
     assert rows(fouls(match, stand(match), STEP)) == [KEEPER] and match.robots["x"][0, KEEPER] == 0.0
-
-
-def test_of_a_goalkeeper_in_its_own_half_the_ball_is_taken_to_the_centre_spot_instead():
     match = late(scrum(x=-1.2, r=KEEPER))
     assert until_restart(match, 31.0)[1:] == (Phase.DROP_BALL, -1)
     assert (match.balls["x"][0], match.balls["y"][0]) == (0.0, 0.0) and match.robots["active"][0, KEEPER] == 1
     assert match.robots["x"][0, KEEPER] < -1.0
-
-
-def test_a_robot_near_a_ball_that_nobody_touches_is_left_alone_and_one_that_comes_to_it_has_30_s():
-    match = court("local_stuck=True")
-    place(match, ball=(-0.5, 0.3), robots={1: (-0.9, 0.3)})
-    assert fouls(match, stand(match), 60.0) == []
-    place(match, robots={1: (-0.5 - POCKET, 0.3)})
-    assert fouls(match, stand(match), 29.9) == []
-    assert rows(fouls(match, stand(match), 0.3)) == [1]

@@ -67,7 +67,7 @@ def test_a_ball_that_is_walked_ahead_with_or_stood_before_is_never_held(asked):
     assert match.robots["holding"][0, 1] == 0.0
 
 
-def test_who_stands_with_it_neither_holds_on_nor_lets_go_and_who_walks_ahead_lets_go():
+def test_who_stands_with_it_goes_on_who_walks_ahead_lets_go_and_what_an_opponent_touches_is_not_trapped():
     match = court(HOLDING)
     standing = at_work(match, 1, -0.5)
     match.robots["holding"][0, 1] = 2.0
@@ -75,9 +75,6 @@ def test_who_stands_with_it_neither_holds_on_nor_lets_go_and_who_walks_ahead_let
     assert match.robots["holding"][0, 1] == 2.0
     hold(match, 1, at_work(match, 1, float(match.robots["x"][0, 1]), forward=1.0), 1.0)
     assert match.robots["holding"][0, 1] == 1.0
-
-
-def test_a_ball_that_an_opponent_touches_is_not_trapped_and_nobody_is_whistled_with_the_switch_off():
     match, off = court(HOLDING), court("holding=False")
     actions = at_work(match, 1, 0.0, forward=-0.3)
     put(match, 4, 2.0 * POCKET - 0.002, 0.0, pi)
@@ -147,14 +144,11 @@ def shoved(fall, fall_time=3.0, matches=1, rules="falling=True"):
     return match
 
 
-def test_in_the_league_nobody_falls():
+def test_who_is_pushed_falls_lies_still_and_gets_up_who_pushes_does_not_and_in_the_league_nobody_falls():
     match = shoved(find_league(LEGGED).drive.fall, matches=4)
     for _ in range(64):
         match.step(asks(match, r1=1.0))
         assert (match.robots["fallen"] == 0.0).all()
-
-
-def test_who_is_pushed_falls_lies_still_and_gets_up_and_who_pushes_does_not():
     match = shoved(100.0)
     down = []
     while not (True in down and not down[-1]):
@@ -168,13 +162,10 @@ def test_who_is_pushed_falls_lies_still_and_gets_up_and_who_pushes_does_not():
 def test_the_share_of_falls_is_the_impulse_times_the_leagues_number():
     count, fall = 400, 0.5
     match = shoved(fall, 1e3, matches=count)
-    fallen = []
-    for _ in range(16 * 3):
-        match.step(asks(match, r1=1.0))
-        fallen.append((match.robots["fallen"][:, 4] > 0.0).mean())
-    league = match.league
+    play(match, 3.0, asks(match, r1=1.0))
+    fallen, league = (match.robots["fallen"][:, 4] > 0.0).mean(), match.league
     most = league.body.mass * league.drive.thrust * fall * 3.0  # [1] falls expected if it pushed all the time
-    assert 0.3 * (1.0 - np.exp(-most)) < fallen[-1] < 1.0 - np.exp(-most)
+    assert 0.3 * (1.0 - np.exp(-most)) < fallen < 1.0 - np.exp(-most)
     assert not match.robots["fallen"][:, 1].any()
 
 

@@ -34,21 +34,15 @@ def before(r=1, other=4, rules=PUSHING, **scene):
     return match
 
 
-def test_three_seconds_are_legal_and_one_step_more_is_not():
+def test_three_seconds_are_legal_one_step_more_is_not_nor_a_charge_and_who_stands_or_pushes_a_mate_is_not_guilty():
     match = before()
     assert pushed_steps(match, asks(match, r1=1.0), 8.0) == 3 * 16 + 1
     assert match.robot_events["foul"][0, 1] == Foul.PUSHING and match.events["foul"][0] == Foul.PUSHING
     assert match.events["foul_team"][0] == 0 and match.robots["active"][0, 1] == 0
     assert match.robots["penalty"][0, 1] == 30.0 and match.robots["active"][0, 4] == 1
-
-
-def test_of_two_that_charge_into_each_other_both_are_removed_at_once():
     match = before()
     found = fouls(match, asks(match, r1=1.0, r4=1.0), 6.0)
     assert rows(found) == [1, 4] and found[0][0] == found[1][0]
-
-
-def test_who_stands_turns_or_walks_away_and_who_pushes_a_mate_is_not_guilty_and_nobody_is_with_the_switch_off():
     match, mates, off = before(), before(other=2), before(rules="pushing=False")
     assert fouls(match, stand(match), 6.0) == fouls(match, asking(match, 1, turn=1.0), 6.0) == []
     assert fouls(match, asks(match, r1=-1.0), 2.0) == []
@@ -137,12 +131,17 @@ def keeper_pushed_steps(match, actions):
     return None
 
 
-def test_one_second_is_legal_and_one_step_more_is_not_even_for_the_robot_nearest_to_the_ball():
+def test_one_second_at_a_goalkeeper_in_its_area_is_legal_and_one_step_more_is_not_even_for_the_robot_at_the_ball():
     match = charge()
     place(match, ball=(1.1, 0.3))
     assert keeper_pushed_steps(match, asks(match, r1=1.0)) == 16 + 1
     assert match.robot_events["foul"][0, 1] == Foul.KEEPER_PUSHING and match.robots["penalty"][0, 1] == 30.0
     assert match.matches["whistled"][0] == 0
+    match, mates, outside, off = charge(), charge(), charge(x=0.0), charge("pushing=True")
+    assert fouls(match, asks(match, r3=1.0), 4.0) == [], "whoever walks into it"
+    mates.robots["team"][0, 1] = 1
+    for one in (mates, outside, off):
+        assert fouls(one, asks(one, r1=1.0), 2.5) == []
 
 
 def test_from_the_whistle_on_goals_do_not_count_for_the_full_time_though_there_was_one_before():
@@ -153,14 +152,6 @@ def test_from_the_whistle_on_goals_do_not_count_for_the_full_time_though_there_w
     assert match.matches["whistled"][0] == 0 and match.matches["whistled_clock"][0] == 0.0
 
 
-def test_who_stands_a_mate_or_an_opponent_out_of_the_area_is_not_guilty_and_nobody_is_with_the_switch_off():
-    match, mates, outside, off = charge(), charge(), charge(x=0.0), charge("pushing=True")
-    assert fouls(match, asks(match, r3=1.0), 4.0) == [], "whoever walks into it"
-    mates.robots["team"][0, 1] = 1
-    for one in (mates, outside, off):
-        assert fouls(one, asks(one, r1=1.0), 2.5) == []
-
-
 @pytest.mark.parametrize(("inside", "guilty"), [(0.002, [1]), (-0.02, [])])
 def test_a_foot_of_the_goalkeeper_on_its_line_is_enough(inside, guilty):
     match = charge(x=FOOT_IN + BODY.hind_x + inside - NOSES)  # it faces the pitch: its hind feet are in
@@ -168,7 +159,7 @@ def test_a_foot_of_the_goalkeeper_on_its_line_is_enough(inside, guilty):
     assert rows(fouls(match, asks(match, r1=0.5), 2.5)) == guilty
 
 
-def test_a_second_attacker_that_joins_is_removed_immediately_and_the_first_after_its_second():
+def test_a_second_attacker_that_joins_is_removed_at_once_and_a_goalkeeper_is_pushed_through_the_ball_too():
     match = charge()
     place(match, robots={2: (NEAR + NOSES, 0.24, -0.5 * pi)})
     match.robots["keeper_pushing"][0, 1] = 0.3
@@ -177,6 +168,12 @@ def test_a_second_attacker_that_joins_is_removed_immediately_and_the_first_after
     assert sorted(rows(found)) == [1, 2]
     pushed = {row: second for second, row, _ in found}
     assert pushed[2] < pushed[1] or pushed[2] - pushed[1] > 1.0  # joined, or came when the first was gone
+    match = court(KEEPER_PUSHING)
+    place(match, ball=(NEAR + POCKET, 0.0), robots={1: (NEAR, 0.0, 0.0), OTHER_KEEPER: (NEAR + 2.0 * POCKET, 0.0, pi)})
+    actions = asks(match, r1=1.0)
+    found = fouls(match, actions, 2.0)
+    assert rows(found) == [1] and found[0][2] == Foul.KEEPER_PUSHING
+    assert match.robot_events["collision"].sum() == 0
 
 
 @pytest.mark.parametrize(("longer", "team", "joined"), [(0.0, 0, 0), (STEP, 0, 1), (-STEP, 0, 0), (STEP, 1, 0)])
@@ -186,15 +183,6 @@ def test_who_comes_after_a_mate_joins_it_and_of_two_that_come_at_once_neither_do
     match.robots["keeper_pushing"][0, 1:3] = 0.3 + longer, 0.3
     match.robots["team"][0, 1] = team
     assert joins(match.robots[0], match.robot_events[0], 2, match.batch.constants[0]) == joined
-
-
-def test_a_goalkeeper_is_pushed_through_the_ball_too():
-    match = court(KEEPER_PUSHING)
-    place(match, ball=(NEAR + POCKET, 0.0), robots={1: (NEAR, 0.0, 0.0), OTHER_KEEPER: (NEAR + 2.0 * POCKET, 0.0, pi)})
-    actions = asks(match, r1=1.0)
-    found = fouls(match, actions, 2.0)
-    assert rows(found) == [1] and found[0][2] == Foul.KEEPER_PUSHING
-    assert match.robot_events["collision"].sum() == 0
 
 
 @pytest.mark.parametrize(("ball", "pushes"), [(NEAR + POCKET, contact.KEEPER), (NEAR - POCKET, 0)])

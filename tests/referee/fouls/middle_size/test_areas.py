@@ -5,7 +5,7 @@ import pytest
 from soccer_env.referee.fouls.middle_size.cards import OUT, YELLOW, book
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
-from tests.scenes.staging import asking, play, stand
+from tests.scenes.staging import asking, each_step, play
 
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
 GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA
@@ -106,15 +106,12 @@ def test_every_third_foul_is_a_yellow_card_and_the_sixth_the_end(team):
     assert robot["active"] == 0 and robot["banned"] == 1 and robot["penalty"] == 0.0
 
 
-def test_a_hard_foul_is_a_yellow_card_at_once_and_who_is_sent_off_never_comes_back():
+def test_a_hard_foul_is_a_yellow_card_at_once_who_is_sent_off_stays_away_and_cards_can_be_switched_off():
     referee = Referee()
     assert cards(referee, [True, True]) == [(YELLOW, False), (OUT, True)]
     referee.match.rebuild()
     play(referee.match, actions=asking(referee.match, referee.rows[1], 1.0), steps=150)
     assert referee.robots["active"].tolist() == [1, 0, 1, 1, 1, 1]
-
-
-def test_who_came_back_begins_with_a_yellow_card_again_and_cards_can_be_switched_off():
     assert cards(Referee(timed_cards=True), [True] * 4) == [(YELLOW, False), (OUT, True)] * 2
     referee = Referee(cards=False)
     assert cards(referee, [True] * 4) == [(0, False)] * 4 and referee.robots["fouls"].max() == 0
@@ -125,9 +122,5 @@ def test_the_timed_variant_lets_it_come_back_after_its_time():
     cards(referee, [True, True])
     assert referee.robots["banned"].max() == 0 and referee.robots["penalty"][1] == 1.0
     referee.match.rebuild()
-    active = []
-    for _ in range(60):
-        referee.match.step(stand(referee.match))
-        active.append(int(referee.robots["active"][1]))
-    assert active.index(1) == 49
+    assert each_step(referee.match, lambda: referee.robots["active"][1], steps=60).tolist().index(1) == 49
     assert abs(referee.robots["x"][1]) < 0.5 and abs(referee.robots["y"][1]) > 3.0

@@ -7,7 +7,7 @@ from soccer_env.referee.fouls.middle_size.free_kicks import spot
 from soccer_env.staging import put_ball
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
-from tests.scenes.staging import stand
+from tests.scenes.staging import each_step, stand
 
 RESTARTS = (Phase.KICK_OFF, Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK, Phase.FREE_KICK)
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
@@ -35,15 +35,12 @@ def test_a_second_touch_by_the_taker_is_a_free_kick_for_the_others_where_it_stan
     assert (referee.record["restart_x"], referee.record["restart_y"]) == (2.0, 1.0)
 
 
-def test_a_second_touch_in_a_shoot_out_ends_the_kick():
+def test_a_second_touch_in_a_shoot_out_ends_the_kick_and_a_foul_lets_everybodys_clocks_begin_anew():
     referee = taken(Phase.PENALTY_KICK)
     referee.record["shoot_out"], referee.record["phase_clock"] = 1, 2.0
     referee.wait(LEFT)
     assert referee.look(touches=(1,)) == Foul.SECOND_TOUCH
     assert referee.events["restart"] == 0 and referee.record["phase_clock"] == 10.0
-
-
-def test_a_foul_lets_everybodys_clocks_begin_anew():
     referee = taken()
     referee.wait(LEFT)
     clocks = ("charging", "handling", "backed", "dribbled", "area_clock", "crowd_clock", "near_clock")
@@ -85,15 +82,12 @@ def test_in_one_touch_the_ball_may_be_pushed_half_a_metre(away, foul):
     assert referee.look(touches=(1,)) == foul
 
 
-def test_before_the_ball_is_in_play_touches_do_not_count():
+def test_touches_before_the_ball_is_in_play_do_not_count_and_a_dropped_ball_has_no_taker():
     referee = Referee()
     referee.restart(Phase.THROW_IN, 0.0, 4.0)
     assert referee.look(touches=(1,)) == 0
     referee.wait(1.0)
     assert referee.look(touches=(1,)) == 0 and referee.record["taker"] == referee.rows[1]
-
-
-def test_nobody_is_the_taker_of_a_restart_whose_time_ran_out_or_of_a_dropped_ball():
     referee = Referee()
     referee.restart(Phase.THROW_IN, 0.0, 4.0)
     referee.record["phase"] = Phase.PLAY
@@ -181,7 +175,7 @@ def test_an_opponent_that_stays_too_near_for_a_second_is_put_back(away, foul, te
     assert (np.hypot(robot["x"], robot["y"]) >= 1.0) == (foul != 0) == robot["fouls"]  # it is cautioned
 
 
-def test_who_steps_away_has_a_second_again():
+def test_who_steps_away_has_a_second_again_and_an_opponent_that_touches_too_early_has_it_taken_again():
     referee = Referee()
     referee.restart(Phase.FREE_KICK, 0.0, 0.0)
     for _ in range(2):
@@ -189,9 +183,6 @@ def test_who_steps_away_has_a_second_again():
         assert not any(referee.wait(0.9))
         referee.put(4, 0.9, 0.0)
         assert referee.look() == 0
-
-
-def test_an_opponent_that_touches_the_ball_too_early_has_it_taken_again():
     referee = Referee()
     referee.restart(Phase.FREE_KICK, 1.0, 1.0)
     assert referee.look(touches=(4,)) == Foul.DISTANCE
@@ -218,8 +209,4 @@ def test_after_ten_seconds_everybody_may_play_the_ball():
     referee.restart(Phase.FREE_KICK, 0.0, 0.0)
     referee.record["phase_clock"] = 0.0
     referee.match.rebuild()
-    in_play = []
-    for _ in range(501):
-        referee.match.step(stand(referee.match))
-        in_play.append(int(referee.events["in_play"]))
-    assert in_play.index(1) == 499
+    assert each_step(referee.match, lambda: referee.events["in_play"], steps=501).tolist().index(1) == 499
