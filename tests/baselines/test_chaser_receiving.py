@@ -5,19 +5,18 @@ nothing on that it passes.
 """
 
 from math import cos, sin
+
 import numpy as np
 import pytest
-from soccer_env.baselines.attacking import GIVE_TIME, MEET, MET, comes_to_me, meet
+
+from soccer_env.baselines.attacking import GIVE_TIME, MEET, MET, PASSED, comes_to_me, meet, pass_ball
 from soccer_env.baselines.carrying import PRESSED, SLOW, pushing_speed, turn_to_goal
 from soccer_env.baselines.chaser import MEMORY, team
 from soccer_env.baselines.sight import SIGHT
+from soccer_env.baselines.skills import BRAKE_SHARE, TURNING, turn_by
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.types import COMMAND
-from tests.scenes.staging import MIDDLE
-from soccer_env.baselines.attacking import PASSED, pass_ball
-from soccer_env.baselines.chaser import team
-from soccer_env.baselines.skills import BRAKE_SHARE, TURNING, turn_by
 from tests.scenes.staging import MIDDLE, put, put_ball, stage, steps_in
 
 K = constants_of(find_league(MIDDLE))[0]

@@ -2,9 +2,18 @@
 
 import numpy as np
 import pytest
+
 from soccer_env import Match
 from soccer_env.baselines.chaser import MEMORY, team
-from soccer_env.baselines.set_pieces import KEPT, PASSES_BY, holds_off, note_set_piece, out_of_area, round_ball, strength_for
+from soccer_env.baselines.set_pieces import (
+    KEPT,
+    PASSES_BY,
+    holds_off,
+    note_set_piece,
+    out_of_area,
+    round_ball,
+    strength_for,
+)
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.baselines.skills import KEPT_OFF, hold_back
 from soccer_env.belief_types import BELIEF
@@ -12,8 +21,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.staging import begin, put_ball
 from soccer_env.types import Foul, Phase
-from tests.scenes.staging import MIDDLE, endless, place
-from tests.scenes.staging import LEAGUES
+from tests.scenes.staging import LEAGUES, MIDDLE, endless, place
 
 LEAGUE = find_league(MIDDLE)
 K = constants_of(LEAGUE)[0]
@@ -50,12 +58,9 @@ class Player:
         return float(self.memory["set_piece"])
 
 
-def test_the_nearest_player_is_the_taker_and_the_others_are_its_mates():
+def test_the_nearest_player_is_the_taker_and_leaves_the_ball_until_somebody_else_has_it():
     assert Player(0).memory["set_piece"] == KEPT and Player(1).memory["set_piece"] == -KEPT
     assert Player(0, ours=-1.0).memory["set_piece"] == 0.0
-
-
-def test_the_taker_leaves_the_ball_until_somebody_else_has_it():
     player = Player()
     assert player.note() == pytest.approx(KEPT - 0.02)
     player.sight["others"], player.sight["other_x"][0] = 1, 0.5
@@ -72,8 +77,6 @@ def test_it_forgets_in_time_and_at_once_at_a_penalty_kick_and_a_mate_that_comes_
     assert mate.note() < 0.0
     mate.sight["distance"] = 0.4
     assert mate.note() == 0.0
-
-
 
 
 @pytest.mark.parametrize(("x", "y", "place"), [(-5.0, 1.0, -4.21), (-4.0, 1.0, -4.0), (-5.0, 3.0, -5.0)])

@@ -1,20 +1,22 @@
 """Scripted goalkeepers clear the ball; field players of chaser and sacks-2001 keep the rules of the legged league."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
+
 from soccer_env import Match
 from soccer_env.baselines.attacking import DEFENDED, choose_aim, side_inside
 from soccer_env.baselines.chaser import team as chaser_team
 from soccer_env.baselines.goalkeeping import part_angle
+from soccer_env.baselines.obeying import is_in_own_area, out_of_own_area
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from tests.scenes.staging import LEGGED, MIDDLE, place, put, stage, steps_in
-from typing import Any
-from soccer_env.baselines.obeying import is_in_own_area, out_of_own_area
 from soccer_env.teams import make_team
 from soccer_env.types import Foul, Phase
-from tests.scenes.staging import LEGGED, place, put, put_ball, set_phase, steps_in
+from tests.scenes.staging import LEGGED, MIDDLE, each_step, place, put, put_ball, set_phase, stage, steps_in
 
 MATCHES = 64
 
@@ -22,6 +24,11 @@ MATCHES = 64
 def keeper_at_goal(league: str, team: str, home: int = 2) -> Match:
     """Return matches with home's goalkeeper alone on the field, played by a scripted team with ideal senses."""
     return stage(league, MATCHES, home, 1, seed=4, senses="ideal", controllers={"home": team, "away": "still"})
+
+
+def ever(match: Match, seconds: float, what: Callable[[], np.ndarray]) -> float:
+    """Return the share of matches in which something was so after a step of some seconds of play."""
+    return float(each_step(match, what, seconds).any(axis=0).mean())
 
 
 def with_the_ball(team: str, widest: float) -> Match:
@@ -64,12 +71,10 @@ def test_a_legged_keeper_gets_a_ball_on_its_own_line_out_of_its_goal(heading: fl
     length = match.league.pitch.length / 2
     put(match, 0, rng.uniform(0.25, 0.45, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES), heading)
     place(match, ball=(rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES)))
-    out = np.zeros(MATCHES, bool)
-    for _ in range(steps_in(match, 12.0)):
-        match.step()
-        out |= (match.balls["x"] > 0.2 - length) | (np.abs(match.balls["y"]) > match.league.pitch.goal_width / 2)
+    x, y = each_step(match, lambda: [match.balls["x"], match.balls["y"]], 12.0).swapaxes(0, 1)
+    out = (x > 0.2 - length) | (np.abs(y) > match.league.pitch.goal_width / 2)
     assert match.matches["score"][:, 1].mean() < 0.3, "0.62 of those that turn with it, or run at it from the field"
-    assert out.mean() > 0.7
+    assert out.any(axis=0).mean() > 0.7
     match.close()
 
 
@@ -103,12 +108,7 @@ def test_sacks_keeper_clears_only_where_its_setting_says_so() -> None:
     kicks = []
     for team in ("sacks-2001:shoots=False", "sacks-2001:shoots=False,keeper_clears=False"):
         match = with_the_ball(team, 0.3)
-        kicked = np.zeros(MATCHES, bool)
-        for _ in range(steps_in(match, 2.0)):
-            match.step()
-            kicked |= match.robot_events["kick"][:, 0] == 1
-        kicks.append(kicked.mean())
-        match.close()
+        kicks.append(ever(match, 2.0, lambda match=match: match.robot_events["kick"][:, 0] == 1))
     assert kicks[0] > 0.8 and kicks[1] == 0.0
 
 
@@ -186,12 +186,8 @@ def test_a_field_player_in_its_own_area_walks_out_before_the_whistle(team: str) 
     put(match, 1, rng.uniform(-1.1, -1.0, MANY), rng.uniform(-0.3, 0.3, MANY), rng.uniform(-0.5, 0.5, MANY))
     match.robots["trespass"][:, 1] = -3.0  # as for whoever did not walk in
     match.rebuild()
-    whistles = np.zeros(MANY, bool)
-    for _ in range(steps_in(match, 5.0)):
-        match.step()
-        whistles |= match.robot_events["foul"][:, 1] == Foul.ILLEGAL_DEFENDER
-    assert whistles.mean() < 0.1 and (match.robots["x"][:, 1] > EDGE).mean() > 0.9
-    match.close()
+    whistled = ever(match, 5.0, lambda: match.robot_events["foul"][:, 1] == Foul.ILLEGAL_DEFENDER)
+    assert whistled < 0.1 and (match.robots["x"][:, 1] > EDGE).mean() > 0.9
 
 
 @pytest.mark.parametrize("team", TEAMS)
@@ -199,24 +195,17 @@ def test_a_ball_in_the_own_area_is_left_to_the_goalkeeper(team: str) -> None:
     match, rng = staged(team), np.random.default_rng(2)
     put(match, 1, -0.6, 0.3, np.pi)
     place(match, ball=(rng.uniform(-1.3, -1.1, MANY), rng.uniform(-0.4, 0.4, MANY)))
-    defended, kept = np.zeros(MANY, bool), np.zeros(MANY, bool)
-    for _ in range(steps_in(match, 12.0)):
-        match.step()
-        defended |= (match.robot_events["foul"][:, :3] == Foul.ILLEGAL_DEFENDER).any(axis=1)
-        kept |= match.robot_events["touch"][:, 0] == 1
-    assert defended.mean() < 0.1 and kept.mean() > 0.8
-    match.close()
+    events = each_step(match, lambda: match.robot_events, 12.0)
+    defended = (events["foul"][:, :, :3] == Foul.ILLEGAL_DEFENDER).any(axis=(0, 2))
+    assert defended.mean() < 0.1 and (events["touch"][:, :, 0] == 1).any(axis=0).mean() > 0.8
 
 
-def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it() -> None:
+def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it_unless_told_to_give_it_a_wide_berth() -> None:
     match = staged("chaser", rules="simple")
     place(match, ball=(-1.0, 0.4), robots={1: (-0.6, 0.3, np.pi), 0: (-1.3, -0.3, 0.0)})
-    touched = np.zeros(MANY, bool)
-    for _ in range(steps_in(match, 12.0)):
-        match.step()
-        touched |= match.robot_events["touch"][:, 1] == 1
-    assert touched.mean() > 0.5
-    match.close()
+    assert ever(match, 12.0, lambda: match.robot_events["touch"][:, 1] == 1) > 0.5
+    wide, usual = nearest_to_area("chaser:berth=0.2"), nearest_to_area("chaser")
+    assert np.median(wide) > np.median(usual) + 0.1
 
 
 def nearest_to_area(team: str) -> np.ndarray:
@@ -226,17 +215,7 @@ def nearest_to_area(team: str) -> np.ndarray:
     put_ball(match, -0.9, 0.2)
     match.balls["vx"] = -0.3
     match.rebuild()
-    nearest = np.full(MANY, np.inf)
-    for _ in range(steps_in(match, 10.0)):
-        match.step()
-        nearest = np.minimum(nearest, match.robots["x"][:, 1] - EDGE)
-    match.close()
-    return nearest
-
-
-def test_a_chaser_told_to_gives_its_area_a_wide_berth() -> None:
-    wide, usual = nearest_to_area("chaser:berth=0.2"), nearest_to_area("chaser")
-    assert np.median(wide) > np.median(usual) + 0.1
+    return each_step(match, lambda: match.robots["x"][:, 1] - EDGE, 10.0).min(axis=0)
 
 
 def test_settings_of_the_chaser_are_its_numbers_by_name() -> None:
@@ -262,9 +241,4 @@ def test_an_attacker_before_a_goalkeeper_in_its_area_is_whistled_less_than_one_t
     """Ball and goalkeeper right before it: it goes step by step, and shoots; nobody sees contacts."""
     match = staged("chaser")
     place(match, ball=(1.1, 0.0), robots={3: (1.25, 0.0, np.pi), 1: (0.95, 0.0, 0.0)})
-    whistles = np.zeros(MANY, bool)
-    for _ in range(steps_in(match, 6.0)):
-        match.step()
-        whistles |= match.robot_events["foul"][:, 1] == Foul.KEEPER_PUSHING
-    assert whistles.mean() < 0.5
-    match.close()
+    assert ever(match, 6.0, lambda: match.robot_events["foul"][:, 1] == Foul.KEEPER_PUSHING) < 0.5

@@ -1,20 +1,21 @@
 """The chaser looks for a ball that it has lost; one that is unsure where it is looks up from the ball for a moment."""
 
 from typing import Any
+
 import numpy as np
 import pytest
+
 from soccer_env import Match
-from soccer_env.baselines.chaser import MEMORY, team
+from soccer_env.baselines.chaser import MEMORY, NUMBERS, team
+from soccer_env.baselines.glancing import KEEPER_ROOM, ROOM, look_up
 from soccer_env.baselines.searching import FULL_TURN, LOOKOUT, SEARCH, search
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.belief_types import BELIEF
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEGGED, MIDDLE
-from soccer_env.baselines.chaser import MEMORY, NUMBERS, team
-from soccer_env.baselines.glancing import KEEPER_ROOM, ROOM, look_up
-from soccer_env.optics.head_camera import share_of_tilt
 
 K = constants_of(find_league(LEGGED))[0]
 
@@ -66,21 +67,15 @@ def test_after_a_full_turn_it_walks_to_the_other_half_and_turns_again_there(x: f
     assert searcher.look(1.0)["turn"] == SEARCH
 
 
-def test_a_goalkeeper_looks_again_from_before_its_goal() -> None:
+def test_where_a_goalkeeper_looks_and_who_never_saw_the_ball_and_who_sees_all_round() -> None:
     searcher = Searcher(-0.9, heading=np.pi, keeper=1)
     searcher.look(1.0)
     searcher.memory["turned"] = FULL_TURN
     assert searcher.look(1.0)["forward"] > 0.9
-
-
-def test_a_ball_never_seen_is_looked_for_towards_the_middle_of_the_pitch() -> None:
     for y, side in ((0.9, -1.0), (-0.9, 1.0)):
         searcher = Searcher(0.0, y, 0.0)
         searcher.belief["ball"]["confidence"] = 0.0
         assert np.sign(searcher.look(0.0)["turn"]) == side
-
-
-def test_a_camera_that_sees_all_round_needs_no_turn() -> None:
     k, searcher = constants_of(find_league(MIDDLE))[0], Searcher(3.0)
     settings = team().settings[int(k["drive_kind"])]
     search(searcher.belief[0], searcher.command[0], searcher.sight[0], searcher.memory[0], k, settings)
@@ -138,11 +133,8 @@ def test_the_eyes_stay_on_the_ball(seen: dict) -> None:
     assert (tilts(**seen)[:, 0] < 0.0).all()
 
 
-def test_who_is_quite_lost_looks_up_with_the_ball_at_its_feet() -> None:
+def test_who_is_quite_lost_looks_up_and_a_ball_farther_away_is_kept_below_the_middle_of_the_picture() -> None:
     assert (tilts(QUITE_LOST - 1.0, ROOM - 0.01)[:, 0] > 0.0).any()
-
-
-def test_a_ball_farther_away_is_kept_in_the_picture_below_its_middle() -> None:
     k = constants_of(find_league(LEGGED))[0]
     told = tilts(100.0, KEEPER_ROOM)
     below = np.arctan2(k["head_camera_height"] - k["ball_radius"], KEEPER_ROOM - k["head_camera_ahead"])
@@ -152,13 +144,10 @@ def test_a_ball_farther_away_is_kept_in_the_picture_below_its_middle() -> None:
     assert NUMBERS["raised"][0] < 0.5 * find_league(LEGGED).sensors.view_height
 
 
-def test_a_sweep_is_mirrored_by_the_side_of_the_ball() -> None:
+def test_a_sweep_is_mirrored_by_the_side_of_the_ball_and_a_camera_that_sees_all_round_is_left_alone() -> None:
     one, other = (tilts(0.0, ROOM + 0.05, bearing=side * 0.2) for side in (1.0, -1.0))
     assert (one[:, 1] == -other[:, 1]).all() and (one[:, 2] == other[:, 2]).all()
     assert np.ptp(one[:, 1]) > 0.5
-
-
-def test_a_camera_that_sees_all_round_is_left_alone() -> None:
     k = constants_of(find_league(MIDDLE))[0]
     belief, memory, command = (np.zeros(1, dtype) for dtype in (BELIEF, MEMORY, COMMAND))
     belief["situation"]["active"], belief["ball"]["distance"] = 1, 1.0

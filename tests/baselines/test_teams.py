@@ -2,20 +2,21 @@
 
 from importlib.metadata import EntryPoint
 from typing import Any
+
 import numpy as np
 import pytest
+
 from soccer_env import Match, make_team
+from soccer_env.compiled import compiled
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
+from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
 from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered, registry
 from soccer_env.types import COMMAND
-from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, put, scatter, set_phase, stage
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, place, play, scatter, set_phase, stage
 from tests.scenes.symmetry import mirror, turn
-from soccer_env import Match
-from soccer_env.compiled import compiled
-from soccer_env.team_kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
-from soccer_env.teams import CompiledTeam
 
 TEAMS = ("still", "random", "chaser")
+BASES = (LEGGED, MIDDLE, "middle-size-2006-differential")
 IMAGED = tuple(team for team in TEAMS if team != "random")  # whose draws have no image
 EVEN = ("forward", "kick", "head", "tilt")
 
@@ -28,8 +29,7 @@ def numbers(commands: np.ndarray) -> np.ndarray:
 def test_still_stands_still_and_random_moves_as_strength_says() -> None:
     match, commands = Match(seed=1, controllers={"home": "still", "away": "still"}), {}
     start = match.robots[["x", "y", "heading"]].copy()
-    for _ in range(100):
-        match.step()
+    play(match, steps=100)
     assert (match.robots[["x", "y", "heading"]] == start).all()
     for strength in (1.0, 0.5):
         match = Match(seed=1, matches=50, controllers={"home": f"random@{strength}", "away": "still"})
@@ -37,8 +37,6 @@ def test_still_stands_still_and_random_moves_as_strength_says() -> None:
         commands[strength] = numbers(match.robots["command"])[:, :3, :3].copy()
     assert np.abs(commands[1.0]).max() > 0.9
     np.testing.assert_allclose(commands[0.5], 0.5 * commands[1.0])
-
-
 
 
 @pytest.mark.parametrize(
@@ -60,16 +58,19 @@ def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, l
     assert decisions[0] < 0.7 * decisions[1], decisions
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize(("league", "team", "senses"), [
+    *((league, team, "sensors") for league in LEAGUES for team in TEAMS),
+    *((LEGGED, f"sacks-2001{kind}", senses) for kind in ("", "-tuned", "-future") for senses in ("ideal", "sensors")),
+    *((league, team, "sensors") for league in (MIDDLE, BASES[2]) for team in ("heinemann-2006", "weigel-2001")),
+])  # fmt: skip
 @pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
-def test_every_team_plays_at_every_size(league: str, team: str, home: int, away: int) -> None:
-    match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team})
-    for _ in range(150):
-        match.step()
+def test_every_team_plays_at_every_size(league: str, team: str, senses: str, home: int, away: int) -> None:
+    match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team}, senses=senses)
+    start = match.robots["x"].copy()
+    play(match, steps=200)
     commands = numbers(match.robots["command"])
-    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0
-    assert np.isfinite(match.robots["x"]).all()
+    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0 and np.isfinite(match.robots["x"]).all()
+    assert team == "still" or np.abs(match.robots["x"] - start).max() > 0.1
 
 
 @pytest.mark.parametrize("league", ALL_LEAGUES)
@@ -83,10 +84,8 @@ def test_the_chaser_plays_every_league(league: str) -> None:
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("team", TEAMS)
 def test_act_is_what_the_match_runs(league: str, team: str) -> None:
-    """`act`, for callers from Python, and the kernel inside a match give the same commands."""
     match = Match(league, home=3, away=3, seed=1, controllers={"home": team, "away": "still"}, senses="ideal")
-    for _ in range(40):
-        match.step()
+    play(match, steps=40)
     squad = match.squads[0]
     view = View(match.league, match.beliefs[:, squad.players].copy(), match.tracks[:, squad.players].copy())
     states, memory = match.robots["noise"].copy(), squad.memory.copy()
@@ -219,7 +218,6 @@ def test_a_team_for_other_leagues_is_refused() -> None:
 
 COUNT = np.dtype([("decisions", "i8")])
 SUM = np.dtype([("players", "i8")])
-BASES = ("legged-2001", "middle-size-2006", "middle-size-2006-differential")
 
 
 @compiled
@@ -246,8 +244,7 @@ def counters(*strengths: float) -> CompiledTeam:
 
 def test_every_player_decides_once_a_step_from_its_own_belief() -> None:
     match = Match(home=3, away=2, matches=2, seed=1, controllers={"home": counters(0.5), "away": "still"})
-    for _ in range(4):
-        match.step()
+    play(match, steps=4)
     assert match.squads[0].memory["decisions"].tolist() == [[4, 4, 4]] * 2
     command = match.robots["command"][:, :3]
     assert (command["turn"] * 100).round().tolist() == [[0, 1, 2]] * 2, "each has its own number"

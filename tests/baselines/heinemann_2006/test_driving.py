@@ -2,21 +2,22 @@
 
 from math import atan2, cos, hypot, pi, sin
 from typing import Any
+
 import numpy as np
 import pytest
+
+from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd
+from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
 from soccer_env.baselines.heinemann_2006.driving import bend_between, bend_speed, drive_to, turn_limit
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.types import COMMAND
-from tests.scenes.staging import MIDDLE
-from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
 from soccer_env.scenes import SCENES
 from soccer_env.train.casting import controllers_of
 from soccer_env.types import COMMAND, Phase
+from tests.scenes.staging import MIDDLE
 
 K = constants_of(find_league(MIDDLE))[0]
 OMNI, TOP, ACCELERATION, DT = 1, 2.6, 4.0, 0.02
@@ -94,8 +95,6 @@ def test_mh01_what_it_looks_at_is_free_of_where_it_drives() -> None:
     assert least < there < least + 0.5, "in the time that acceleration and braking take"
 
 
-
-
 def test_mh15_whoever_moves_is_passed_behind_and_a_static_planner_does_not_know() -> None:
     crossing: list[Other] = [(0.0, -2.0, 0.0, 1.2)]
     ways = {name: drive(crossing, planner=name) for name in ("time_variant", "static")}
@@ -125,14 +124,6 @@ def test_whatever_is_in_the_way_it_comes_as_near_as_it_can_and_touches_nobody(sc
     rows = drive(others, 8.0, target)
     assert np.isfinite(rows[:, :5]).all()
     assert hypot(rows[-1, 0] - target[0], rows[-1, 1] - target[1]) <= near and rows[:, 5].min() > 2.0 * 0.287
-
-
-def test_a_mirrored_scene_is_driven_in_the_mirror() -> None:
-    others: list[Other] = [(-0.5, 0.3, 0.2, 0.1), (0.7, -0.4, 0.0, 0.5)]
-    image = [(x, -y, vx, -vy) for x, y, vx, vy in others]
-    rows, mirrored = drive(others, 2.0, (3.0, 1.0))[:, :4], drive(image, 2.0, (3.0, -1.0))[:, :4]
-    # the facing is not mirrored: only the way is compared
-    np.testing.assert_allclose(mirrored * [1, -1, 1, -1], rows, atol=1e-9)
 
 
 def test_bends_and_turns_are_as_fast_as_their_share_of_the_acceleration() -> None:

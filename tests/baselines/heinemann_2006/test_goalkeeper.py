@@ -6,26 +6,25 @@ MH22 interception of a rolling ball.
 
 from math import hypot, inf, sqrt
 from typing import Any
+
 import numpy as np
 import pytest
+
+from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.goalkeeper import interception, is_shot, keep_goal, passive_place, spare_time
 from soccer_env.baselines.heinemann_2006.intercepting import STEP, meeting_time, moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
+from soccer_env.baselines.heinemann_2006.passing import choose_pass, open_place, own_ball, pass_strength
+from soccer_env.baselines.heinemann_2006.roles import right_rank, way_there
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.baselines.sight import SIGHT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.types import COMMAND
+from soccer_env.types import COMMAND, Phase
 from tests.scenes.staging import MIDDLE
-from math import inf, sqrt
-from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.memory import MEMORY
-from soccer_env.baselines.heinemann_2006.passing import choose_pass, open_place, own_ball, pass_strength
-from soccer_env.baselines.heinemann_2006.roles import right_rank, way_there
-from soccer_env.types import Phase
-from tests.baselines.heinemann_2006.test_goalkeeper import settings
 
-K = constants_of(find_league(MIDDLE))[0]
+LEAGUE = find_league(MIDDLE)
+K = constants_of(LEAGUE)[0]
 HALF, OMNI = 6.0, 1  # [m] to the goal line, row of the omnidirectional base
 REACH = 0.2 + 0.11  # [m] keeper_reach and the ball's radius
 
@@ -63,8 +62,6 @@ def test_mh19_a_ball_at_the_goal_line_leaves_it_between_the_posts(stance: str, s
     assert (x, y) == pytest.approx((0.35 - HALF, side * 1.0))
 
 
-
-
 @pytest.mark.parametrize(("ball", "velocity", "shot"), [
     ((-3.0, 0.0), (-4.0, 0.0), True),
     ((-3.0, 0.0), (4.0, 0.0), False),  # away from the goal
@@ -75,9 +72,7 @@ def test_mh19_a_ball_at_the_goal_line_leaves_it_between_the_posts(stance: str, s
     ((-3.0, 0.0), (-3.0, 1.2), True),  # crosses at 1.2 m
     ((-3.0, 0.0), (-3.0, 1.3), False),  # at 1.3 m, beside the post and what may be believed
 ])  # fmt: skip
-def test_mh20_a_shot_is_a_ball_that_rolls_over_the_line_between_the_posts(
-    ball: tuple[float, float], velocity: tuple[float, float], shot: bool
-) -> None:
+def test_mh20_a_shot_is_a_ball_that_rolls_over_the_line_between_the_posts(ball, velocity, shot) -> None:
     for side in (1.0, -1.0):
         sight = seen(-5.5, 0.0, ball, (velocity[0], side * velocity[1]))
         assert bool(is_shot(sight, K, settings())) == shot
@@ -171,8 +166,6 @@ def test_mh22_a_rolling_ball_is_met_at_the_first_moment_at_which_the_robot_can_b
     assert first_at(seen(-6.0, 0.0, (0.0, 0.0), (3.0, 0.0)), 2.0) == 2.0  # not in that time
 
 
-LEAGUE = find_league(MIDDLE)
-K = constants_of(LEAGUE)[0]
 Place = tuple[float, float]
 
 
@@ -190,8 +183,7 @@ def sight_of(mates: list[Place], opponents: list[Place] = [], ball: Place = (0.0
 
 
 def passed(sight: np.void, pressed: bool = False, **changes: Any) -> tuple[float, float, float, float]:
-    found: tuple[float, float, float, float] = choose_pass(sight, K, settings(**{"pass_gain": 1.0, **changes}), pressed)
-    return found
+    return choose_pass(sight, K, settings(**{"pass_gain": 1.0, **changes}), pressed)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])

@@ -1,22 +1,22 @@
 """What the referee box says is heard by radio, a while later; and whatever is in the way, nothing stalls."""
 
-import numpy as np
-import pytest
-from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
-from soccer_env.baselines.heinemann_2006.playing import hear
-from soccer_env.belief_types import SITUATION
-from soccer_env.types import Phase
-from tests.baselines.heinemann_2006.test_goalkeeper import settings
-from tests.scenes.staging import MIDDLE
 from collections.abc import Callable
 from math import cos, pi, sin
 from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.blocked import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, go_round, note_standing
-from soccer_env.baselines.heinemann_2006.memory import ATTACKER, MEMORY, SCRATCH
+from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
+from soccer_env.baselines.heinemann_2006.playing import hear
+from soccer_env.belief_types import SITUATION
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.types import COMMAND, Phase
+from tests.baselines.heinemann_2006.test_goalkeeper import settings
+from tests.scenes.staging import MIDDLE, each_step
 
 STEP = 0.02  # [s]
 
@@ -46,7 +46,6 @@ THROWN_IN = [word(Phase.THROW_IN, -1.0, 1, STEP * step) for step in range(20)]
 
 @pytest.mark.parametrize("steps", [0, 1, 3, 10])
 def test_mh05_a_call_is_heard_after_the_radios_delay(steps: int) -> None:
-    """What is known of whether, whose and which restart it is, and since when, is what was said a delay ago."""
     said = [(int(k["phase"]), k["ours"], int(k["placing"]), round(k["phase_clock"], 6)) for k in PLAYING + THROWN_IN]
     heard = heard_of(PLAYING + THROWN_IN, STEP * steps)
     assert heard[20:] == said[20 - steps : 40 - steps]
@@ -113,12 +112,10 @@ def test_mh05_with_the_radio_dead_for_half_a_minute_the_team_still_plays() -> No
     assert longest < 10.0 and (touched > 100).all()
     one, none = (np.array(attackers) == 1).mean(), (np.array(attackers) == 0).mean()
     assert one > 0.65 and none < 0.05  # who sees its mates agrees with them on who attacks
-    late, touched = deaf(10.0), np.zeros(4)
-    for _ in range(1500):
-        late.step()
-        touched += late.robot_events["touch"].any(axis=1)
+    late = deaf(10.0)
+    touches = each_step(late, lambda: late.robot_events["touch"].any(axis=1), steps=1500)
     late.close()
-    assert (touched > 10).all()
+    assert (touches.sum(axis=0) > 10).all()
 
 
 K = constants_of(find_league(MIDDLE))[0]

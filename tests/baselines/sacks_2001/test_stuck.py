@@ -1,14 +1,14 @@
 """How a player of sacks-2001 notices that it is stuck, by readings in which the ball comes no nearer, and gets free."""
 
+from math import atan2, cos, pi, sin
 from statistics import NormalDist
+
 import numpy as np
 import pytest
-from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, SHOOT, SUPPORT
+
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, ROTATE, SHOOT, SIDESTEP, SUPPORT
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from tests.scenes.sacks_mind import LEAGUE, RATE, Mind
-from math import atan2, cos, pi, sin
-from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP
-from tests.scenes.sacks_mind import LEAGUE, Mind
 
 COUNT = SacksSettings().stuck_count
 HAS_BALL = (DRIBBLE, SHOOT)  # what is done with a ball that is not gone for
@@ -24,8 +24,7 @@ def test_ms19_a_ball_that_does_not_come_nearer_is_counted_until_the_robot_is_stu
     mind.see_ball(FAR, radial=radial)
     mind.think(COUNT * READING - 0.2)
     assert mind.memory["stuck"] == COUNT - 1 and mind.memory["behaviour"] == APPROACH
-    mind.think(0.4)
-    assert mind.memory["behaviour"] == BACK
+    assert mind.does(0.4) == BACK
 
 
 def test_ms19_a_ball_that_clearly_comes_nearer_is_taken_off_and_the_count_is_never_below_zero() -> None:
@@ -53,9 +52,7 @@ def test_ms19_between_the_bands_the_count_rests() -> None:
 
 
 @pytest.mark.parametrize("distance", [0.6, 1.8, 2.5])
-def test_ms19_however_wrong_velocities_are_the_count_falls_for_who_walks_and_rises_for_who_stands(
-    distance: float,
-) -> None:
+def test_ms19_however_wrong_velocities_are_the_count_falls_for_who_walks_and_rises_for_who_stands(distance) -> None:
     errors = [NOISE * distance**2 * NormalDist().inv_cdf((i + 0.5) / 400) for i in range(400)]
     for speed, falls in ((LEAGUE.drive.forward, True), (0.0, False)):
         mind = Mind(stuck_count=10_000)
@@ -74,10 +71,8 @@ def test_ms20_near_the_ball_both_counters_must_agree() -> None:
         mind.see_ball(0.3)
         mind.think(COUNT * READING + 0.2)
     assert one.memory["behaviour"] == BACK and two.memory["behaviour"] == APPROACH
-    two.think(SacksSettings().near_time - COUNT * READING - 0.3)
-    assert two.memory["behaviour"] == APPROACH
-    two.think(0.3)
-    assert two.memory["behaviour"] == BACK
+    assert two.does(SacksSettings().near_time - COUNT * READING - 0.3) == APPROACH
+    assert two.does(0.3) == BACK
 
 
 def test_ms20_the_second_counter_is_time_within_35_cm_of_the_camera_and_time_beyond_is_taken_off() -> None:
@@ -172,20 +167,16 @@ def test_ms23_a_stuck_robot_takes_ten_steps_back_then_one_aside_then_goes_to_the
     commands = mind.think(steps * STEP - 2.5 * LEAGUE.dt)
     assert (commands[:, 0] == -1.0).all() and (commands[:, 1:4] == 0.0).all()
     assert mind.memory["behaviour"] == BACK
-    mind.think(4 * LEAGUE.dt)
-    assert mind.memory["behaviour"] == SIDESTEP
+    assert mind.does(4 * LEAGUE.dt) == SIDESTEP
     aside = mind.think(SacksSettings().side_steps * STEP - 4 * LEAGUE.dt)
     assert (abs(aside[:, 1]) == 1.0).all() and (aside[:, 0] == 0.0).all()
-    mind.think(5 * LEAGUE.dt)
-    assert mind.memory["behaviour"] == APPROACH and mind.memory["stuck"] == 0
+    assert mind.does(5 * LEAGUE.dt) == APPROACH and mind.memory["stuck"] == 0
 
 
 def test_ms23_it_does_so_again_if_it_is_stuck_again_and_counts_the_tries() -> None:
     mind = stuck()
-    mind.think(10 * STEP + SacksSettings().side_steps * STEP + 0.1)
-    assert mind.memory["behaviour"] == APPROACH
-    mind.think(BEFORE_STUCK + 0.2)
-    assert mind.memory["behaviour"] == BACK and mind.memory["tries"] == 2
+    assert mind.does(10 * STEP + SacksSettings().side_steps * STEP + 0.1) == APPROACH
+    assert mind.does(BEFORE_STUCK + 0.2) == BACK and mind.memory["tries"] == 2
 
 
 def test_ms23_without_recovery_it_pushes_on_for_ever() -> None:
@@ -201,8 +192,7 @@ def test_ms24_the_step_aside_brings_the_ball_between_the_robot_and_the_goal() ->
         x, y, heading = rng.uniform(-1.0, 0.5), rng.uniform(-0.6, 0.6), rng.uniform(-2.0, 2.0)
         mind = stuck()
         mind.stand_at(x, y, heading)
-        mind.think(10 * STEP)
-        assert mind.memory["behaviour"] == SIDESTEP
+        assert mind.does(10 * STEP) == SIDESTEP
         side = float(mind.memory["side"])
         ball_x, ball_y = x + 0.5 * cos(heading), y + 0.5 * sin(heading)
         to_goal = atan2(-ball_y, GOAL - ball_x)
@@ -230,8 +220,6 @@ def test_ms25_a_ball_more_than_30_degrees_aside_is_turned_to_instead(side: int) 
 
 def test_ms25_one_that_faces_the_ball_goes_to_it() -> None:
     mind = stuck(2.0)
-    mind.think(10 * STEP + 0.5)
-    assert mind.memory["behaviour"] == ROTATE
+    assert mind.does(10 * STEP + 0.5) == ROTATE
     mind.see_ball(0.5, 0.1)
-    mind.think(2 * LEAGUE.dt)
-    assert mind.memory["behaviour"] == APPROACH
+    assert mind.does(2 * LEAGUE.dt) == APPROACH

@@ -1,26 +1,17 @@
 """From cell to cell: which is next, how long it takes, and until when obstacles are moved; the search's queue."""
 
-from math import atan2, cos, pi, sin, sqrt
+from math import atan2, cos, hypot, inf, nan, pi, sin, sqrt
+from typing import Any
+
 import numpy as np
 import pytest
-from soccer_env.baselines.weigel_2001.planner.heap import pop, push
-from soccer_env.baselines.weigel_2001.planner.records import NODE
-from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
-from soccer_env.baselines.weigel_2001.planner.stepping import (
-    cell_of,
-    next_cell,
-    obstacle_time,
-    step_length,
-    step_time,
-)
-from math import hypot
-from soccer_env.baselines.weigel_2001.planner.records import POINT, SCRATCH
-from soccer_env.baselines.weigel_2001.planner.smoothing import length_of, smooth
-from math import cos, inf, nan, pi, sin
-from typing import Any
+
 from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
+from soccer_env.baselines.weigel_2001.planner.heap import pop, push
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
-from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, PLAN, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.records import NODE, OBSTACLE, PLAN, POINT, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.smoothing import length_of, smooth
+from soccer_env.baselines.weigel_2001.planner.stepping import cell_of, next_cell, obstacle_time, step_length, step_time
 from tests.scenes.planning import Scene, at_bearing, cup, random_scene, row
 
 PLAY = PlannerSettings().record()[0]
@@ -57,19 +48,13 @@ def test_mh11_carried_steps_keep_to_the_line_within_half_a_cell(degrees: int) ->
         assert max(abs(u), abs(v)) == step
 
 
-def test_mh11_no_direction_is_no_step() -> None:
+def test_mh11_no_direction_is_no_step_and_steps_and_cells_of_the_mirror_are_mirrored() -> None:
     assert next_cell(0.0, 0.0, 0.4, 0.4, PLAY)[:2] == (0, 0)
     assert next_cell(0.0, 0.0, 0.4, 0.4, PlannerSettings(stepping="quantised").record()[0])[:2] == (0, 0)
-
-
-def test_a_mirrored_step_is_the_steps_mirror_image() -> None:
     rng = np.random.default_rng(3)
     for x, y, rest_x, rest_y in rng.uniform(-0.5, 0.5, (200, 4)):
         du, dv, a, b = next_cell(x, y, rest_x, rest_y, PLAY)
         assert next_cell(x, -y, rest_x, -rest_y, PLAY) == (du, -dv, a, -b)
-
-
-def test_a_cell_is_the_nearest_the_mirrored_place_has_the_mirrored_one_and_none_is_outside() -> None:
     places = [0.0, 0.04, 0.05, 0.06, 0.25, 1.0, 4.97, 5.2, 80.0, float("inf")]
     assert [cell_of(place, 50, PLAY) for place in places] == [0, 0, 1, 1, 3, 10, 50, 50, 50, 50]
     assert [cell_of(-place, 50, PLAY) for place in places] == [0, 0, -1, -1, -3, -10, -50, -50, -50, -50]
@@ -80,9 +65,6 @@ def test_mh17_weigels_planner_sees_obstacles_as_they_are_now() -> None:
     still = PlannerSettings(time_variant=False).record()[0]
     assert [obstacle_time(t, still) for t in (-1.0, 0.0, 1.7)] == [0.0, 0.0, 0.0]
     assert [obstacle_time(t, PLAY) for t in (-1.0, 0.0, 1.7)] == [0.0, 0.0, 1.7]
-
-
-def test_mh16_by_the_papers_words_alone_obstacles_are_moved_back_beyond_the_present() -> None:
     assert obstacle_time(-0.4, PlannerSettings(literal=True).record()[0]) == -0.4
 
 
@@ -97,9 +79,13 @@ def test_the_search_takes_the_least_first_and_of_equal_ones_the_older() -> None:
     assert taken == sorted(range(200), key=lambda node: (nodes["potential"][node], node))
 
 
-def test_a_step_is_the_root_of_its_squares() -> None:
+def test_a_step_is_the_root_of_its_squares_a_corner_the_mean_of_nine_cells_and_an_unsmoothed_path_the_cells() -> None:
     assert step_length(3, -4, PLAY) == pytest.approx(0.5)
     assert step_length(1, 1, PLAY) == pytest.approx(0.1 * sqrt(2.0))
+    path = smoothed(CORNER, (-1.0, 0.0), (0.0, 1.0), 4)
+    assert path[10] == pytest.approx((-1.0 / 9.0, 1.0 / 9.0))  # 0.1 m times (4 + 3 + 2 + 1) / 9
+    assert path[:6, 1] == pytest.approx(0.0) and path[15:, 0] == pytest.approx(0.0)
+    assert smoothed(CORNER, (-1.0, 0.0), (0.0, 1.0), 0) == pytest.approx(0.1 * np.array(CORNER))
 
 
 def smoothed(
@@ -117,16 +103,6 @@ def smoothed(
 
 
 CORNER = [(i, 0) for i in range(-10, 1)] + [(0, i) for i in range(1, 11)]
-
-
-def test_a_corner_is_the_mean_of_its_nine_cells() -> None:
-    path = smoothed(CORNER, (-1.0, 0.0), (0.0, 1.0), 4)
-    assert path[10] == pytest.approx((-1.0 / 9.0, 1.0 / 9.0))  # 0.1 m times (4 + 3 + 2 + 1) / 9
-    assert path[:6, 1] == pytest.approx(0.0) and path[15:, 0] == pytest.approx(0.0)
-
-
-def test_unsmoothed_the_path_is_the_cells_way() -> None:
-    assert smoothed(CORNER, (-1.0, 0.0), (0.0, 1.0), 0) == pytest.approx(0.1 * np.array(CORNER))
 
 
 @pytest.mark.parametrize("count", [2, 3, 5, 9, 30])
@@ -207,10 +183,12 @@ def test_an_enclosed_robot_or_target_ends_the_plan_at_bounded_cost_with_a_path_n
     assert Planner().plan((4.0, 1.0), (0.0, 0.0), ring()).ended == "enclosed"
 
 
-def test_the_number_of_evaluations_is_capped() -> None:
+def test_evaluations_are_capped_and_a_target_under_the_robot_is_a_path_of_two_points() -> None:
     plan = Planner(most_evaluations=150).plan(*cup(0.3))
     assert plan.ended == "capped" and plan.evaluations < 170
     assert np.isfinite(plan.path).all() and plan.path[-1] == pytest.approx(cup(0.3).target)
+    plan = Planner().plan((1.0, 1.0), (1.0, 1.0), [(1.3, 1.0, -1.0, 0.0)])
+    assert plan.arrived and len(plan) == 2 and plan.time == plan.least_time == 0.0
 
 
 @pytest.mark.parametrize("form", ["scalar", "vector"])
@@ -233,11 +211,6 @@ def test_nothing_stalls_or_throws(form: str, changes: dict[str, Any]) -> None:
         assert plan.path[-1] == pytest.approx(np.clip(target, (-7.0, -5.0), (7.0, 5.0)))
         arrived += plan.arrived
     assert arrived > 45
-
-
-def test_a_target_under_the_robot_is_a_path_of_two_points() -> None:
-    plan = Planner().plan((1.0, 1.0), (1.0, 1.0), [(1.3, 1.0, -1.0, 0.0)])
-    assert plan.arrived and len(plan) == 2 and plan.time == plan.least_time == 0.0
 
 
 def test_what_is_no_number_neither_stalls_nor_leaves_the_grid() -> None:
