@@ -9,7 +9,6 @@ from soccer_env.leagues.league import League
 from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import put, put_ball, stage, stand, steady
 
-FAR_Y = 0.45  # [1] of the pitch's width where robots wait that a situation does not need
 CASES = [(team, half) for team in (HOME, AWAY) for half in (0, 1)]
 
 
