@@ -1,4 +1,7 @@
-"""Scripted goalkeepers clear the ball: with a kick away from their goal, or without a kicker by driving into it."""
+"""Scripted goalkeepers clear the ball; field players of chaser and sacks-2001 keep the rules of the legged league."""
+
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,8 +12,11 @@ from soccer_env.baselines.chaser.attacking import DEFENDED, choose_aim, side_ins
 from soccer_env.baselines.chaser.goalkeeping import part_angle
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.keeping_rules import is_in_own_area, out_of_own_area
 from soccer_env.skills.sight import SIGHT
-from tests.scenes.staging import LEGGED, MIDDLE, put, put_ball, stage, steps_in
+from soccer_env.teams import make_team
+from soccer_env.types import Foul, Phase
+from tests.scenes.staging import LEGGED, MIDDLE, each_step, place, put, put_ball, set_phase, stage, steps_in
 
 MATCHES = 64
 
@@ -20,15 +26,18 @@ def keeper_at_goal(league: str, team: str, home: int = 2) -> Match:
     return stage(league, MATCHES, home, 1, seed=4, senses="ideal", controllers={"home": team, "away": "still"})
 
 
+def ever(match: Match, seconds: float, what: Callable[[], np.ndarray]) -> float:
+    """Return the share of matches in which something was so after a step of some seconds of play."""
+    return float(each_step(match, what, seconds).any(axis=0).mean())
+
+
 def with_the_ball(team: str, widest: float) -> Match:
     """Return matches in which a legged goalkeeper has the ball before its goal, turned up to `widest` [rad] aside."""
     match, rng = keeper_at_goal(LEGGED, team), np.random.default_rng(2)
     body, ball, pitch = match.league.body, match.league.ball, match.league.pitch
     heading, touch = rng.uniform(-widest, widest, MATCHES), body.front + ball.radius
     x, y = -pitch.length / 2 + rng.uniform(0.2, 0.6, MATCHES), rng.uniform(-0.35, 0.35, MATCHES)
-    put(match, 0, x, y, heading)
-    put_ball(match, x + touch * np.cos(heading), y + touch * np.sin(heading))
-    match.rebuild()
+    place(match, ball=(x + touch * np.cos(heading), y + touch * np.sin(heading)), robots={0: (x, y, heading)})
     return match
 
 
@@ -61,14 +70,11 @@ def test_a_legged_keeper_gets_a_ball_on_its_own_line_out_of_its_goal(heading: fl
     match, rng = keeper_at_goal(LEGGED, "chaser"), np.random.default_rng(5)
     length = match.league.pitch.length / 2
     put(match, 0, rng.uniform(0.25, 0.45, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES), heading)
-    put_ball(match, rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES))
-    match.rebuild()
-    out = np.zeros(MATCHES, bool)
-    for _ in range(steps_in(match, 12.0)):
-        match.step()
-        out |= (match.balls["x"] > 0.2 - length) | (np.abs(match.balls["y"]) > match.league.pitch.goal_width / 2)
+    place(match, ball=(rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES)))
+    x, y = each_step(match, lambda: [match.balls["x"], match.balls["y"]], 12.0).swapaxes(0, 1)
+    out = (x > 0.2 - length) | (np.abs(y) > match.league.pitch.goal_width / 2)
     assert match.matches["score"][:, 1].mean() < 0.3, "0.62 of those that turn with it, or run at it from the field"
-    assert out.mean() > 0.7
+    assert out.any(axis=0).mean() > 0.7
     match.close()
 
 
@@ -90,13 +96,10 @@ def test_a_legged_keeper_that_faces_its_goal_does_not_kick(team: str) -> None:
     body, ball = match.league.body, match.league.ball
     heading = np.linspace(0.6, 1.4, MATCHES) * np.pi
     touch = body.front + ball.radius
-    put(match, 0, -0.9, 0.0, heading)
-    put_ball(match, -0.9 + touch * np.cos(heading), touch * np.sin(heading))
-    match.rebuild()
+    place(match, ball=(-0.9 + touch * np.cos(heading), touch * np.sin(heading)), robots={0: (-0.9, 0.0, heading)})
     for _ in range(4):
         match.step()
-        assert not match.robot_events["kick"].any()
-        assert not (match.robots["kick_clock"][:, 0] > 0.0).any()
+        assert not match.robot_events["kick"].any() and not (match.robots["kick_clock"][:, 0] > 0.0).any()
     match.close()
 
 
@@ -105,12 +108,7 @@ def test_sacks_keeper_clears_only_where_its_setting_says_so() -> None:
     kicks = []
     for team in ("sacks-2001:shoots=False", "sacks-2001:shoots=False,keeper_clears=False"):
         match = with_the_ball(team, 0.3)
-        kicked = np.zeros(MATCHES, bool)
-        for _ in range(steps_in(match, 2.0)):
-            match.step()
-            kicked |= match.robot_events["kick"][:, 0] == 1
-        kicks.append(kicked.mean())
-        match.close()
+        kicks.append(ever(match, 2.0, lambda match=match: match.robot_events["kick"][:, 0] == 1))
     assert kicks[0] > 0.8 and kicks[1] == 0.0
 
 
@@ -119,8 +117,7 @@ def test_mh04_the_middle_size_keeper_clears_a_resting_ball_by_driving_into_it() 
     match = keeper_at_goal(MIDDLE, "chaser")
     rng, pitch = np.random.default_rng(3), match.league.pitch
     put(match, 0, -pitch.length / 2 + 0.35, 0.0, 0.0)
-    put_ball(match, -pitch.length / 2 + rng.uniform(0.8, 1.3, MATCHES), rng.uniform(-0.8, 0.8, MATCHES))
-    match.rebuild()
+    place(match, ball=(-pitch.length / 2 + rng.uniform(0.8, 1.3, MATCHES), rng.uniform(-0.8, 0.8, MATCHES)))
     cleared = np.zeros(MATCHES, bool)
     for _ in range(steps_in(match, 12.0)):
         match.step()
@@ -161,3 +158,87 @@ def test_a_field_player_on_wheels_plays_a_ball_near_its_goal_clear_of_it(side: f
     assert ux > 0.0 and uy * side > 0.0, "out, and away from its mouth"
     ux, uy = choose_aim(with_ball_at(DEFENDED - 6.0 + 0.01, 0.0), WHEELS, play)
     assert (ux, uy) == pytest.approx((1.0, 0.0)), "from farther out at the opponents' goal, if nobody is in the way"
+
+
+K = constants_of(find_league(LEGGED))[0]
+MANY = 32
+EDGE = -1.0  # [m] x of the front edge of home's penalty area
+TEAMS = ["chaser", "sacks-2001"]
+
+
+def staged(team: str, **settings: Any) -> Match:
+    """Return matches in play: home's goalkeeper on its line, its field players in midfield, the ball ahead of them."""
+    match = Match(
+        LEGGED, home=3, away=3, matches=MANY, threads=2, seed=5, controllers={"home": team, "away": "still"},
+        senses="ideal", **settings,
+    )  # fmt: skip
+    set_phase(match, Phase.PLAY)
+    spots = [(-1.3, 0.0, 0.0), (0.0, 0.4, 0.0), (0.0, -0.4, 0.0), (1.3, 0.0, np.pi), (0.9, 0.8, 0.0), (0.9, -0.8, 0.0)]
+    for r, (x, y, heading) in enumerate(spots):
+        put(match, r, x, y, heading)
+    put_ball(match, 0.6, 0.0)
+    return match
+
+
+@pytest.mark.parametrize("team", TEAMS)
+def test_a_field_player_in_its_own_area_walks_out_before_the_whistle(team: str) -> None:
+    match, rng = staged(team), np.random.default_rng(1)
+    put(match, 1, rng.uniform(-1.1, -1.0, MANY), rng.uniform(-0.3, 0.3, MANY), rng.uniform(-0.5, 0.5, MANY))
+    match.robots["trespass"][:, 1] = -3.0  # as for whoever did not walk in
+    match.rebuild()
+    whistled = ever(match, 5.0, lambda: match.robot_events["foul"][:, 1] == Foul.ILLEGAL_DEFENDER)
+    assert whistled < 0.1 and (match.robots["x"][:, 1] > EDGE).mean() > 0.9
+
+
+@pytest.mark.parametrize("team", TEAMS)
+def test_a_ball_in_the_own_area_is_left_to_the_goalkeeper(team: str) -> None:
+    match, rng = staged(team), np.random.default_rng(2)
+    put(match, 1, -0.6, 0.3, np.pi)
+    place(match, ball=(rng.uniform(-1.3, -1.1, MANY), rng.uniform(-0.4, 0.4, MANY)))
+    events = each_step(match, lambda: match.robot_events, 12.0)
+    defended = (events["foul"][:, :, :3] == Foul.ILLEGAL_DEFENDER).any(axis=(0, 2))
+    assert defended.mean() < 0.1 and (events["touch"][:, :, 0] == 1).any(axis=0).mean() > 0.8
+
+
+def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it_unless_told_to_give_it_a_wide_berth() -> None:
+    match = staged("chaser", rules="simple")
+    place(match, ball=(-1.0, 0.4), robots={1: (-0.6, 0.3, np.pi), 0: (-1.3, -0.3, 0.0)})
+    assert ever(match, 12.0, lambda: match.robot_events["touch"][:, 1] == 1) > 0.5
+    wide, usual = nearest_to_area("chaser:berth=0.2"), nearest_to_area("chaser")
+    assert np.median(wide) > np.median(usual) + 0.1
+
+
+def nearest_to_area(team: str) -> np.ndarray:
+    """Return how near [m] a field player comes to its own area (M,) that it was near when the ball lay before it."""
+    match = staged(team)
+    put(match, 1, -0.7, 0.2, np.pi)
+    put_ball(match, -0.9, 0.2)
+    match.balls["vx"] = -0.3
+    match.rebuild()
+    return each_step(match, lambda: match.robots["x"][:, 1] - EDGE, 10.0).min(axis=0)
+
+
+def test_settings_of_the_chaser_are_its_numbers_by_name() -> None:
+    assert set(make_team("chaser:berth=0.2,room=0.05").settings["berth"]) == {0.2}
+    with pytest.raises(ValueError, match="unknown setting of chaser 'bert', did you mean 'berth'"):
+        make_team("chaser:bert=0.2")
+    for value in ("far", "nan", "True"):
+        with pytest.raises(ValueError, match=f"berth of chaser must be a number, got '?{value}"):
+            make_team(f"chaser:berth={value}")
+
+
+def test_the_shortest_way_out_of_the_area_goes_through_its_front() -> None:
+    room = float(K["body_reach"])
+    for y in (0.0, 0.3, -0.3):
+        x, aside = out_of_own_area(-1.1, y, K, room)
+        assert x == pytest.approx(EDGE + room) and aside == y
+    assert out_of_own_area(0.3, 0.2, K, room) == (0.3, 0.2)
+    assert is_in_own_area(-1.2, 0.4, K, 0.0) and not is_in_own_area(-1.2, 0.6, K, 0.0)
+    assert out_of_own_area(-1.3, 0.45, K, room)[1] == pytest.approx(0.5 + room)
+
+
+def test_an_attacker_before_a_goalkeeper_in_its_area_is_whistled_less_than_one_that_shoves() -> None:
+    """Ball and goalkeeper right before it: it goes step by step, and shoots; nobody sees contacts."""
+    match = staged("chaser")
+    place(match, ball=(1.1, 0.0), robots={3: (1.25, 0.0, np.pi), 1: (0.95, 0.0, 0.0)})
+    assert ever(match, 6.0, lambda: match.robot_events["foul"][:, 1] == Foul.KEEPER_PUSHING) < 0.5

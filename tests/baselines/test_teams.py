@@ -1,4 +1,4 @@
-"""The shipped teams: still stands, random wanders, every team plays at any size, from beliefs alone, left as right."""
+"""The shipped teams play at any size, from beliefs alone, left as right; kernels of teams reach every player."""
 
 from importlib.metadata import EntryPoint
 from typing import Any
@@ -7,13 +7,16 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team
+from soccer_env.compiled import compiled
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
 from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered, registry
+from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
 from soccer_env.types import COMMAND
-from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, put, scatter, set_phase, stage
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, place, play, scatter, set_phase, stage
 from tests.scenes.symmetry import mirror, turn
 
 TEAMS = ("still", "random", "chaser")
+BASES = (LEGGED, MIDDLE, "middle-size-2006-differential")
 IMAGED = tuple(team for team in TEAMS if team != "random")  # whose draws have no image
 EVEN = ("forward", "kick", "head", "tilt")
 
@@ -23,16 +26,11 @@ def numbers(commands: np.ndarray) -> np.ndarray:
     return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
 
 
-def test_still_stands_still() -> None:
-    match = Match(seed=1, controllers={"home": "still", "away": "still"})
+def test_still_stands_still_and_random_moves_as_strength_says() -> None:
+    match, commands = Match(seed=1, controllers={"home": "still", "away": "still"}), {}
     start = match.robots[["x", "y", "heading"]].copy()
-    for _ in range(100):
-        match.step()
+    play(match, steps=100)
     assert (match.robots[["x", "y", "heading"]] == start).all()
-
-
-def test_random_moves_as_strength_says() -> None:
-    commands = {}
     for strength in (1.0, 0.5):
         match = Match(seed=1, matches=50, controllers={"home": f"random@{strength}", "away": "still"})
         match.step()
@@ -49,8 +47,7 @@ def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, l
     for strength in (0, 1):
         controllers = {"home": f"{team}@{strength}", "away": "still"}
         match = stage(league, 20, seed=2, controllers=controllers, senses="ideal")
-        put(match, 0, -0.4 * match.league.pitch.length, 0.1)
-        match.rebuild()
+        place(match, robots={0: (-0.4 * match.league.pitch.length, 0.1)})
         commands = []
         for _ in range(80):
             match.step()
@@ -61,16 +58,19 @@ def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, l
     assert decisions[0] < 0.7 * decisions[1], decisions
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize(("league", "team", "senses"), [
+    *((league, team, "sensors") for league in LEAGUES for team in TEAMS),
+    *((LEGGED, f"sacks-2001{kind}", senses) for kind in ("", "-tuned", "-future") for senses in ("ideal", "sensors")),
+    *((league, team, "sensors") for league in (MIDDLE, BASES[2]) for team in ("heinemann-2006", "weigel-2001")),
+])  # fmt: skip
 @pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
-def test_every_team_plays_at_every_size(league: str, team: str, home: int, away: int) -> None:
-    match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team})
-    for _ in range(150):
-        match.step()
+def test_every_team_plays_at_every_size(league: str, team: str, senses: str, home: int, away: int) -> None:
+    match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team}, senses=senses)
+    start = match.robots["x"].copy()
+    play(match, steps=200)
     commands = numbers(match.robots["command"])
-    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0
-    assert np.isfinite(match.robots["x"]).all()
+    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0 and np.isfinite(match.robots["x"]).all()
+    assert team == "still" or np.abs(match.robots["x"] - start).max() > 0.1
 
 
 @pytest.mark.parametrize("league", ALL_LEAGUES)
@@ -84,10 +84,8 @@ def test_the_chaser_plays_every_league(league: str) -> None:
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("team", TEAMS)
 def test_act_is_what_the_match_runs(league: str, team: str) -> None:
-    """`act`, for callers from Python, and the kernel inside a match give the same commands."""
     match = Match(league, home=3, away=3, seed=1, controllers={"home": team, "away": "still"}, senses="ideal")
-    for _ in range(40):
-        match.step()
+    play(match, steps=40)
     squad = match.squads[0]
     view = View(match.league, match.beliefs[:, squad.players].copy(), match.tracks[:, squad.players].copy())
     states, memory = match.robots["noise"].copy(), squad.memory.copy()
@@ -133,18 +131,15 @@ def test_names_are_parsed_and_checked() -> None:
     assert changed.settings["recovery"] == 0 and changed.settings["player_gain"] == 0.4
 
 
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        *((f"sacks-2001:{wrong}", "must be written as name=value") for wrong in ("", "x", "x=", "=1", "a=1,,b=2")),
-        *((f"chaser@{wrong}", "must be a number from 0 to 1") for wrong in ("", "2", "-1", "x", "nan")),
-        ("lions", "unknown team 'lions'.* known: "),
-        ("chaser:recovery=False", "unknown setting of chaser 'recovery', did you mean .* known: settle"),
-        ("sacks-2001:recover=False", "'recover' in SacksSettings, did you mean 'recovery' .*known: strength"),
-        ("sacks-2001:recovery=3", "SacksSettings.recovery must be True or False, got 3"),
-        ("x.zip:path=y", "the file of team 'x.zip' is given by its name, not by a setting path"),
-    ],
-)
+@pytest.mark.parametrize(("name", "message"), [
+    *((f"sacks-2001:{wrong}", "must be written as name=value") for wrong in ("", "x", "x=", "=1", "a=1,,b=2")),
+    *((f"chaser@{wrong}", "must be a number from 0 to 1") for wrong in ("", "2", "-1", "x", "nan")),
+    ("lions", "unknown team 'lions'.* known: "),
+    ("chaser:recovery=False", "unknown setting of chaser 'recovery', did you mean .* known: settle"),
+    ("sacks-2001:recover=False", "'recover' in SacksSettings, did you mean 'recovery' .*known: strength"),
+    ("sacks-2001:recovery=3", "SacksSettings.recovery must be True or False, got 3"),
+    ("x.zip:path=y", "the file of team 'x.zip' is given by its name, not by a setting path"),
+])  # fmt: skip
 def test_a_name_that_cannot_be_is_explained(name: str, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make_team(name)
@@ -195,21 +190,21 @@ def test_a_package_ships_a_team_as_a_factory_of_its_strength_and_settings() -> N
 
 
 @pytest.mark.usefixtures("shipped")
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        ("nobody", "team 'nobody' must be a function that takes strength=, .*:nobody is <function nobody"),
-        ("nothing", "a team needs name, memory_dtype and act, got None"),
-    ],
-)
+@pytest.mark.parametrize(("name", "message"), [
+    ("nobody", "team 'nobody' must be a function that takes strength=, .*:nobody is <function nobody"),
+    ("nothing", "a team needs name, memory_dtype and act, got None"),
+])  # fmt: skip
 def test_an_entry_point_that_is_no_factory_of_a_team_is_refused(name: str, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make_team(name)
 
 
-def test_a_team_object_is_no_factory() -> None:
+def test_a_team_object_is_no_factory_and_a_team_without_a_name_is_no_team() -> None:
+    nameless: Any = type("Nameless", (), {"memory_dtype": np.dtype([]), "act": Lions.act})()
     with pytest.raises(ValueError, match="team 'x' must be a function that takes strength=, a:b is 'text'"):
         registry.check_factory("x", "a:b", "text")
+    with pytest.raises(ValueError, match="a team needs name, memory_dtype and act"):
+        make_team(nameless)
 
 
 def test_a_team_for_other_leagues_is_refused() -> None:
@@ -221,12 +216,53 @@ def test_a_team_for_other_leagues_is_refused() -> None:
         Match("middle-size-2006", controllers={"home": dogs}, seed=1)
 
 
-def test_a_team_without_a_name_is_no_team() -> None:
-    class Nameless:
-        memory_dtype = np.dtype([])
+COUNT = np.dtype([("decisions", "i8")])
+SUM = np.dtype([("players", "i8")])
 
-        def act(self, view: Any, memory: np.ndarray, rng: Any) -> np.ndarray:
-            return np.zeros(0)
 
-    with pytest.raises(ValueError, match="a team needs name, memory_dtype and act"):
-        make_team(Nameless())  # type: ignore[arg-type]
+@compiled
+def count(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
+    """Count the decisions, say in which order the player came, and which settings and number it has."""
+    memory.decisions += 1
+    scratch.players += 1
+    command.forward, command.left = settings.strength, scratch.players / 100.0
+    command.turn, command.kick = belief.situation.number / 100.0, -1.0
+
+
+@compiled
+def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
+    """Walk as fast as the strength says."""
+    command.forward = settings.strength
+
+
+COUNTER, WALKER = per_player(count, SUM), per_blind_player(walk)
+
+
+def counters(*strengths: float) -> CompiledTeam:
+    return CompiledTeam("counters", COUNTER, COUNT, np.array([(one,) for one in strengths], STRENGTH))
+
+
+def test_every_player_decides_once_a_step_from_its_own_belief() -> None:
+    match = Match(home=3, away=2, matches=2, seed=1, controllers={"home": counters(0.5), "away": "still"})
+    play(match, steps=4)
+    assert match.squads[0].memory["decisions"].tolist() == [[4, 4, 4]] * 2
+    command = match.robots["command"][:, :3]
+    assert (command["turn"] * 100).round().tolist() == [[0, 1, 2]] * 2, "each has its own number"
+    assert (command["left"] * 100).round().tolist() == [[1, 2, 3], [4, 5, 6]], "and all the same record to work in"
+    assert (match.robots["command"]["turn"][:, 3:] == 0.0).all(), "others are left alone"
+
+
+@pytest.mark.parametrize(("league", "row"), list(zip(BASES, range(3), strict=True)))
+def test_a_team_has_settings_for_each_kind_of_base_or_for_all(league: str, row: int) -> None:
+    for strengths, expected in (((0.1, 0.2, 0.3), (0.1, 0.2, 0.3)[row]), ((0.4,), 0.4)):
+        teams: dict[str, Any] = {"home": counters(*strengths), "away": "still"}
+        match = Match(league, home=1, away=1, seed=1, controllers=teams, senses="ideal")
+        match.step()
+        assert match.robots["command"]["forward"][0, 0] == expected
+
+
+def test_a_blind_player_plays_without_beliefs() -> None:
+    team = CompiledTeam("walkers", WALKER, NO_MEMORY, np.array([(0.25,)], STRENGTH), blind=True)
+    match = Match(home=2, away=2, matches=3, seed=1, controllers={"home": team, "away": team})
+    match.step()
+    assert (match.robots["command"]["forward"] == 0.25).all()

@@ -1,7 +1,5 @@
 """Robots that only talk, for tests: beliefs are set, frames pass, and what arrives is looked at."""
 
-from __future__ import annotations
-
 from math import inf
 from typing import Any
 
@@ -69,5 +67,4 @@ class Talkers:
 
     def heard(self, name: str = "word") -> list[Any]:
         """Return what all robots have heard."""
-        found: list[Any] = self.beliefs["heard"][name].tolist()
-        return found
+        return self.beliefs["heard"][name].tolist()

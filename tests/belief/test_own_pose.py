@@ -3,13 +3,12 @@
 Sacks 2001 says nothing of self-localisation; Heinemann et al. 2006, 1, call theirs "efficient and reliable".
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +17,7 @@ from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, is_crowded, moti
 from soccer_env.compiled import compiled
 from soccer_env.records.beliefs import OWN_POSE, TRACK
 from soccer_env.records.percepts import POSE_SENSED
-from tests.scenes.pose_worlds import World, believe_all
+from tests.scenes.pose_worlds import World
 from tests.scenes.staging import LEGGED, MIDDLE, each_league
 
 CLOSE = {LEGGED: 0.10, MIDDLE: 0.15}  # [m] median error of a robot that knows where it is
@@ -27,84 +26,65 @@ RECOVERY = 10.0  # [s] in which it does
 POSE = ("x", "y", "heading")
 
 
-# Tracking
+def informed(name: str, seconds: float = 0.0, **settings: Any) -> World:
+    """Return robots that were told where they are, and then walked about for a time [s]."""
+    world = World(name, **settings)
+    world.tell()
+    world.walk(seconds)
+    return world
+
+
+def assert_finite(world: World) -> None:
+    for field in OWN_POSE.names:
+        assert np.isfinite(world.own[field]).all()
+    for field in world.particles.dtype.names:
+        assert np.isfinite(world.particles[field]).all()
 
 
 @each_league
 def test_mh08_a_robot_that_was_told_its_pose_keeps_it_while_it_walks_about_and_slips(name: str) -> None:
-    world = World(name, robots=40)
-    world.tell()
+    world = informed(name, robots=40)
     errors = world.walk(60.0)
-    assert np.median(errors) < CLOSE[name]
-    assert np.median(errors[-100:]) < CLOSE[name]
-    assert np.quantile(errors, 0.99) < 3.0 * CLOSE[name]
-    assert np.median(world.heading_errors()) < 0.05
+    assert np.median(errors) < CLOSE[name] and np.median(errors[-100:]) < CLOSE[name]
+    assert np.quantile(errors, 0.99) < 3.0 * CLOSE[name] and np.median(world.heading_errors()) < 0.05
     assert world.own["confidence"].mean() > 70.0
 
 
 @each_league
 def test_mh08_without_particles_the_same_robot_drifts_and_its_confidence_falls_to_nothing(name: str) -> None:
-    world = World(name, robots=40, particles=0)
-    world.tell()
+    world = informed(name, robots=40, particles=0)
     errors = world.walk(240.0)
-    assert np.median(errors[-100:]) > 2.0 * CLOSE[name]
-    assert (world.own["confidence"] == 0.0).all()
+    assert np.median(errors[-100:]) > 2.0 * CLOSE[name] and (world.own["confidence"] == 0.0).all()
 
 
 @each_league
-def test_without_slip_dead_reckoning_is_exact(name: str) -> None:
-    world = World(
-        name, robots=5, particles=0, sensors={"odometry_noise": 0.0, "place_noise": 0.0, "place_turn_noise": 0.0}
-    )
+def test_without_slip_dead_reckoning_is_exact_and_speeds_are_those_that_legs_or_wheels_feel(name: str) -> None:
+    exact = dict.fromkeys(("odometry_noise", "place_noise", "place_turn_noise"), 0.0)
+    world = World(name, robots=5, particles=0, sensors=exact)
     world.league = replace(world.league, drive=replace(world.league.drive, slip=0.0))
     world.tell()
     assert world.walk(20.0).max() < 1e-3
-
-
-@each_league
-def test_speeds_are_those_that_legs_or_wheels_feel(name: str) -> None:
-    world = World(name, robots=5, sensors={"odometry_noise": 0.0})
-    world.tell()
-    world.walk(1.0)
+    slips = informed(name, 1.0, robots=5, sensors={"odometry_noise": 0.0})
     for speed in ("forward", "left", "turn"):
-        assert world.own[speed] == pytest.approx(world.truth["walk"][speed], abs=1e-6)
-
-
-# Being carried away
+        assert slips.own[speed] == pytest.approx(slips.truth["walk"][speed], abs=1e-6)
 
 
 @each_league
 def test_mh08_a_robot_that_is_carried_away_finds_itself_again(name: str) -> None:
-    world = World(name, robots=100)
-    world.tell()
-    world.walk(5.0)
+    world = informed(name, 5.0, robots=100)
     world.kidnap()
     assert np.median(world.errors()) > NEAR[name]
     errors = world.walk(RECOVERY)
     assert (errors[-world.league.control_rate // 2 :] < NEAR[name]).all(axis=0).mean() >= 0.95
-
-
-@each_league
-def test_mh08_without_fresh_particles_it_stays_lost(name: str) -> None:
-    world = World(name, robots=40, pose_fresh=0.0, pose_fast=0.0, pose_fit=0.0)
-    world.tell()
-    world.walk(5.0)
-    world.kidnap()
-    assert (world.walk(RECOVERY)[-1] < NEAR[name]).mean() < 0.6
-
-
-@each_league
-def test_a_robot_that_was_never_told_finds_itself(name: str) -> None:
-    world = World(name, robots=40)
-    errors = world.walk(RECOVERY)
-    assert (errors[-1] < NEAR[name]).mean() >= 0.95
+    assert (World(name, robots=40).walk(RECOVERY)[-1] < NEAR[name]).mean() >= 0.95
+    lost = informed(name, 5.0, robots=40, pose_fresh=0.0, pose_fast=0.0, pose_fit=0.0)
+    lost.kidnap()
+    assert (lost.walk(RECOVERY)[-1] < NEAR[name]).mean() < 0.6
 
 
 @each_league
 def test_confidence_falls_when_what_is_seen_disagrees_and_comes_back(name: str) -> None:
-    world = World(name, robots=40)
-    world.tell()
-    world.walk(5.0)
+    world = informed(name, 5.0, robots=40)
     sure = world.own["confidence"].mean()
     world.kidnap()
     lost = []
@@ -156,23 +136,15 @@ def test_steps_add_up_as_a_rigid_body_moves() -> None:
     assert memory["path"][0] == memory["turn"][0] == 0.0
 
 
-# Seeing nothing
-
-
 @each_league
 def test_a_robot_that_sees_nothing_for_minutes_stays_finite_and_loses_confidence(name: str) -> None:
-    world = World(name, robots=10)
-    world.tell()
-    world.walk(2.0)
+    world = informed(name, 2.0, robots=10)
     world.blind, confidence = True, []
     for seconds in (2.0, 8.0, 170.0):
         world.walk(seconds)
         confidence.append(world.own["confidence"].mean())
     assert 100.0 > confidence[0] > confidence[1] > confidence[2] and confidence[2] < 10.0
-    for field in OWN_POSE.names:
-        assert np.isfinite(world.own[field]).all()
-    for field in world.particles.dtype.names:
-        assert np.isfinite(world.particles[field]).all()
+    assert_finite(world)
     world.blind = False
     assert (world.walk(RECOVERY)[-1] < NEAR[name]).mean() >= 0.9
 
@@ -180,20 +152,12 @@ def test_a_robot_that_sees_nothing_for_minutes_stays_finite_and_loses_confidence
 @each_league
 @pytest.mark.parametrize("particles", [1, 2, 7])
 def test_any_number_of_particles_runs(name: str, particles: int) -> None:
-    world = World(name, robots=5, particles=particles)
-    world.tell()
-    world.walk(10.0)
-    assert all(np.isfinite(world.own[field]).all() for field in OWN_POSE.names)
-
-
-# A pose that is told or given
+    assert_finite(informed(name, 10.0, robots=5, particles=particles))
 
 
 @each_league
-def test_a_told_pose_is_taken_and_all_particles_go_there(name: str) -> None:
-    world = World(name, robots=10)
-    world.tell()
-    world.walk(3.0)
+def test_a_told_pose_is_taken_and_all_particles_go_there_and_a_noisy_one_that_is_given_as_it_is(name: str) -> None:
+    world = informed(name, 3.0, robots=10)
     world.kidnap()
     world.tell()
     told = world.percepts["body"][:, 0]
@@ -203,10 +167,6 @@ def test_a_told_pose_is_taken_and_all_particles_go_there(name: str) -> None:
     away = np.hypot(world.particles["x"] - told["x"][:, None], world.particles["y"] - told["y"][:, None])
     assert away.max() < 4.0 * world.league.sensors.place_noise
     assert (world.walk(3.0) < 3.0 * CLOSE[name]).all()
-
-
-@each_league
-def test_a_noisy_pose_that_is_given_is_taken_as_it_is(name: str) -> None:
     world = World(name, robots=3, particles=0)
     world.sense()
     body = world.percepts["body"][:, 0]
@@ -215,47 +175,6 @@ def test_a_noisy_pose_that_is_given_is_taken_as_it_is(name: str) -> None:
     for field in POSE:
         assert (world.own[field] == body[field]).all()
     assert (world.own["confidence"] == 100.0).all()
-
-
-# Symmetry, and plain Python
-
-
-def mirrored(percepts: np.ndarray) -> np.ndarray:
-    """Return percepts as the mirrored robots have them."""
-    found = percepts.copy()
-    for field in ("left", "turn", "y", "heading", "handedness"):
-        found["body"][field] = -percepts["body"][field]
-    if "pan" not in percepts.dtype.names:
-        found["lines"][..., 1:24] = percepts["lines"][..., 23:0:-1]
-        for thing in ("own_goal", "opponent_goal"):
-            found[thing]["bearing"] = -percepts[thing]["bearing"]
-        return found
-    found["pan"] = -percepts["pan"]
-    for thing in ("own_goal", "opponent_goal", "landmarks"):
-        found[thing]["left"], found[thing]["right"] = -percepts[thing]["right"], -percepts[thing]["left"]
-    found["landmarks"] = found["landmarks"][..., [1, 0, 3, 2, 5, 4]]
-    return found
-
-
-@each_league
-def test_mirrored_percepts_make_mirrored_poses(name: str) -> None:
-    world = World(name, robots=6)
-    world.record, before = True, world.noise.copy()
-    world.walk(4.0)
-    world.tell()
-    world.walk(4.0)
-    world.kidnap()
-    world.walk(4.0)
-    own, memories = np.zeros(6, OWN_POSE), np.zeros(6, POSE_MEMORY)
-    particles = np.zeros_like(world.particles)
-    for percepts in world.percepts_seen:
-        believe_all(mirrored(percepts)[:, 0], own, memories, particles, before, world.k, world.s, world.w, world.tables)
-    for field in ("y", "heading", "left", "turn"):
-        own[field] = -own[field]
-    for field in OWN_POSE.names:
-        assert own[field] == pytest.approx(world.own[field], abs=1e-9)
-    assert particles["x"] == pytest.approx(world.particles["x"], abs=1e-9)
-    assert particles["y"] == pytest.approx(-world.particles["y"], abs=1e-9)
 
 
 SCRIPT = """
@@ -274,12 +193,8 @@ for league in ("legged-2001", "middle-size-2006"):
 
 @pytest.mark.slow
 def test_compiled_code_and_plain_python_agree_to_the_last_bit() -> None:
-    script = SCRIPT.format(root=str(Path(__file__).parents[2]))
-    outputs = []
+    script, outputs = SCRIPT.format(root=str(Path(__file__).parents[2])), []
     for disabled in ("0", "1"):
         environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "SOCCER_ENV_QUIET": "1"}
-        done = subprocess.run(
-            [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
-        )
-        outputs.append(done.stdout)
+        outputs.append(subprocess.check_output([sys.executable, "-c", script], env=environment))
     assert outputs[0] == outputs[1]

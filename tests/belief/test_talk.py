@@ -1,7 +1,5 @@
 """What is said arrives late, at team-mates alone, or is lost for all; four bits tell how far the ball is."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np
@@ -17,9 +15,6 @@ RATE = 16  # [1/s] control steps of the legged league
 LATE = 8  # frames that a word is on its way
 
 
-# Words
-
-
 def test_ms06_fifteen_words_tell_near_distances_finely_and_far_ones_coarsely() -> None:
     """MS06: four bits are sixteen words, one of which says that the ball is not seen."""
     distances = np.linspace(0.0, 6.0, 20_000)
@@ -31,36 +26,31 @@ def test_ms06_fifteen_words_tell_near_distances_finely_and_far_ones_coarsely() -
     assert edges[1:] / edges[:-1] == pytest.approx(np.full(13, GROWTH), abs=0.01)
     assert edges[-1] > 2.9  # most of a field of 3 x 2 m
     assert word_for(inf) == SILENT and distance_of(SILENT) == inf
-
-
-@pytest.mark.parametrize("word", range(1, FARTHEST + 1))
-def test_a_word_stands_for_a_distance_that_has_this_word(word: int) -> None:
-    assert word_for(distance_of(word)) == word
-
-
-# Sound
+    assert all(word_for(distance_of(word)) == word for word in range(1, FARTHEST + 1))
 
 
 def test_ms06_a_word_is_heard_by_team_mates_alone_half_a_second_later() -> None:
-    """MS06: sound is all there is between legged robots."""
     talkers = Talkers()
     talkers.see(1, 0.5)
     talkers.step(LATE)
     assert talkers.heard() == [0] * 6 and talkers.heard("distance") == [inf] * 6 and talkers.heard("age") == [inf] * 6
     talkers.step()
     word = word_for(0.5)
-    assert talkers.heard() == [word, 0, word, 0, 0, 0]
-    assert talkers.heard("distance")[0] == distance_of(word)
+    assert talkers.heard() == [word, 0, word, 0, 0, 0] and talkers.heard("distance")[0] == distance_of(word)
     assert talkers.heard("age")[:2] == [0.5, inf]
 
 
-def test_the_team_mate_nearest_to_the_ball_is_heard() -> None:
-    talkers = Talkers(home=4, away=2)
+def test_the_team_mate_nearest_to_the_ball_is_heard_and_elevens_do_not_mix_up_the_teams() -> None:
+    talkers, elevens = Talkers(home=4, away=2), Talkers(home=11, away=11)
     for r, distance in enumerate((0.9, 0.3, 1.5, 2.0)):
         talkers.see(r, distance)
-    talkers.step(LATE + 1)
+    for r in range(22):
+        elevens.see(r, 0.2 if r == 10 else 0.9)
+    for one in (talkers, elevens):
+        one.step(LATE + 1)
     near, next_to = word_for(0.3), word_for(0.9)
     assert talkers.heard() == [near, next_to, near, near, 0, 0]
+    assert elevens.heard() == [word_for(0.2)] * 10 + [next_to] * 12
 
 
 def test_four_bits_a_second_are_said_and_no_more() -> None:
@@ -74,20 +64,15 @@ def test_four_bits_a_second_are_said_and_no_more() -> None:
     assert len(changes) == 4 and (np.diff(changes) == RATE).all()
 
 
-def test_a_robot_that_does_not_see_the_ball_says_so_and_is_not_counted() -> None:
-    talkers = Talkers()
-    talkers.see(1, 0.3)
-    talkers.step(LATE + 1)
-    assert talkers.heard()[0] == word_for(0.3)
-    talkers.lose(1)
-    talkers.step(RATE)
-    assert talkers.heard()[0] == SILENT
-
-
-def test_a_word_is_forgotten_after_two_periods() -> None:
-    talkers = Talkers()
-    talkers.see(1, 0.3)
-    talkers.step(LATE + 1)
+def test_a_robot_that_does_not_see_the_ball_says_so_and_a_word_is_forgotten_after_two_periods() -> None:
+    blind, talkers = Talkers(), Talkers()
+    for one in (blind, talkers):
+        one.see(1, 0.3)
+        one.step(LATE + 1)
+        assert one.heard()[0] == word_for(0.3)
+    blind.lose(1)
+    blind.step(RATE)
+    assert blind.heard()[0] == SILENT
     talkers.percepts["body"]["active"][1] = 0  # sent off: it says nothing more
     talkers.step(2 * RATE)
     assert talkers.heard()[0] == word_for(0.3) and talkers.heard("age")[0] == pytest.approx(2.5)
@@ -127,13 +112,6 @@ def test_the_share_of_messages_that_is_lost_is_the_one_that_is_set(name: str, lo
         assert binomtest(int(6 * sent - arrived.sum()), 6 * sent, loss).pvalue > 1e-3
 
 
-def test_deaf_settings_tell_nothing() -> None:
-    talkers = Talkers(audio_loss=1.0)
-    talkers.see(1, 0.3)
-    talkers.step(40)
-    assert talkers.heard() == [0] * 6
-
-
 @pytest.mark.parametrize(("period", "delay"), [(0.0, 0.0), (0.1, 1.0), (1.0, 0.0), (0.2, 0.2)])
 def test_any_period_and_delay_make_a_channel(period: float, delay: float) -> None:
     talkers = Talkers(audio_period=period, audio_delay=delay)
@@ -147,7 +125,7 @@ def test_any_period_and_delay_make_a_channel(period: float, delay: float) -> Non
     assert talkers.heard()[0] == word_for(0.3)
 
 
-def test_only_the_rows_that_use_their_sensors_talk() -> None:
+def test_only_the_rows_that_use_their_sensors_talk_and_swapping_the_teams_swaps_what_is_heard() -> None:
     talkers = Talkers()
     talkers.rows = np.array([0, 2])
     for r in range(3):
@@ -155,18 +133,6 @@ def test_only_the_rows_that_use_their_sensors_talk() -> None:
     talkers.step(LATE + 1)
     assert talkers.heard() == [word_for(0.9), 0, word_for(0.3), 0, 0, 0]
     assert talkers.messages["known"].tolist() == [1, 0, 1, 0, 0, 0]
-
-
-def test_an_eleven_a_side_talks_without_mixing_up_the_teams() -> None:
-    talkers = Talkers(home=11, away=11)
-    for r in range(22):
-        talkers.see(r, 0.2 if r == 10 else 0.9)
-    talkers.step(LATE + 1)
-    near, far = word_for(0.2), word_for(0.9)
-    assert talkers.heard() == [near] * 10 + [far] * 12
-
-
-def test_swapping_the_teams_swaps_what_is_heard() -> None:
     talkers, swapped = Talkers(audio_loss=0.3), Talkers(audio_loss=0.3)
     distances = np.random.default_rng(2).uniform(0.1, 3.0, 6)
     swapped.noise = np.roll(talkers.noise, 3, axis=0)
@@ -179,11 +145,7 @@ def test_swapping_the_teams_swaps_what_is_heard() -> None:
         assert np.roll(talkers.beliefs["heard"], 3).tobytes() == swapped.beliefs["heard"].tobytes()
 
 
-# Radio
-
-
 def test_mh05_a_radio_message_is_heard_a_few_frames_later_with_its_distance() -> None:
-    """MH05: wireless network; the distance of the nearest team-mate to the ball is in it."""
     talkers = Talkers(MIDDLE)
     talkers.see(1, 2.34)
     talkers.step(3)
@@ -196,9 +158,6 @@ def test_mh05_a_radio_message_is_heard_a_few_frames_later_with_its_distance() ->
     quiet.see(1, 2.34)
     quiet.step(20)
     assert quiet.messages["known"].tolist() == [0] * 6
-
-
-# In play
 
 
 @each_league

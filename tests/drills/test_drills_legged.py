@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match
+from soccer_env import Match, make_team
 from soccer_env.match.staging import put
 from soccer_env.scenes import SCENES, Scene
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.types import AWAY
-from tests.scenes.staging import LEGGED, deepest_overlaps, put_ball, stand
+from tests.scenes.staging import LEGGED, deepest_overlaps, each_step, place, play, put_ball, stand
 from tests.scenes.symmetry import Records, mirrored, mirrored_actions
 
 MATCHES = 40
@@ -31,8 +31,7 @@ def outcome(match: Match) -> list[int]:
     """Return the result of one control step in which everybody stands."""
     match.rebuild()
     match.step(stand(match))
-    result: list[int] = match.events["drill"].tolist()
-    return result
+    return match.events["drill"].tolist()
 
 
 def empty(scene: str, matches: int = 1) -> Match:
@@ -54,8 +53,7 @@ def test_everybody_stands_free_on_the_pitch_and_the_drill_is_open(scene: str, ho
     pitch = match.league.pitch
     assert max(deepest_overlaps(match).values()) < 0.001
     assert (abs(match.robots["x"]) < pitch.length / 2 - 0.07).all()
-    assert (abs(match.robots["y"]) < pitch.width / 2 - 0.07).all()
-    assert outcome(match) == [0] * MATCHES
+    assert (abs(match.robots["y"]) < pitch.width / 2 - 0.07).all() and outcome(match) == [0] * MATCHES
 
 
 @each_drill
@@ -67,13 +65,8 @@ def test_placement_follows_from_the_seed_and_differs_between_seeds(scene: str) -
 
 def test_a_shot_at_the_far_post_that_nobody_stops_is_a_goal() -> None:
     match = drill("far-post-shots")
-    put(match, 1, -1.0, 0.0)
-    match.rebuild()
-    results = np.zeros(MATCHES, int)
-    for _ in range(16 * 4):
-        match.step(stand(match))
-        results += match.events["drill"]
-    assert (results == -1).all()
+    place(match, robots={1: (-1.0, 0.0)})
+    assert (each_step(match, lambda: match.events["drill"], 4.0).sum(axis=0) == -1).all()
 
 
 @pytest.mark.parametrize("scene", ["ball-behind-robot", "facing-wall"])
@@ -119,24 +112,19 @@ def test_a_dribbler_past_the_last_player_with_the_ball_has_done_it(direction: in
         assert outcome(match) == [result]
 
 
-def test_a_ball_past_the_last_player_that_the_dribbler_has_not_is_no_success() -> None:
-    match = empty("dribble-past-one")
+def test_goals_end_a_dribble_and_so_does_a_touch_but_a_ball_past_the_last_player_that_the_dribbler_has_not() -> None:
+    match, touching, goals = empty("dribble-past-one"), empty("dribble-past-one"), empty("dribble-past-one", matches=2)
     put(match, 1, -0.9, 0.7)
     put_ball(match, -0.5 + PAWS + 0.1, 0.0)
     match.robots["has_ball"] = 0
-    assert outcome(match) == [0]
-
-
-def test_a_dribbler_that_touches_anybody_has_failed() -> None:
-    match = empty("dribble-past-one")
-    put(match, 1, -0.5 - match.league.body.tip_x - 0.126, 0.0)
-    assert outcome(match) == [-1]
+    put(touching, 1, -0.5 - match.league.body.tip_x - 0.126, 0.0)
+    put_ball(goals, [1.6, -1.6], 0.0)
+    assert [outcome(one) for one in (match, touching, goals)] == [[0], [-1], [1, -1]]
 
 
 def test_a_ball_lost_for_two_seconds_is_a_failure_and_one_that_is_caught_up_with_is_not() -> None:
     match = empty("dribble-past-one")
-    put_ball(match, -0.5 + LOST + 0.02, 0.0)
-    match.rebuild()
+    place(match, ball=(-0.5 + LOST + 0.02, 0.0))
     steps = round(LOST_TIME * match.league.control_rate)
     for _ in range(steps):
         match.step(stand(match))
@@ -147,12 +135,6 @@ def test_a_ball_lost_for_two_seconds_is_a_failure_and_one_that_is_caught_up_with
     match.load(saved)
     put_ball(match, -0.5 + LOST - 0.02, 0.0)
     assert outcome(match) == [0] and match.matches["drill_clock"][0] == 0.0
-
-
-def test_goals_end_a_dribble() -> None:
-    match = empty("dribble-past-one", matches=2)
-    put_ball(match, [1.6, -1.6], 0.0)
-    assert outcome(match) == [1, -1]
 
 
 @each_drill
@@ -172,46 +154,31 @@ def test_a_mirrored_drill_is_judged_the_same(scene: str) -> None:
     assert (results[0] == results[1]).all()
 
 
-def test_in_a_drill_nobody_is_pulled_apart_and_no_ball_dropped() -> None:
+def test_opponents_are_a_suggestion_the_scene_names_teams_and_nobody_is_pulled_apart_and_no_ball_dropped() -> None:
     match = drill("head-on-push", matches=4, controllers={"home": "walker", "away": "walker"})
     for _ in range(16 * 40):
         match.step()
         assert not match.events["stuck"].any() and not match.events["separated"].any()
+    for team in {team for scene in SCENES.values() for team in scene.opponents}:
+        make_team(team)
+    with pytest.raises(ValueError, match=r"Scene\.success"):
+        Scene("mine", "", success="home wins")
 
 
-@pytest.mark.parametrize(
-    ("settings", "words"),
-    [
-        ({"scene": "gap-500", "away": 1}, "away must be 2 to 3 in scene 'gap-500', got 1"),
-        ({"scene": "gap-500", "home": 4}, "home must be 1 to 3"),
-        (
-            {"scene": "gap-500", "league": "middle-size-2006"},
-            "is for legged leagues, 'middle-size-2006' is",
-        ),
-        ({"scene": "gap-600"}, "unknown scene 'gap-600'"),
-    ],
-)
+@pytest.mark.parametrize(("settings", "words"), [
+    ({"scene": "gap-500", "away": 1}, "away must be 2 to 3 in scene 'gap-500', got 1"),
+    ({"scene": "gap-500", "home": 4}, "home must be 1 to 3"), ({"scene": "gap-600"}, "unknown scene 'gap-600'"),
+    ({"scene": "gap-500", "league": "middle-size-2006"}, "is for legged leagues, 'middle-size-2006' is"),
+])  # fmt: skip
 def test_a_drill_says_what_is_wrong(settings: dict[str, Any], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         Match(**{"league": LEGGED, "seed": 1, **settings})
 
 
-def test_opponents_are_a_suggestion_and_the_scene_names_teams() -> None:
-    from soccer_env import make_team
-
-    for scene in SCENES.values():
-        for team in scene.opponents:
-            make_team(team)
-    with pytest.raises(ValueError, match=r"Scene\.success"):
-        Scene("mine", "", success="home wins")
-
-
-def test_walkers_walk_straight_ahead_as_fast_as_their_strength_says() -> None:
-    for strength in (0.25, 0.5, 0.75, 1.0):
-        match = drill("dribble-past-mover-far", controllers={"home": "still", "away": f"walker@{strength}"})
-        start = match.robots[:, AWAY].copy()
-        for _ in range(64):
-            match.step()
-        robot = match.robots[:, AWAY]
-        gone = np.hypot(robot["x"] - start["x"], robot["y"] - start["y"])
-        assert 0.12 * strength * 3.0 < np.median(gone) < 0.12 * strength * 4.2
+@pytest.mark.parametrize("strength", [0.25, 0.5, 0.75, 1.0])
+def test_walkers_walk_straight_ahead_as_fast_as_their_strength_says(strength: float) -> None:
+    match = drill("dribble-past-mover-far", controllers={"home": "still", "away": f"walker@{strength}"})
+    start = match.robots[:, AWAY].copy()
+    play(match, steps=64)
+    gone = np.hypot(*(match.robots[name][:, AWAY] - start[name] for name in ("x", "y")))
+    assert 0.12 * strength * 3.0 < np.median(gone) < 0.12 * strength * 4.2

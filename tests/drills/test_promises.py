@@ -9,7 +9,7 @@ from soccer_env.scenes import SCENES
 from soccer_env.scenes.drills_alone import AT_BOARD, DRILLS_ALONE, IN_CORNER
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
 from soccer_env.scenes.judging import PAST
-from tests.scenes.staging import LEAGUES, LEGGED, each_league
+from tests.scenes.staging import LEAGUES, LEGGED, asking, each_league, play
 
 MATCHES = 60
 DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
@@ -65,24 +65,18 @@ def test_facing_wall_a_paw_touches_the_foot_of_the_board_and_the_ball_is_behind(
 def test_facing_wall_a_robot_that_walks_on_gets_nowhere() -> None:
     match = drill("facing-wall")
     start = match.robots[:, 0].copy()
-    actions = np.zeros((*match.robots.shape, 4))
-    actions[:, 0, 0] = 1.0
-    for _ in range(16 * 3):
-        match.step(actions)
+    play(match, actions=asking(match, forward=1.0), steps=16 * 3)
     outwards = np.sign(start["y"]) * (match.robots["y"][:, 0] - start["y"])
     turned = np.abs(np.sin(match.robots["heading"][:, 0] - start["heading"])) * match.league.body.tip_x
     assert (outwards < 0.01 + turned).all()
 
 
-def test_ball_behind_robot_both_lie_ahead_and_the_opponent_between() -> None:
+def test_ball_behind_robot_lies_ahead_of_both_and_in_a_head_on_push_between_their_paws() -> None:
     match = drill("ball-behind-robot")
     far, bearing = ball_from(match)
     near, aside = seen_from(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
     assert (np.abs(bearing) < 0.3).all() and (near < far).all()
     assert (np.abs(near * np.sin(aside - bearing)) < HOLDS).all()
-
-
-def test_head_on_push_both_face_each_other_with_the_ball_between_their_paws() -> None:
     match = drill("head-on-push")
     for r in range(2):
         far, bearing = ball_from(match, r)
@@ -93,11 +87,14 @@ def test_head_on_push_both_face_each_other_with_the_ball_between_their_paws() ->
 
 
 @pytest.mark.parametrize("scene", DRIBBLES)
-def test_a_dribbler_begins_with_the_ball_and_the_others_between_it_and_the_goal(scene: str) -> None:
+def test_a_dribbler_begins_with_the_ball_3_mm_from_its_chest_and_the_others_between_it_and_the_goal(scene: str) -> None:
     match = drill(scene)
     assert (match.robots["has_ball"][:, 0] == 1).all()
     assert (match.robots["x"][:, 1:] > match.balls["x"][:, None] + 0.05).all()
     assert (match.robots["x"][:, 1:].max(axis=1) + PAST < 1.5).all()
+    away, bearing = ball_from(match)
+    gap = away * np.cos(bearing) - match.league.body.front - match.league.ball.radius
+    assert gap == pytest.approx(0.003, abs=1e-9)
 
 
 @pytest.mark.parametrize("scene", ["dribble-past-one", "dribble-past-two", "dribble-past-three"])
@@ -110,17 +107,11 @@ def test_still_players_stand_on_the_way_one_behind_another(scene: str) -> None:
         assert (far > near + 0.2).all()
 
 
-@pytest.mark.parametrize(
-    ("scene", "near", "far", "aside", "meets"),
-    [
-        ("dribble-past-mover-near", 0.5, 0.7, 0.7, (0.2, 0.4)),
-        ("dribble-past-mover-far", 1.1, 1.5, 0.4, (0.3, 0.6)),
-        ("dribble-past-mover-head-on", 0.7, 1.3, 0.05, (-1e-6, 1e-5)),
-    ],
-)
-def test_a_mover_stands_where_its_drill_says_and_heads_for_the_way(
-    scene: str, near: float, far: float, aside: float, meets: tuple[float, float]
-) -> None:
+@pytest.mark.parametrize(("scene", "near", "far", "aside", "meets"), [
+    ("dribble-past-mover-near", 0.5, 0.7, 0.7, (0.2, 0.4)), ("dribble-past-mover-far", 1.1, 1.5, 0.4, (0.3, 0.6)),
+    ("dribble-past-mover-head-on", 0.7, 1.3, 0.05, (-1e-6, 1e-5)),
+])  # fmt: skip
+def test_a_mover_stands_where_its_drill_says_and_heads_for_the_way(scene, near, far, aside, meets) -> None:
     match = drill(scene)
     along, off = off_the_way(match, 1)
     distance = np.hypot(along, off)
@@ -130,15 +121,12 @@ def test_a_mover_stands_where_its_drill_says_and_heads_for_the_way(
     assert (crossing > meets[0] - 1e-9).all() and (crossing < meets[1] + 1e-6).all()
 
 
-def test_mover_and_still_stand_on_either_side_and_the_mover_comes_in() -> None:
+def test_mover_and_still_stand_on_either_side_and_in_gap_500_half_a_metre_apart() -> None:
     match = drill("mover-and-still")
     (_, still), (_, mover) = off_the_way(match, 1), off_the_way(match, 2)
     assert (still * mover < 0.0).all()
     crossing = meets_way(match, 2)
     assert (crossing > 0.25 - 1e-9).all() and (crossing < 0.5 + 1e-9).all()
-
-
-def test_gap_500_the_two_stand_beside_each_other_half_a_metre_apart() -> None:
     match = drill("gap-500")
     (first, left), (second, right) = off_the_way(match, 1), off_the_way(match, 2)
     np.testing.assert_allclose(np.hypot(first - second, left - right), GAP)
@@ -176,15 +164,14 @@ def test_lost_ball_behind_a_robot_that_saw_it_ahead(senses: str) -> None:
         assert seen.mean() > 0.9 and (told[seen] < -0.99).all()
 
 
-def test_ball_at_board_lies_within_reach_of_the_board_and_the_robot_faces_it() -> None:
+def test_ball_at_board_lies_within_reach_of_the_board_and_ball_in_corner_within_25_cm_of_one_beside_aways_goal() -> (
+    None
+):
     match = drill("ball-at-board")
     gap = match.league.pitch.width / 2 - match.league.ball.radius - np.abs(match.balls["y"])
     assert (gap > -1e-9).all() and (gap < AT_BOARD).all() and gap.min() < 0.2 * AT_BOARD
     assert (np.abs(match.balls["x"]) < 1.1).all() and {-1.0, 1.0} == set(np.sign(match.balls["y"]))
     assert (np.abs(ball_from(match)[1]) < 0.31).all() and (ball_from(match)[0] < 0.81).all()
-
-
-def test_ball_in_corner_lies_within_a_quarter_metre_of_a_corner_beside_aways_goal() -> None:
     match = drill("ball-in-corner")
     pitch, ball = match.league.pitch, match.balls
     aside, ahead = pitch.width / 2 - np.abs(ball["y"]), pitch.length / 2 - ball["x"]
@@ -196,7 +183,6 @@ def test_ball_in_corner_lies_within_a_quarter_metre_of_a_corner_beside_aways_goa
 
 @pytest.mark.parametrize("scene", [scene.name for scene in DRILLS_ALONE])
 def test_alone_is_alone(scene: str) -> None:
-    """The others stand at home's end, more than a metre from ball and robot, and no rule interferes."""
     match = Match(LEGGED, home=3, away=3, matches=MATCHES, scene=scene, seed=7, episode="drill")
     others = match.robots[:, [0, 1, 3, 4, 5]]
     assert (np.hypot(others["x"] - match.balls["x"][:, None], others["y"] - match.balls["y"][:, None]) > 0.25).all()
@@ -230,11 +216,3 @@ def test_every_drill_is_told_of_here() -> None:
     common = {"empty-goal", "shot-at-keeper"}
     told |= {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
     assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2
-
-
-@pytest.mark.parametrize("scene", DRIBBLES)
-def test_a_dribbler_begins_with_the_ball_3_mm_from_its_chest(scene: str) -> None:
-    match = drill(scene)
-    away, bearing = ball_from(match)
-    gap = away * np.cos(bearing) - match.league.body.front - match.league.ball.radius
-    assert gap == pytest.approx(0.003, abs=1e-9)

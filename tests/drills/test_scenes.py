@@ -1,4 +1,4 @@
-"""Drills begin as they say, for teams of every size, and are judged by their success tests."""
+"""Drills begin as they say, for teams of every size, are judged by their success tests, and every team has a floor."""
 
 from itertools import product
 
@@ -8,8 +8,11 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
-from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM
-from tests.scenes.staging import LEAGUES, deepest_overlaps, each_league, put_ball, send_off, stand, steps_in
+from soccer_env.train.evaluate.drills import run_drill
+from soccer_env.train.pages.tables.drills import TEAMS, drills_of
+from soccer_env.types import AWAY, HOME, MAX_TEAM
+from tests.scenes.leagues import LEAGUES, MIDDLE, each_league
+from tests.scenes.staging import deepest_overlaps, each_step, place, play, send_off, stand, steps_in
 
 SIZES = ((1, 1), (2, 3), (5, 5), (MAX_TEAM, MAX_TEAM), (1, MAX_TEAM), (MAX_TEAM, 1))
 
@@ -44,19 +47,14 @@ def test_a_shot_that_nobody_saves_is_a_goal(name):
     match = Match(name, home=1, away=1, matches=50, seed=4, scene="shot-at-keeper", episode="drill")
     send_off(match, [1])
     match.rebuild()
-    drill, goal = np.zeros(50, int), np.full(50, NO_TEAM)
-    for _ in range(steps_in(match, 9.0)):
-        match.step(stand(match))
-        drill += match.events["drill"]
-        goal = np.maximum(goal, match.events["goal"])
-    assert (goal == HOME).all() and (drill == -1).all() and match.terminated.all()
+    drill, goal = each_step(match, lambda: [match.events["drill"], match.events["goal"]], 9.0).swapaxes(0, 1)
+    assert (goal.max(axis=0) == HOME).all() and (drill.sum(axis=0) == -1).all() and match.terminated.all()
 
 
 @each_league
 def test_a_shot_that_stops_is_saved(name):
     match = Match(name, home=1, away=1, matches=3, seed=4, scene="shot-at-keeper", episode="drill")
-    put_ball(match, 0.5, [0.0, 0.1, -0.2], 0.1, 0.0)
-    match.rebuild()
+    place(match, ball=(0.5, [0.0, 0.1, -0.2], 0.1, 0.0))
     match.step(stand(match))
     assert (match.events["drill"] == 1).all() and match.terminated.all()
 
@@ -65,8 +63,7 @@ def test_a_shot_that_stops_is_saved(name):
 def test_only_a_goal_by_home_empties_the_goal(name):
     match = Match(name, home=1, away=1, matches=2, seed=4, scene="empty-goal", episode="drill")
     over = match.league.pitch.length / 2 + match.league.ball.radius + 0.01
-    put_ball(match, [over, -over], 0.0)
-    match.rebuild()
+    place(match, ball=([over, -over], 0.0))
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, AWAY] and match.events["drill"].tolist() == [1, -1]
     assert match.terminated.all()
@@ -78,8 +75,7 @@ def test_a_drill_without_a_result_is_cut_off_and_not_lost(name):
     rules = "league:global_stuck=False"
     match = Match(name, home=1, away=1, seed=4, scene="empty-goal", episode="drill", rules=rules)
     limit = SCENES["empty-goal"].time_limit
-    for _ in range(steps_in(match, limit) - 1):
-        match.step(stand(match))
+    play(match, steps=steps_in(match, limit) - 1)
     assert not match.terminated[0] and not match.truncated[0]
     match.step(stand(match))
     assert match.truncated[0] and not match.terminated[0] and match.events["drill"][0] == 0
@@ -96,3 +92,83 @@ def test_a_stuck_game_ends_a_drill_instead_of_staging_it_elsewhere():
         dropped += int(match.events["stuck"][0] == 1 and not match.terminated[0])
         assert match.terminated[0] or (match.balls[["x", "y"]] == ball).all()
     assert match.terminated[0] and match.events["drill"][0] == -1 and dropped >= 1
+
+
+SHOTS = 60
+
+
+def begun(scene: str, home: int, away: int, matches: int = SHOTS) -> Match:
+    return Match(MIDDLE, home=home, away=away, matches=matches, seed=4, scene=scene, episode="drill")
+
+
+@pytest.mark.parametrize(("scene", "far"), [("far-post-shot", True), ("near-post-shot", False)])
+def test_shots_are_kicked_at_the_post_that_they_name(scene: str, far: bool) -> None:
+    match = begun(scene, 1, 2)
+    ball = match.balls
+    speed = np.hypot(ball["vx"], ball["vy"])
+    crossing = ball["y"] + ball["vy"] / ball["vx"] * (6.0 - ball["x"])
+    assert (speed >= 4.0).all() and (speed <= 10.0).all() and speed.min() < 5.0 and speed.max() > 9.0
+    assert (ball["roll_x"] == 0.0).all()
+    assert (np.abs(crossing) > 0.5).all() and (np.abs(crossing) < 0.85).all()
+    assert ((crossing * ball["y"] < 0.0) == far).all()
+    goals = (each_step(match, lambda: match.events["drill"], 5.0) == -1).any(axis=0)
+    assert far == (goals.mean() > 0.8) or not far  # a keeper that stands still saves hardly a far shot
+    assert goals.any()
+
+
+def test_a_ball_that_rolls_passes_the_receiver_within_a_metre() -> None:
+    match = begun("receive-pass", 2, 1)
+    ball, robot = match.balls, match.robots[:, 1]
+    speed = np.hypot(ball["vx"], ball["vy"])
+    x, y = robot["x"] - ball["x"], robot["y"] - ball["y"]
+    across = np.abs(x * ball["vy"] - y * ball["vx"]) / speed
+    assert (across < 1.0).all() and (x * ball["vx"] + y * ball["vy"] > 0.0).all()
+    assert (speed >= 1.0).all() and (speed <= 3.0).all()
+
+
+def test_mh24_in_the_challenge_the_straight_way_meets_the_obstacles() -> None:
+    match = begun("challenge-2003", 1, 4)
+    robots, ball = match.robots, match.balls
+    assert (np.hypot(ball["x"] - robots["x"][:, 0], ball["y"] - robots["y"][:, 0]) < 0.3).all()
+    off = robots["y"][:, 1:] - robots["y"][:, :1]
+    assert (np.abs(off) < 0.5).all() and (off[:, 0] * off[:, 1] < 0.0).all()
+    assert (np.diff(robots["x"], axis=1) > 0.9).all()
+    assert set(np.unique(match.robots["team"][:, 1:])) == {AWAY}
+
+
+@pytest.mark.parametrize(
+    ("scene", "home", "away", "attackers"), [("three-v-one", 4, 2, 3), ("counter-attack", 3, 4, 2)]
+)
+def test_attacks_outnumber_the_defence_before_them(scene: str, home: int, away: int, attackers: int) -> None:
+    match = begun(scene, home, away, 8)
+    robots = match.robots
+    own = (robots["team"] == HOME) & (robots["x"] > -1.0)
+    before = (robots["team"] == AWAY) & (robots["x"] > 1.0)
+    assert (own.sum(axis=1) == attackers).all() and (before.sum(axis=1) == 2).all()
+    assert (robots["keeper"][before].reshape(8, 2).sum(axis=1) == 1).all()
+    ball = np.hypot(match.balls["x"] - robots["x"][:, home - 1], match.balls["y"] - robots["y"][:, home - 1])
+    assert (ball < 0.3).all()
+
+
+RUNS = 60
+FLOORS: dict[str, dict[str, float]] = {  # [1] of the runs of a drill of the legged league
+    "chaser": {
+        "facing-wall": 0.9, "lost-ball-behind": 0.7, "ball-at-board": 0.45, "ball-in-corner": 0.45, "empty-goal": 0.8,
+        "ball-behind-robot": 0.25,
+    },
+    "sacks-2001": {"facing-wall": 0.85, "lost-ball-behind": 0.6, "empty-goal": 0.6, "ball-behind-robot": 0.02},
+}  # fmt: skip
+CASES = [(team, drill, floor) for team, floors in FLOORS.items() for drill, floor in floors.items()]
+
+
+@pytest.mark.parametrize(("team", "drill", "floor"), CASES)
+def test_a_team_does_not_fall_below_its_floor(team: str, drill: str, floor: float) -> None:
+    assert run_drill("legged-2001", SCENES[drill], team, RUNS) >= floor * RUNS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("league", TEAMS)
+def test_every_team_plays_every_drill_to_its_end(league: str) -> None:
+    for scene in drills_of(league):
+        for team in TEAMS[league]:
+            assert 0 <= run_drill(league, scene, team, 2) <= 2

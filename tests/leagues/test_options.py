@@ -37,9 +37,7 @@ def in_order(kind: type[Options], name: str, value: float) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(("kind", "name", "allowed", "low", "high"), numbers())
-def test_the_bounds_that_are_listed_are_those_that_are_enforced(
-    kind: type[Options], name: str, allowed: str, low: float, high: float
-) -> None:
+def test_the_bounds_that_are_listed_are_those_that_are_enforced(kind, name, allowed, low, high) -> None:
     whole = allowed.startswith("whole, ")
     assert (low, high) == pytest.approx(kind.bounds(name)[:2], rel=1e-5)
     low, high = (int(low), int(high)) if whole else kind.bounds(name)[:2]

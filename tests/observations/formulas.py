@@ -3,8 +3,6 @@
 A place of the field is x + iy; seen from a robot it is (place - own place) exp(-i heading): ahead + i left.
 """
 
-from __future__ import annotations
-
 from math import cos, hypot, pi, sin
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Every entry of what is believed and sensed by name, written anew from the records of beliefs and percepts."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""What an entry says of itself: its sign in a mirror and under a half-turn, its slot, its place in a record."""
+"""What an entry says of itself: sign in a mirror and a half-turn, slot, place in a record; what a layout names."""
 
 from typing import Any
 
@@ -12,6 +12,7 @@ from soccer_env.observations import Entry, entries_named, layout
 from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, record_of
 from soccer_env.observations.reflection import observation_signs
 from soccer_env.observations.scales import in_numbers
+from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
 from tests.scenes.staging import LEAGUES
 from tests.scenes.symmetry import (
     MIRROR,
@@ -25,22 +26,21 @@ from tests.scenes.symmetry import (
 )
 
 
-@pytest.mark.parametrize(
-    ("frame", "axis", "mirror", "half_turn"),
-    [
-        (NONE, "", 1, 1), (ROBOT, X, 1, 1), (ROBOT, Y, -1, 1), (ROBOT, TURN, -1, 1), (TEAM, X, 1, 1), (TEAM, Y, -1, 1),
-        (FIELD, X, 1, -1), (FIELD, Y, -1, -1), (FIELD, TURN, -1, 1), (CAMERA, "", 1, 1), (CAMERA, SIDE, None, 1),
-        (None, "", None, None),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("frame", "axis", "mirror", "half_turn"), [
+    (NONE, "", 1, 1), (ROBOT, X, 1, 1), (ROBOT, Y, -1, 1), (ROBOT, TURN, -1, 1), (TEAM, X, 1, 1), (TEAM, Y, -1, 1),
+    (FIELD, X, 1, -1), (FIELD, Y, -1, -1), (FIELD, TURN, -1, 1), (CAMERA, "", 1, 1), (CAMERA, SIDE, None, 1),
+    (None, "", None, None),
+])  # fmt: skip
 def test_signs_follow_from_frame_and_axis(frame: Any, axis: Any, mirror: int | None, half_turn: int | None) -> None:
     entry = Entry("a", frame=frame, axis=axis)
     assert (entry.mirror, entry.half_turn) == (mirror, half_turn)
 
 
-def test_an_axis_without_a_frame_is_refused() -> None:
+def test_an_axis_without_a_frame_and_what_is_no_entry_are_refused() -> None:
     with pytest.raises(ValueError, match="entry 'a' has the axis 'y' of no frame"):
         Entry("a", axis=Y)
+    with pytest.raises(ValueError, match=r"entries of observe must be of soccer_env.observations.Entry, got 'clock'"):
+        Match(home=1, away=1, seed=1, observe=Own(entries=["clock"]))
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -61,9 +61,6 @@ def test_names_of_a_policys_inputs_give_back_the_entries(league: str, observe: s
 def test_a_record_holds_the_entries_in_order() -> None:
     record = record_of([Entry("a"), Entry("b")])
     assert record.names == ("a", "b") and record.itemsize == 8
-
-
-# A mirror
 
 
 def played(league: str, observe: str) -> Match:
@@ -122,13 +119,8 @@ def test_entries_of_ones_own_are_mirrored_and_attended_to() -> None:
     ]
     match = Match(home=1, away=1, seed=1, observe=Own(entries=[Entry("ball", "", "", ROBOT, X), *slots]))  # type: ignore[arg-type]
     entries = match.observation_entries
-    assert match.observation_names == [
-        "ball",
-        "there_of_teammate",
-        "left_of_teammate",
-        "there_of_opponent",
-        "left_of_opponent",
-    ]
+    slotted = [f"{name}_of_{kind}" for kind in ("teammate", "opponent") for name in ("there", "left")]
+    assert match.observation_names == ["ball", *slotted]
     assert observation_signs(entries).tolist() == [1.0, 1.0, -1.0, 1.0, -1.0]
     assert layout_of(entries) == Layout(1, (1, 1), (2, 2))
 
@@ -142,11 +134,6 @@ def test_names_alone_play_but_say_what_a_mirror_and_attention_miss() -> None:
         layout_of(match.observation_entries)
     with pytest.raises(ValueError, match="'line_0' would change places with another"):
         observation_signs(layout(find_league("middle-size-2006"), "percepts"))
-
-
-def test_what_is_no_entry_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"entries of observe must be of soccer_env.observations.Entry, got 'clock'"):
-        Match(home=1, away=1, seed=1, observe=Own(entries=["clock"]))
 
 
 def test_scales_are_in_numbers_as_observations_are_made() -> None:
@@ -168,3 +155,38 @@ def test_every_scale_has_a_number(league: str, observe: str) -> None:
     found = find_league(league)
     told = [in_numbers(entry, found) for entry in layout(found, observe)]
     assert [text for text in told if not any(letter.isdigit() for letter in text) or "soft" in text] == []
+
+
+@pytest.mark.parametrize(("league", "truth", "belief"), [("legged-2001", 73, 93), ("middle-size-2006", 101, 126)])
+def test_the_layout_names_every_number_once(league: str, truth: int, belief: int) -> None:
+    for observe, size in (("truth", truth), ("belief", belief)):
+        names = [item.name for item in layout(find_league(league), observe)]
+        assert len(names) == len(set(names)) == size == len(Match(league, seed=0, observe=observe).observation_names)
+    assert ("obstacle_near" in names) is (league == "legged-2001")  # the only league with a ranger
+    assert len(PLAYER) == PLAYER_SIZE
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize(("home", "away"), [(1, 1), (3, 5), (11, 11)])
+def test_the_layout_is_the_same_at_every_team_size(league: str, home: int, away: int) -> None:
+    assert Match(league, home=home, away=away, seed=0).observation_names == Match(league, seed=0).observation_names
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_wild_states_stay_in_the_box(league: str) -> None:
+    match = Match(league, home=3, away=3, matches=64, seed=0)
+    rng = np.random.default_rng(0)
+    for field in ("x", "y", "vx", "vy", "omega", "heading"):
+        match.robots[field] = rng.normal(0.0, 100.0, match.robots.shape)
+    for field in ("x", "y", "vx", "vy"):
+        match.balls[field] = rng.normal(0.0, 100.0, 64)
+    match.matches["score"] = rng.integers(0, 1000, (64, 2))
+    match.batch.observe_anew(0, 64)
+    assert np.abs(match.observations).max() <= 1.0
+
+
+def test_the_last_command_is_seen_clipped() -> None:
+    match = Match(home=1, away=1, seed=0)
+    match.step(np.array([[[3.0, -0.25, 0.5, -7.0], [0, 0, 0, 0]]]))
+    seen = dict(zip(match.observation_names, match.observations[0, 0].tolist(), strict=True))
+    assert [seen[f"last_{name}"] for name in ("forward", "left", "turn", "kick")] == [1.0, -0.25, 0.5, -1.0]

@@ -101,9 +101,7 @@ def test_with_ideal_senses_a_belief_is_the_truth(league: str) -> None:
     ("observe", "formula"), [("belief", formulas_believed.belief_of), ("percepts", formulas_believed.percepts_of)]
 )
 @pytest.mark.parametrize("league", LEAGUES)
-def test_every_entry_of_what_is_believed_and_sensed_is_its_formula(
-    league: str, observe: str, formula: Callable[..., dict[str, float]]
-) -> None:
+def test_every_entry_of_what_is_believed_and_sensed_is_its_formula(league, observe, formula) -> None:
     match, rng = staged(league, observe=observe), np.random.default_rng(5)
     for records in (match.beliefs, match.tracks, match.percepts):
         fill(records, rng)

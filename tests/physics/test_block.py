@@ -11,7 +11,7 @@ from soccer_env.physics.block import most_reach, spread_of
 from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
 from soccer_env.physics.solver.posts import between_segments
 from soccer_env.render.robots import figures_of
-from tests.scenes.staging import LEGGED, asking, endless, energy, put, put_ball, stage, stand, steady, steps_in
+from tests.scenes.staging import LEGGED, asking, endless, energy, place, play, put_ball, stage, stand, steady, steps_in
 from tests.scenes.symmetry import MIRROR, Records, assert_same_records, mirrored
 
 LEAGUE = endless(steady("legged-2001-block"))
@@ -20,13 +20,11 @@ OUTSIDE = BLOCK.paw_y + BODY.tip_radius + BALL.radius  # [m] aside, where a ball
 UP = 9  # control steps until the legs are spread: one to begin, 7.7 of them at the joints' speed
 
 
-def keeper(matches=1, **settings):
+def keeper(matches=1, league=LEAGUE, **settings):
     """Return matches with home's goalkeeper at the origin, looking along x, the ball far off."""
-    match = stage(LEAGUE, matches, **settings)
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, 5.0, 0.0)
+    match = stage(league, matches, **settings)
     match.robots["keeper"][:, 0] = 1
-    match.rebuild()
+    place(match, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0)})
     return match
 
 
@@ -40,12 +38,9 @@ def rolled(offsets, v=1.0, blocks=True, **settings):
     """Return matches in which a ball has rolled at a goalkeeper at several places aside of it, legs spread or not."""
     offsets = np.asarray(offsets)
     match = keeper(len(offsets), **settings)
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0 if blocks else 0.0))
-    put_ball(match, 0.4, offsets, -v, 0.0)
-    match.rebuild()
-    for _ in range(steps_in(match, 0.4)):
-        match.step(stand(match))
+    play(match, actions=asking(match, kick=1.0 if blocks else 0.0), steps=UP)
+    place(match, ball=(0.4, offsets, -v, 0.0))
+    play(match, 0.4)
     return match
 
 
@@ -58,49 +53,35 @@ def test_ms53_a_block_takes_the_time_of_its_joints_and_stands_for_as_long_as_the
     t = np.arange(30) * LEAGUE.dt
     end = BLOCK.raise_time + BLOCK.hold_time + BLOCK.recover_time
     expected = np.clip(np.minimum(t / BLOCK.raise_time, (end - t) / BLOCK.recover_time), 0.0, 1.0)
-    assert found == pytest.approx(expected, abs=1e-9)
-    assert max(found) == 1.0 and found[-1] == 0.0
+    assert found == pytest.approx(expected, abs=1e-9) and max(found) == 1.0 and found[-1] == 0.0
 
 
-def test_while_it_blocks_a_robot_stands_still_and_then_walks_again():
+def test_while_it_blocks_a_robot_stands_still_and_in_a_league_without_a_block_nothing_happens():
     match = keeper()
     for _ in range(steps_in(match, 1.3)):
         match.step(asking(match, kick=1.0, forward=1.0, left=0.5))
         assert match.robots["walk"][0, 0].tolist() == (0.0, 0.0, 0.0)
     assert np.hypot(match.robots["x"][0, 0], match.robots["y"][0, 0]) < 1e-9
-    for _ in range(steps_in(match, 2.0)):
-        match.step(asking(match, forward=1.0))
+    play(match, 2.0, asking(match, forward=1.0))
     assert match.robots["x"][0, 0] > 0.05
+    match = keeper(league=steady(LEGGED))
+    match.step(asking(match, kick=1.0))
+    assert match.robots["kick_clock"][0, 0] == 0.0 and most_reach(constants_of(match.league)[0]) == BODY.reach
 
 
 def test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach():
-    """MS53: a field player stands, and a goalkeeper with the ball kicks it."""
     match = keeper(3)
     match.robots["keeper"][1, 0] = 0
     put_ball(match, 5.0 * np.ones(3), 0.0)
     match.balls["x"][2] = BODY.front + BALL.radius + 0.003
     match.robots["has_ball"][2, 0] = 1
     match.rebuild()
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0))
+    play(match, actions=asking(match, kick=1.0), steps=UP)
     assert spread(match).tolist() == [1.0, 0.0, 0.0]
     assert match.robots["kick_strength"][:, 0].tolist() == [0.0, 0.0, 1.0]
 
 
-def test_without_a_block_in_the_league_a_goalkeeper_that_kicks_the_air_does_nothing():
-    match = stage(steady(LEGGED))
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, 1.0, 0.0)
-    match.robots["keeper"][:, 0] = 1
-    match.rebuild()
-    match.step(asking(match, kick=1.0))
-    assert match.robots["kick_clock"][0, 0] == 0.0
-    k = constants_of(match.league)[0]
-    assert most_reach(k) == BODY.reach
-
-
 def test_ms53_spread_legs_stop_a_ball_as_far_aside_as_they_reach_and_none_a_centimetre_farther():
-    """MS53: from the chest to the paws nothing comes through, and not farther out than that."""
     inside = np.linspace(0.0, OUTSIDE - 0.01, 20)
     for side in (1.0, -1.0):
         assert (rolled(side * inside).balls["x"] > 0.0).all(), "between trunk and paw there is a leg"
@@ -109,10 +90,17 @@ def test_ms53_spread_legs_stop_a_ball_as_far_aside_as_they_reach_and_none_a_cent
     assert passes.balls["vy"][0] == 0.0 and passes.robots["y"][0, 0] == 0.0
 
 
-def test_without_the_block_the_same_balls_pass():
+def test_legs_that_spread_push_a_ball_that_lies_beside_them_away_and_without_a_block_balls_pass():
     aside = np.linspace(BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01, OUTSIDE, 5)
     assert (rolled(aside, blocks=False).balls["vx"] < -0.3).all()
     assert (rolled(aside, blocks=False).balls["vy"] == 0.0).all()
+    match = keeper()
+    place(match, ball=(BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01))
+    play(match, actions=asking(match, kick=1.0), steps=UP + 2)
+    k = constants_of(LEAGUE)[0]
+    assert match.balls["y"][0] > OUTSIDE - 0.002
+    assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
+    assert match.matches["last_touch_robot"][0] == 0 and energy(match)[0] < 0.5 * BALL.mass * 0.5**2
 
 
 @pytest.mark.parametrize("share", [0.5, 0.7, 0.9])
@@ -124,40 +112,18 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
     league = replace(LEAGUE, body=replace(BODY, mass=1e6), ball=replace(BALL, rolling=0.0, sliding=1e-9))
     pair = replace(league.materials.ball_robot, friction=0.0)
     league = replace(league, materials=replace(league.materials, ball_robot=pair))
-    match = stage(league)
-    put(match, 0, 0.0, 0.0, 0.0)
-    put_ball(match, 5.0, 0.0)
-    match.robots["keeper"][:, 0] = 1
-    match.rebuild()
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0))
-    put_ball(match, 0.4, aside, -1.0, 0.0)
-    match.rebuild()
-    for _ in range(6):
-        match.step(stand(match))
+    match = keeper(league=league)
+    play(match, actions=asking(match, kick=1.0), steps=UP)
+    place(match, ball=(0.4, aside, -1.0, 0.0))
+    play(match, steps=6)
     bounce = (1.0 + pair.elasticity) * nx
     assert match.balls["vx"][0] == pytest.approx(-1.0 + bounce * nx, abs=1e-3)
     assert match.balls["vy"][0] == pytest.approx(bounce * ny, abs=1e-3)
 
 
-def test_legs_that_spread_push_a_ball_that_lies_beside_them_away():
-    match = keeper()
-    put_ball(match, BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01)
-    match.rebuild()
-    for _ in range(UP + 2):
-        match.step(asking(match, kick=1.0))
-    k = constants_of(LEAGUE)[0]
-    assert match.balls["y"][0] > OUTSIDE - 0.002
-    assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
-    assert match.matches["last_touch_robot"][0] == 0
-    assert energy(match)[0] < 0.5 * BALL.mass * 0.5**2
-
-
 def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
-    """MS53: who touched it and how far it is away follow the legs where they are."""
     match = keeper()
-    for _ in range(UP):
-        match.step(asking(match, kick=1.0))
+    play(match, actions=asking(match, kick=1.0), steps=UP)
     robot, k = match.robots[0, 0], constants_of(LEAGUE)[0]
     for gap in (paws_gap(robot, k, BLOCK.paw_x, OUTSIDE, 1.0), ball_gap(robot, k, BLOCK.paw_x, -OUTSIDE)):
         assert gap == pytest.approx(0.0, abs=1e-12)
@@ -171,10 +137,7 @@ def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
 
 def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
     """One that would walk past beside the goalkeeper; the other match shows it without the block."""
-    match = stage(LEAGUE, 2)
-    put(match, 0, 0.0, 0.0, 0.0)
-    put(match, 1, 0.26, 0.2, np.pi)
-    put_ball(match, 5.0, 0.0)
+    match = stage(LEAGUE, 2, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0), 1: (0.26, 0.2, np.pi)})
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
     for _ in range(steps_in(match, 1.0)):
@@ -187,12 +150,9 @@ def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
 
 
 def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():
-    """MS53: whoever blocks, ball and robots do the mirrored thing in the mirrored match."""
     one, other = keeper(), keeper()
     for match in (one, other):
-        put(match, 1, 0.5, 0.14, np.pi)
-        put_ball(match, 0.45, 0.2, -0.5, 0.0)
-        match.rebuild()
+        place(match, ball=(0.45, 0.2, -0.5, 0.0), robots={1: (0.5, 0.14, np.pi)})
     mirrored(Records.of(one)).put_into(other)
     for step in range(40):
         actions = asking(one, kick=float(step == 2), left=0.3)
@@ -204,15 +164,11 @@ def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():
     assert_same_records(mirrored(Records.of(one)), Records.of(other), MIRROR)
 
 
-def test_both_backends_block_to_the_bit():
+def test_both_backends_block_to_the_bit_and_a_block_is_saved_with_the_match_and_shown():
     found = [rolled(np.linspace(-0.25, 0.25, 11), backend=backend) for backend in ("c", "batch")]
     assert found[0].state_hash() == found[1].state_hash()
-
-
-def test_a_block_is_saved_with_the_match_and_shown():
     match = keeper()
-    for _ in range(6):
-        match.step(asking(match, kick=1.0))
+    play(match, actions=asking(match, kick=1.0), steps=6)
     saved = match.save()
     assert 0.0 < spread(match)[0] < 1.0
     paws = figures_of(match.robots[0], match.league, 1.0)[0].paws
@@ -224,16 +180,13 @@ def test_a_block_is_saved_with_the_match_and_shown():
     assert match.state_hash() == after
 
 
-@pytest.mark.parametrize(
-    ("a", "b", "c", "d", "at", "away"),
-    [
-        ((0.0, 0.0), (2.0, 0.0), (1.0, 1.0), (1.0, 3.0), (1.0, 0.0), (0.0, 1.0)),
-        ((0.0, 0.0), (2.0, 0.0), (3.0, 0.0), (4.0, 5.0), (2.0, 0.0), (1.0, 0.0)),
-        ((0.0, 0.0), (0.0, 0.0), (-1.0, 2.0), (1.0, 2.0), (0.0, 0.0), (0.0, 2.0)),
-        ((0.0, 0.0), (2.0, 0.0), (1.0, 5.0), (1.0, 2.0), (1.0, 0.0), (0.0, 2.0)),
-        ((1.0, 5.0), (1.0, 2.0), (0.0, 0.0), (2.0, 0.0), (1.0, 2.0), (0.0, -2.0)),
-    ],
-)
+@pytest.mark.parametrize(("a", "b", "c", "d", "at", "away"), [
+    ((0.0, 0.0), (2.0, 0.0), (1.0, 1.0), (1.0, 3.0), (1.0, 0.0), (0.0, 1.0)),
+    ((0.0, 0.0), (2.0, 0.0), (3.0, 0.0), (4.0, 5.0), (2.0, 0.0), (1.0, 0.0)),
+    ((0.0, 0.0), (0.0, 0.0), (-1.0, 2.0), (1.0, 2.0), (0.0, 0.0), (0.0, 2.0)),
+    ((0.0, 0.0), (2.0, 0.0), (1.0, 5.0), (1.0, 2.0), (1.0, 0.0), (0.0, 2.0)),
+    ((1.0, 5.0), (1.0, 2.0), (0.0, 0.0), (2.0, 0.0), (1.0, 2.0), (0.0, -2.0)),
+])  # fmt: skip
 def test_two_lines_are_nearest_where_geometry_says(a, b, c, d, at, away):
     assert between_segments(*a, *b, *c, *d) == pytest.approx((*at, *away))
 

@@ -6,20 +6,8 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
 from soccer_env.types import HOME, NO_TEAM
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    boarded,
-    each_league,
-    icy,
-    outline,
-    patient,
-    put,
-    put_ball,
-    speed,
-    stage,
-    stand,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, icy, patient
+from tests.scenes.staging import asking, each_step, outline, place, play, put, put_ball, speed, stage, stand
 
 HUNDREDS = 300
 
@@ -39,20 +27,17 @@ def bounces(match, towards, steps):
 
 
 @each_league
-def test_a_ball_comes_back_from_a_board_with_the_elasticity_of_the_two(name):
+def test_a_ball_comes_back_from_a_board_with_the_elasticity_of_the_two_and_a_glancing_one_loses_to_friction(name):
     league = icy(boarded(name))
     rng = np.random.default_rng(1)
     v = rng.uniform(0.2, 1.0, 100) * league.ball.top_speed
     match = stage(league, 100)
-    edge = league.pitch.width / 2 - league.ball.radius
-    put_ball(match, 0.3, edge - rng.uniform(0.1, 0.4, 100), 0.0, v, rolls=False)
+    away = league.ball.radius + rng.uniform(0.1, 0.4, 100)
+    put_ball(match, 0.3, league.pitch.width / 2 - away, 0.0, v, rolls=False)
     match.rebuild()
     before, after, _ = bounces(match, "y", 60)
+    np.testing.assert_allclose(before, v, rtol=1e-6, err_msg="what it never meets takes nothing")
     np.testing.assert_allclose(after, before * league.materials.ball_board.elasticity, rtol=1e-6)
-
-
-@each_league
-def test_a_glancing_ball_keeps_its_speed_along_the_board_but_for_friction(name):
     league = icy(boarded(name))
     angle = np.linspace(0.2, 1.4, 50)
     v = 0.6 * league.ball.top_speed
@@ -83,24 +68,12 @@ def test_a_ball_comes_back_from_a_robot_with_the_elasticity_of_the_two(name):
     assert (after >= both * before - pushed - 1e-3).all(), "at least that of one that slides freely"
 
 
-@each_league
-def test_a_ball_loses_nothing_to_a_board_that_it_never_meets(name):
-    league = icy(boarded(name))
-    match = stage(league)
-    put_ball(match, -0.9, 0.0, 1.0, 0.0)
-    match.rebuild()
-    for _ in range(10):
-        match.step(stand(match))
-    assert match.balls["vx"][0] == pytest.approx(1.0, abs=1e-6)
-
-
-def test_a_ball_on_the_post_stays_out():
+def test_a_ball_on_the_post_stays_out_and_one_off_the_inside_of_the_post_goes_in():
     league = patient(MIDDLE)
     pitch, offsets = league.pitch, np.linspace(-0.06, 0.12, 60)  # [m] from the middle of the post, towards the corner
     match = stage(league, 120)
     y = np.concatenate([s * (pitch.goal_width / 2 + pitch.post_radius + offsets) for s in (1, -1)])
-    put_ball(match, pitch.length / 2 - 1.0, y, 9.0, 0.0)
-    match.rebuild()
+    place(match, ball=(pitch.length / 2 - 1.0, y, 9.0, 0.0))
     out = np.zeros(120, bool)
     for _ in range(30):
         match.step(stand(match))
@@ -109,20 +82,10 @@ def test_a_ball_on_the_post_stays_out():
     head_on = np.tile(abs(offsets) < 0.05, 2)
     assert not out[head_on].any(), "it came back into the field"
     assert (match.balls["vx"][head_on] < 0.0).all()
-
-
-def test_a_ball_off_the_inside_of_the_post_goes_in():
     league = patient(MIDDLE)
-    pitch = league.pitch
-    match = stage(league, 2)
-    y = pitch.goal_width / 2 + pitch.post_radius - 0.14  # [m] the post turns it inwards
-    put_ball(match, pitch.length / 2 - 1.0, [y, -y], 9.0, 0.0)
-    match.rebuild()
-    goals = 0
-    for _ in range(60):
-        match.step(stand(match))
-        goals += (match.events["goal"] == HOME).sum()
-    assert goals == 2
+    y = league.pitch.goal_width / 2 + league.pitch.post_radius - 0.14  # [m] the post turns it inwards
+    match = stage(league, 2, ball=(league.pitch.length / 2 - 1.0, [y, -y], 9.0, 0.0))
+    assert (each_step(match, lambda: match.events["goal"], steps=60) == HOME).sum() == 2
 
 
 @each_league
@@ -190,8 +153,7 @@ def test_no_ball_passes_through_a_board_a_post_or_a_net_at_top_speed(name, make)
     aim = rng.uniform(-1.3, 1.3, HUNDREDS) * pitch.goal_width / 2  # half of them at a goal, its posts and side nets
     direction = np.arctan2(aim - y, rng.choice([-1, 1], HUNDREDS) * (pitch.length / 2 + pitch.goal_depth / 2) - x)
     direction[::2] = rng.uniform(-np.pi, np.pi, HUNDREDS // 2)
-    put_ball(match, x, y, league.ball.top_speed * np.cos(direction), league.ball.top_speed * np.sin(direction))
-    match.rebuild()
+    place(match, ball=(x, y, league.ball.top_speed * np.cos(direction), league.ball.top_speed * np.sin(direction)))
     bounced = np.zeros(HUNDREDS, bool)
     for _ in range(60):
         old, speeds = places(match), speed(match.balls)
@@ -217,8 +179,7 @@ def test_no_ball_passes_through_a_robot_at_top_speed(name, depth):
     away = body.reach + ball.radius + rng.uniform(0.0, 0.3, HUNDREDS) + depth
     aside = rng.uniform(-1.0, 1.0, HUNDREDS) * 0.5 * min(body.disc_radius or 0.0775, 0.2)
     x, y = away * np.cos(angle) - aside * np.sin(angle), away * np.sin(angle) + aside * np.cos(angle)
-    put_ball(match, x, y, -ball.top_speed * np.cos(angle), -ball.top_speed * np.sin(angle))
-    match.rebuild()
+    place(match, ball=(x, y, -ball.top_speed * np.cos(angle), -ball.top_speed * np.sin(angle)))
     knocked = np.zeros(HUNDREDS, bool)
     for _ in range(12):
         old = places(match)
@@ -241,14 +202,8 @@ def nearest_on_way(old, new):
 
 def test_a_legged_robot_fits_into_the_goal_and_not_through_the_board_beside_it():
     league = patient(LEGGED)
-    match = stage(league, 2)
-    put(match, 0, 1.3, [0.0, 0.55], 0.0)
-    put_ball(match, -1.0, 0.0)
-    match.rebuild()
-    actions = stand(match)
-    actions[:, 0, 0] = 1.0
-    for _ in range(160):
-        match.step(actions)
+    match = stage(league, 2, ball=(-1.0, 0.0), robots={0: (1.3, [0.0, 0.55], 0.0)})
+    play(match, actions=asking(match, forward=1.0), steps=160)
     inside, beside = match.robots["x"][:, 0] + league.body.tip_x + league.body.tip_radius
     pressed = 0.012  # [m] it goes into what it pushes against with its full force
     assert inside == pytest.approx(1.5 + league.pitch.goal_depth, abs=pressed)

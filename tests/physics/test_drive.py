@@ -7,20 +7,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    each_league,
-    endless,
-    put,
-    put_ball,
-    speed,
-    stage,
-    stand,
-    steady,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league, endless, steady
+from tests.scenes.staging import asking, each_step, place, play, put, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 
@@ -29,19 +17,16 @@ def on_its_own(league, matches=1, **settings):
     """Return matches with robot 0 at rest in the middle, the ball far away and nobody else."""
     match = stage(league, matches, **settings)
     put(match, 0, 0.0, 0.0)
-    put_ball(match, -0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width)
-    match.rebuild()
+    place(match, ball=(-0.4 * match.league.pitch.length, -0.4 * match.league.pitch.width))
     return match
 
 
 def walked(match: Match, actions: np.ndarray, steps: int) -> np.ndarray:
     """Return the speed ahead of robot 0 of the first match after each step."""
-    speeds = []
-    for _ in range(steps):
-        match.step(actions)
-        heading = match.robots["heading"][0, 0]
-        speeds.append(np.cos(heading) * match.robots["vx"][0, 0] + np.sin(heading) * match.robots["vy"][0, 0])
-    return np.array(speeds)
+    vx, vy, heading = each_step(
+        match, lambda: [match.robots[n][0, 0] for n in ("vx", "vy", "heading")], 0.0, actions, steps
+    ).T
+    return np.cos(heading) * vx + np.sin(heading) * vy
 
 
 @pytest.mark.parametrize(("name", "steps"), [("legged-2001-smooth", 2), (MIDDLE, 5)])
@@ -61,39 +46,34 @@ def test_the_delay_is_a_setting(delay):
 
 def test_a_legged_robot_takes_a_new_command_only_when_its_gait_step_of_8_control_steps_ends():
     match = on_its_own(steady(LEGGED))
-    targets, phases = [], []
-    for step in range(40):
-        match.step(asking(match, forward=(step + 1) / 40.0))  # another command at every step
-        targets.append(match.robots["target"]["forward"][0, 0])
-        phases.append(match.robots["gait_phase"][0, 0])
+    targets = targets_of(match, 40)
     changes = np.flatnonzero(np.diff(targets) != 0.0) + 1
     np.testing.assert_array_equal(changes, [8, 16, 24, 32])
-    np.testing.assert_array_equal(phases, (np.arange(40) + 1) % 8)
     # what it takes was asked for two control steps before
-    np.testing.assert_allclose(np.array(targets)[changes], 0.12 * (changes - 2 + 1) / 40.0)
+    np.testing.assert_allclose(targets[changes], 0.12 * (changes - 2 + 1) / 40.0)
+    for phase in (*range(1, 8), 0):
+        match.step(stand(match))
+        assert match.robots["gait_phase"][0, 0] == phase
+
+
+def targets_of(match: Match, steps: int) -> np.ndarray:
+    """Return the speeds ahead [m/s] that robot 0 goes for, asked for another one at every step."""
+    found = []
+    for step in range(steps):
+        match.step(asking(match, forward=(step + 1) / steps))
+        found.append(match.robots["target"]["forward"][0, 0])
+    return np.array(found)
 
 
 def test_gait_steps_are_even_even_if_slip_is_drawn_at_other_times():
     """A trap: a slip of 12 control steps used to cut every second gait step of 8 short."""
     league = find_league(LEGGED)
-    match = on_its_own(replace(league, drive=replace(league.drive, slip_time=0.75)))
-    targets = []
-    for step in range(48):
-        match.step(asking(match, forward=(step + 1) / 48.0))
-        targets.append(match.robots["target"]["forward"][0, 0])
+    targets = targets_of(on_its_own(replace(league, drive=replace(league.drive, slip_time=0.75))), 48)
     np.testing.assert_array_equal(np.flatnonzero(np.diff(targets)) + 1, [8, 16, 24, 32, 40])
 
 
-def test_wheels_follow_at_every_control_step():
-    match = on_its_own(steady(MIDDLE))
-    targets = []
-    for step in range(20):
-        match.step(asking(match, forward=(step + 1) / 20.0))
-        targets.append(match.robots["target"]["forward"][0, 0])
-    np.testing.assert_allclose(targets[5:], 2.6 * np.arange(1, 16) / 20.0)
-
-
-def test_an_omnidirectional_robot_reaches_2_6_m_per_s_after_0_65_s():
+def test_wheels_follow_at_every_control_step_and_reach_2_6_m_per_s_after_0_65_s():
+    np.testing.assert_allclose(targets_of(on_its_own(steady(MIDDLE)), 20)[5:], 2.6 * np.arange(1, 16) / 20.0)
     match = on_its_own(steady(MIDDLE))
     speeds = walked(match, asking(match, forward=1.0), 60)
     delay, top = 5, 2.6
@@ -121,53 +101,36 @@ def test_no_robot_gains_or_loses_speed_faster_than_it_can(name):
         assert (turn <= league.drive.turn_acceleration * league.dt + 1e-9).all()
 
 
-@pytest.mark.parametrize(
-    ("name", "command", "expected"),
-    [
-        (LEGGED, (1.0, 0.0), 0.12),
-        (LEGGED, (-1.0, 0.0), 0.10),
-        (LEGGED, (0.0, 1.0), 0.08),
-        (LEGGED, (0.0, -0.5), 0.04),
-        (MIDDLE, (0.0, -1.0), 2.6),
-        (MIDDLE, (0.6, 0.8), 2.6),
-        (MIDDLE, (1.0, 1.0), 2.6),
-        (DIFFERENTIAL, (1.0, 0.0), 1.6),
-        (DIFFERENTIAL, (1.0, 1.0), 1.6),
-    ],
-)
+@pytest.mark.parametrize(("name", "command", "expected"), [
+    (LEGGED, (1.0, 0.0), 0.12), (LEGGED, (-1.0, 0.0), 0.10), (LEGGED, (0.0, 1.0), 0.08), (LEGGED, (0.0, -0.5), 0.04),
+    (MIDDLE, (0.0, -1.0), 2.6), (MIDDLE, (0.6, 0.8), 2.6), (MIDDLE, (1.0, 1.0), 2.6), (DIFFERENTIAL, (1.0, 0.0), 1.6),
+    (DIFFERENTIAL, (1.0, 1.0), 1.6),
+])  # fmt: skip
 def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected):
     match = on_its_own(steady(name))
     actions = asking(match, forward=command[0], left=command[1])
-    for _ in range(steps_in(match, 1.5)):
-        match.step(actions)
+    play(match, 1.5, actions)
     assert speed(match.robots)[0, 0] == pytest.approx(expected, rel=1e-9)
 
 
-def test_robots_turn_at_their_top_rate_and_no_faster():
-    for name, rate in ((LEGGED, 0.8), (MIDDLE, 6.0)):
-        match = on_its_own(steady(name))
-        for _ in range(steps_in(match, 2.0)):
-            match.step(asking(match, turn=1.0))
-            assert match.robots["omega"][0, 0] <= rate + 1e-9
-        assert match.robots["omega"][0, 0] == pytest.approx(rate)
+@pytest.mark.parametrize(("name", "rate"), [(LEGGED, 0.8), (MIDDLE, 6.0)])
+def test_robots_turn_at_their_top_rate_and_no_faster(name, rate):
+    match = on_its_own(steady(name))
+    for _ in range(steps_in(match, 2.0)):
+        match.step(asking(match, turn=1.0))
+        assert match.robots["omega"][0, 0] <= rate + 1e-9
+    assert match.robots["omega"][0, 0] == pytest.approx(rate)
 
 
-def test_a_turn_counter_clockwise_is_positive_and_left_is_to_the_left():
+def test_a_turn_counter_clockwise_is_positive_left_is_to_the_left_and_a_differential_base_cannot_move_there():
     match = on_its_own(steady(MIDDLE), 2)
-    actions = stand(match)
-    actions[0, 0, 2], actions[1, 0, 1] = 0.2, 0.5
-    for _ in range(25):
-        match.step(actions)
+    play(match, actions=asking(match, turn=[0.2, 0.0], left=[0.0, 0.5]), steps=25)
     assert match.robots["heading"][0, 0] > 0.1 and match.robots["heading"][1, 0] == 0.0
     assert match.robots["y"][1, 0] > 0.1 and abs(match.robots["x"][1, 0]) < 1e-9
-
-
-def test_a_differential_base_cannot_move_sideways():
     match = on_its_own(find_league(DIFFERENTIAL), 20)
     match.robots["heading"][:, 0] = np.linspace(-3.0, 3.0, 20)
     match.rebuild()
-    for _ in range(100):
-        match.step(asking(match, left=1.0))
+    play(match, actions=asking(match, left=1.0), steps=100)
     assert not speed(match.robots)[:, 0].any()
     aside = 0.0
     for _ in range(100):  # in a curve, ground holds the wheels against the side
@@ -220,16 +183,13 @@ def test_a_walk_misses_its_speed_by_the_leagues_slip(name, slip):
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE])
 def test_slip_holds_for_half_a_second_and_then_is_drawn_anew(name):
     match = on_its_own(name)
-    drawn = []
-    for _ in range(steps_in(match, 3.0)):
-        match.step(asking(match, forward=1.0))
-        drawn.append(match.robots["slip"]["forward"][0, 0])
+    drawn = each_step(match, lambda: match.robots["slip"]["forward"][0, 0], 3.0, asking(match, forward=1.0))
     assert len(np.unique(drawn)) == 6
     assert (np.diff(np.flatnonzero(np.diff(drawn))) == steps_in(match, 0.5)).all()
 
 
 @each_league
-def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its_slip(name):
+def test_nobody_is_faster_than_top_speed_times_slip_and_who_is_told_nothing_or_is_out_stands_still(name):
     match = on_its_own(endless(name), 100, seed=5)
     rng = np.random.default_rng(1)
     drive = match.league.drive
@@ -240,26 +200,10 @@ def test_a_robot_that_nobody_pushes_is_never_faster_than_its_top_speed_times_its
         slip = match.robots["slip"][:, 0]
         greatest = np.maximum(greatest, np.maximum(slip["forward"], slip["left"]))
         assert (speed(match.robots)[:, 0] <= drive.forward * greatest + 1e-9).all()
-
-
-@each_league
-def test_a_robot_without_commands_stands_where_it_is(name):
-    match = on_its_own(name, 5)
-    before = match.robots[:, 0].copy()
-    for _ in range(100):
-        match.step(stand(match))
-    for axis in ("x", "y", "heading"):
-        np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
-
-
-@each_league
-def test_a_robot_sent_off_neither_moves_nor_kicks_whatever_it_is_told(name):
-    match = stage(name, 4)
-    put(match, 1, 0.5, 0.5)
-    match.rebuild()
-    before = match.robots[:, 0].copy()
-    for _ in range(100):
-        match.step(asking(match, forward=1.0, left=1.0, turn=1.0, kick=1.0))
-    for axis in ("x", "y", "heading", "vx", "vy", "omega"):
-        np.testing.assert_array_equal(match.robots[axis][:, 0], before[axis])
-    assert not match.robot_events["kick"].any()
+    match, out = on_its_own(name, 5), stage(name, 4, robots={1: (0.5, 0.5)})
+    for one, actions in ((match, None), (out, asking(out, forward=1.0, left=1.0, turn=1.0, kick=1.0))):
+        before = one.robots[:, 0].copy()
+        play(one, actions=actions, steps=100)
+        for axis in ("x", "y", "heading", "vx", "vy", "omega"):
+            np.testing.assert_array_equal(one.robots[axis][:, 0], before[axis])
+    assert not out.robot_events["kick"].any()

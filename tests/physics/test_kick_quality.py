@@ -12,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.physics.kicker import lies_badly, work_kicker
 from soccer_env.random_numbers import GOLDEN
 from soccer_env.types import RobotStream
-from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, put, put_ball, speed, stage, stand, steady
+from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, place, put, put_ball, speed, stage, stand, steady
 
 KICKS = 1000
 FEW = 40  # kicks, of which a fact holds for each
@@ -65,7 +65,7 @@ def strays(match: Match, kicked: np.ndarray) -> np.ndarray:
 
 
 @each_league
-def test_ball_and_robot_together_keep_their_momentum_in_a_kick(name):
+def test_ball_and_robot_keep_their_momentum_in_a_kick_and_a_missed_one_gives_nothing_and_recharges(name):
     match = ready(name, matches=FEW)
     body, ball = match.league.body, match.league.ball
     assert finish(match).all()
@@ -74,6 +74,18 @@ def test_ball_and_robot_together_keep_their_momentum_in_a_kick(name):
         np.testing.assert_allclose(gained, 0.0, atol=1e-14 * body.mass)
     recoil = speed(match.robots)[:, 0].mean()
     assert recoil == pytest.approx({LEGGED: 0.05 * 1.5 / 1.45, MIDDLE: 0.43 * 10.0 / 30.0}[name], rel=0.1)
+    league = find_league(name)
+    match = stage(replace(league, kicker=replace(league.kicker, miss=1.0)), 50)
+    body, ball, kicker = league.body, league.ball, league.kicker
+    place(match, ball=(body.front + ball.radius + EDGE * kicker.reach, 0.0), robots={0: (0.0, 0.0)})
+    match.step(stand(match))
+    kicked, recharging = np.zeros(50, bool), np.zeros(50, bool)
+    for _ in range(11):
+        match.step(asking(match, kick=1.0))
+        kicked |= match.robot_events["kick"][:, 0] == 1
+        recharging |= match.robots["kick_clock"][:, 0] < 0.0
+    assert recharging.all() and kicked.mean() < 0.05
+    assert not speed(match.balls)[~kicked].any() and not speed(match.robots)[~kicked].any()
 
 
 @pytest.mark.parametrize(("name", "share"), [(LEGGED, 0.15), (MIDDLE, 0.05)])
@@ -126,8 +138,7 @@ def badness_of(robot, k, x, y):
 
 @each_league
 def test_a_ball_lies_best_in_the_middle_of_the_front_and_worst_at_every_edge(name):
-    match = stage(name)
-    put(match, 0, 0.0, 0.0)
+    match = stage(name, robots={0: (0.0, 0.0)})
     k, robot = match.settings.constants()[0], match.robots[0, 0]
     front, reach, half = k["body_front"] + k["ball_radius"], k["kicker_reach"], k["kicker_half_width"]
     for x, y, expected in (
@@ -146,31 +157,12 @@ def test_every_kick_draws_five_numbers_whether_it_hits_misses_or_meets_air(ahead
     assert (drawn == np.uint64((5 * int(GOLDEN)) % 2**64)).all()
 
 
-@each_league
-def test_a_missed_kick_gives_nothing_and_the_kicker_recharges(name):
-    league = find_league(name)
-    match = stage(replace(league, kicker=replace(league.kicker, miss=1.0)), 50)
-    body, ball, kicker = league.body, league.ball, league.kicker
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, body.front + ball.radius + EDGE * kicker.reach, 0.0)
-    match.rebuild()
-    match.step(stand(match))
-    kicked, recharging = np.zeros(50, bool), np.zeros(50, bool)
-    for _ in range(11):
-        match.step(asking(match, kick=1.0))
-        kicked |= match.robot_events["kick"][:, 0] == 1
-        recharging |= match.robots["kick_clock"][:, 0] < 0.0
-    assert recharging.all() and kicked.mean() < 0.05
-    assert not speed(match.balls)[~kicked].any() and not speed(match.robots)[~kicked].any()
-
-
 @pytest.mark.parametrize(("gap", "share"), [(0.002, 1.0), (0.006, 0.0)])
 @pytest.mark.parametrize(("name", "miss"), [(LEGGED, 0.5), (MIDDLE, 0.2)])
 def test_a_ball_that_another_robot_touches_lies_as_badly_as_it_can(name, miss, gap, share):
     match = ready(name)
     heading, apart = match.robots["heading"][:, 0], 2.0 * (match.league.body.front + match.league.ball.radius) + gap
-    put(match, 1, 0.1 + apart * np.cos(heading), -0.2 + apart * np.sin(heading), heading + np.pi)
-    match.rebuild()
+    place(match, robots={1: (0.1 + apart * np.cos(heading), -0.2 + apart * np.sin(heading), heading + np.pi)})
     missed = (~finish(match)).mean()
     assert missed == pytest.approx(share * miss, abs=4.0 * np.sqrt(share * miss * (1.0 - miss) / KICKS))
 

@@ -1,13 +1,18 @@
-"""A Space that is put back in place of a new one: the same future to the last bit, in scrums too, and no new Space."""
+"""A Space that is put back has the same future as a new one, to the last bit; fetching ahead changes no number."""
 
 from typing import Any
 
 import numpy as np
 import pytest
+from pymunk._chipmunk_cffi import ffi
 
 from soccer_env import Match
-from soccer_env.physics.engine import reseat
-from tests.scenes.staging import LEAGUES
+from soccer_env.physics.engine import prefetch, reseat
+from soccer_env.physics.engine.memory import address_of
+from soccer_env.physics.engine.pools import BUFFER_SIZE, SPACE_DYNAMIC
+from soccer_env.physics.engine.pools import layout_fits as structs_known
+from soccer_env.physics.engine.prefetch import LINE, SPANS, add
+from tests.scenes.staging import LEAGUES, play
 
 TOUCH = {"legged-2001": 0.3, "middle-size-2006": 0.6}  # [m] between the centres of robots that may touch
 
@@ -33,32 +38,29 @@ def test_400_branches_in_scrums_go_on_as_with_new_spaces(league: str) -> None:
     others.batch.physics.seats = None
     close, rebuilt, actions = 0, 0, np.zeros((50, 8, 4))
     for _ in range(8):
-        for _ in range(31):
-            ours.step(actions)
-            others.step(actions)
+        for match in (ours, others):
+            play(match, actions=actions, steps=31)
         assert ours.state_hash() == others.state_hash()
         close += jammed(ours)
         ours.rebuild()
         others.rebuild()
         rebuilt += ours.count
         assert np.array_equal(ours.batch.physics.bodies, others.batch.physics.bodies)
-    for _ in range(100):
-        ours.step(actions)
-        others.step(actions)
+    for match in (ours, others):
+        play(match, actions=actions, steps=100)
     assert ours.state_hash() == others.state_hash()
     assert rebuilt == 400 and close > 100, close
 
 
 def test_a_reset_puts_the_space_back_and_makes_none() -> None:
-    match = Match(home=2, away=2, matches=2, seed=1)
+    assert reseat.layout_fits(), "the counter of shapes is found in this pymunk"
+    match, fresh = (Match(home=2, away=2, matches=2, seed=seed) for seed in (1, 5))
     spaces = list(match.batch.physics.spaces)
     match.reset(seed=5)
     match.load(match.save())
     assert all(one is other for one, other in zip(spaces, match.batch.physics.spaces, strict=True))
-    fresh = Match(home=2, away=2, matches=2, seed=5)
-    for _ in range(40):
-        match.step(np.full((2, 4, 4), 0.7))
-        fresh.step(np.full((2, 4, 4), 0.7))
+    for one in (match, fresh):
+        play(one, actions=np.full((2, 4, 4), 0.7), steps=40)
     assert match.state_hash() == fresh.state_hash()
 
 
@@ -71,11 +73,96 @@ def test_where_it_cannot_be_put_back_a_space_is_made(way: str, monkeypatch: pyte
     first = other.batch.physics.spaces[0]
     for match in (known, other):
         match.reset(seed=2)
-        for _ in range(20):
-            match.step(np.full((1, 4, 4), 0.5))
+        play(match, actions=np.full((1, 4, 4), 0.5), steps=20)
     assert other.batch.physics.spaces[0] is not first
     assert known.state_hash() == other.state_hash()
 
 
-def test_the_counter_of_shapes_is_found_in_this_pymunk() -> None:
-    assert reseat.layout_fits()
+PLAYERS = 3  # a side
+UNUSED_PAIR, NEXT_PAIR, PAIR_SIZE = 64, 16, 56  # the first of the pool of pairs in Chipmunk's tree, the next
+
+
+@pytest.fixture(autouse=True)
+def _useful_for_two(monkeypatch):
+    monkeypatch.setattr(prefetch, "FEWEST_MATCHES", 2)
+
+
+def played(league, steps, fetches=True):
+    """Let two matches played at random; return them."""
+    match = Match(league, home=PLAYERS, away=PLAYERS, matches=2, seed=3)
+    if not fetches:
+        match.batch.physics.links["spans"] = 0
+    draws = np.random.default_rng(0).uniform(-1.0, 1.0, (steps // 8 + 1, 2, 2 * PLAYERS, 4))
+    for step in range(steps):
+        match.step(draws[step // 8])
+    return match
+
+
+def lines_of(spans):
+    """Return the numbers of all cache lines in a record of spans."""
+    noted = spans["span"][: spans["count"]]
+    return {int(at) // LINE + i for at, lines in noted for i in range(int(lines))}
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_fetching_ahead_changes_no_bit(league):
+    assert structs_known(), "the structs of this pymunk are known"
+    ahead, plain = played(league, 400), played(league, 400, fetches=False)
+    assert ahead.batch.physics.spans["count"].all()
+    assert not plain.batch.physics.spans["count"].any()
+    assert ahead.state_hash() == plain.state_hash()
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_spans_hold_bodies_shapes_constraint_and_contacts_and_little_else(league):
+    physics = played(league, 4).batch.physics
+    for m, space in enumerate(physics.spaces):
+        noted = lines_of(physics.spans[m])
+        shapes = [shape for body in space.bodies for shape in body.shapes]
+        for thing in (space, *space.bodies, *shapes, *space.constraints):
+            assert address_of(thing) // LINE in noted
+        assert physics.solvers[m : m + 1].ctypes.data // LINE in noted
+        assert 150 < len(noted) < 500  # lines, of 5,700 that a Space holds
+
+
+def test_spans_are_noted_after_powers_of_two_steps_and_fresh_shapes_are_neighbours_only_where_they_stand():
+    match = played("legged-2001", 4)
+    spans = match.batch.physics.spans
+    spans["count"] = 0
+    for steps in range(5, 9):
+        assert not spans["count"].any()
+        match.step(np.zeros((2, 2 * PLAYERS, 4)))
+        assert spans["steps"].tolist() == [steps, steps]
+    assert spans["count"].all()
+    match.rebuild([0])
+    assert spans["steps"].tolist() == [0, 8] and spans["count"][0] == 0
+    physics = played("middle-size-2006", 0).batch.physics
+    unused, place = 0, word_at(word_at(address_of(physics.spaces[0]) + SPACE_DYNAMIC) + UNUSED_PAIR)
+    while place != 0:
+        unused, place = unused + 1, word_at(place + NEXT_PAIR)
+    used = 0 if unused == 0 else BUFFER_SIZE // PAIR_SIZE - unused  # without any pair there is no pool yet
+    assert used < 7  # of seven shapes that are added in one place there would be 21
+
+
+def test_a_small_batch_fetches_nothing(monkeypatch):
+    monkeypatch.setattr(prefetch, "FEWEST_MATCHES", 3)
+    assert not played("legged-2001", 4).batch.physics.links["spans"].any()
+
+
+def test_a_span_holds_whole_lines_and_grows_while_memory_goes_on_and_those_beyond_the_room_are_left_out():
+    spans, many = np.zeros(1, SPANS), np.zeros(1, SPANS)
+    add(spans[0], 10 * LINE + 60, 8)  # over the end of a line
+    assert spans["span"][0, :1].tolist() == [(10 * LINE, 2)]
+    add(spans[0], 12 * LINE, 1)  # begins where that ends
+    assert spans["span"][0, :1].tolist() == [(10 * LINE, 3)]
+    add(spans[0], 14 * LINE, 64)
+    add(spans[0], 0, 64)  # no address
+    add(spans[0], 20 * LINE, 0)  # nothing there
+    assert spans["count"][0] == 2 and spans["span"][0, 1].tolist() == (14 * LINE, 1)
+    for i in range(prefetch.MOST_SPANS + 5):
+        add(many[0], 3 * i * LINE + LINE, LINE)
+    assert many["count"][0] == prefetch.MOST_SPANS
+
+
+def word_at(address):
+    return int(ffi.cast("uintptr_t *", address)[0])

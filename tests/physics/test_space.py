@@ -11,7 +11,7 @@ from soccer_env.leagues import League, Materials, Pair, find_league
 from soccer_env.physics.engine.space import build_space, robot_moment
 from soccer_env.physics.engine.surfaces import surfaces_of
 from soccer_env.types import BALL, ROBOT
-from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, patient, put, put_ball, stage, steps_in
+from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, patient, play, stage
 
 PAIRS = ("ball_board", "ball_post", "ball_net", "ball_robot", "robot_robot", "robot_board")
 each_pair = pytest.mark.parametrize("pair", PAIRS)
@@ -60,12 +60,6 @@ def scene(name: str, pair: str, **numbers: float) -> tuple[League, pymunk.Space,
     return league, space, bodies[0], bodies[1] if pair == "ball_robot" else space.static_body
 
 
-def effective(body: pymunk.Body, arm: float = 0.0) -> float:
-    """Return the inverse mass [1/kg] with which a body yields at a contact that lies an arm [m] off its centre."""
-    still = body.body_type == pymunk.Body.STATIC
-    return 0.0 if still else 1.0 / body.mass + arm * arm / body.moment
-
-
 @each_league
 @each_pair
 @pytest.mark.parametrize("elasticity", [None, 0.0, 0.37])
@@ -75,9 +69,8 @@ def test_bodies_part_with_the_share_of_their_speed_that_the_league_states(name, 
     body.velocity = 0.8, 0.0
     for _ in range(100):
         space.step(SUBSTEP)
-    assert other.velocity.x - body.velocity.x == pytest.approx(
-        0.8 * getattr(league.materials, pair).elasticity, abs=2e-6
-    )
+    stated = getattr(league.materials, pair).elasticity
+    assert other.velocity.x - body.velocity.x == pytest.approx(0.8 * stated, abs=2e-6)
     assert body.velocity.y == pytest.approx(0.0, abs=1e-9)
 
 
@@ -90,24 +83,21 @@ def test_a_blow_that_slides_loses_along_the_surface_what_the_league_states_of_it
     league, space, body, _ = scene(name, pair, **changed)
     stated = getattr(league.materials, pair)
     body.velocity = 0.5, 3.0
-    space.step(SUBSTEP)
-    normal = space_impulse(space, body)
-    while normal is None:
+    found = None
+    while found is None:
         space.step(SUBSTEP)
-        normal = space_impulse(space, body)
-    along, across = normal
-    assert along > 0.0
+        found = impulse_on(body)
+    along, across = found
     assert across == pytest.approx(stated.friction * along, rel=1e-5, abs=2e-6 * along)
 
 
-def space_impulse(space: pymunk.Space, body: pymunk.Body) -> tuple[float, float] | None:
+def impulse_on(body: pymunk.Body) -> tuple[float, float] | None:
     """Return the impulse of the first contact of a body along the normal and across it [N s], None without one."""
     found: list[tuple[float, float]] = []
 
     def note(arbiter: pymunk.Arbiter) -> None:
         impulse, normal = arbiter.total_impulse, arbiter.contact_point_set.normal
-        along = abs(impulse.dot(normal))
-        found.append((along, abs(impulse.cross(normal))))
+        found.append((abs(impulse.dot(normal)), abs(impulse.cross(normal))))
 
     body.each_arbiter(note)
     return found[0] if found and found[0][0] > 0.0 else None
@@ -119,15 +109,10 @@ def test_factors_multiply_to_the_pairs_that_the_league_states(name):
     soft = replace(materials, robot_robot=Pair(0.0, 0.0), ball_board=Pair(0.0, 0.0), robot_board=Pair(0.0, 0.0))
     for stated in (materials, soft):
         found, least = surfaces_of(stated), 1e-6
-        products = {
-            "ball_board": (found.ball, found.board),
-            "ball_post": (found.ball, found.post),
-            "ball_net": (found.ball, found.net),
-            "ball_robot": (found.ball, found.robot),
-            "robot_robot": (found.robot, found.robot),
-            "robot_board": (found.robot, found.edge),
-        }
-        for pair, (one, other) in products.items():
+        ball, robot = found.ball, found.robot
+        partners = [(ball, other) for other in (found.board, found.post, found.net, robot)]
+        partners += [(robot, robot), (robot, found.edge)]
+        for pair, (one, other) in zip(PAIRS, partners, strict=True):
             for number in ("elasticity", "friction"):
                 product = getattr(one, number) * getattr(other, number)
                 wanted = getattr(getattr(stated, pair), number)
@@ -136,19 +121,21 @@ def test_factors_multiply_to_the_pairs_that_the_league_states(name):
 
 
 @pytest.mark.parametrize("bad", [None, 0.5, (0.5, 0.3)])
-@each_pair
-def test_a_pair_must_be_one(pair, bad):
-    with pytest.raises(ValueError, match=rf"Materials\.{pair} must be a Pair, got"):
-        replace(find_league(LEGGED).materials, **{pair: bad})
+def test_materials_are_six_pairs_and_a_pair_must_be_one(bad):
+    assert tuple(find_league(LEGGED).materials.pairs()) == PAIRS == tuple(Materials.__dataclass_fields__)
+    for pair in PAIRS:
+        with pytest.raises(ValueError, match=rf"Materials\.{pair} must be a Pair, got"):
+            replace(find_league(LEGGED).materials, **{pair: bad})
     with pytest.raises(ValueError, match=r"League\.materials must be Materials, got"):
         replace(find_league(LEGGED), materials=bad)
 
 
-def test_materials_are_six_pairs():
-    assert tuple(find_league(LEGGED).materials.pairs()) == PAIRS == tuple(Materials.__dataclass_fields__)
-
-
-def test_a_legged_robot_is_a_trunk_and_a_smooth_one_a_hull_with_two_tips():
+def test_a_legged_robot_is_a_trunk_a_smooth_one_a_hull_with_tips_and_a_league_that_is_gone_says_so():
+    with pytest.raises(ValueError, match="legged-2001 has legs now, legged-2001-smooth the body without them"):
+        find_league("legged-2001-legs")
+    smooth, league = find_league("legged-2001-smooth"), find_league(LEGGED)
+    assert replace(smooth, name=league.name, body=league.body) == league and league.body.legs
+    assert not smooth.body.legs and not find_league(MIDDLE).body.legs
     league = find_league(LEGGED)
     _, (_, robot, other) = world(league, (0.0, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.0, 0.0))
     assert len(robot.shapes) == len(other.shapes) == 1
@@ -159,12 +146,8 @@ def test_a_legged_robot_is_a_trunk_and_a_smooth_one_a_hull_with_two_tips():
 
 def walked_up(league: League, x: float, y: float) -> float:
     """Return where the foremost paws of a robot are [m] that has walked along +y until something stopped it."""
-    match = stage(patient(league))
-    put(match, 0, x, y, pi / 2)
-    put_ball(match, -1.0, -0.8)
-    match.rebuild()
-    for _ in range(steps_in(match, 5.0)):
-        match.step(asking(match, forward=1.0))
+    match = stage(patient(league), ball=(-1.0, -0.8), robots={0: (x, y, pi / 2)})
+    play(match, 5.0, asking(match, forward=1.0))
     return float(match.robots["y"][0, 0]) + league.body.tip_x + league.body.tip_radius
 
 
@@ -184,27 +167,14 @@ def test_ms51_paws_meet_a_board_at_its_foot_and_trunk_and_ball_the_upright_board
     assert farthest == pytest.approx(edge - league.ball.radius, abs=0.001)
 
 
-def test_no_foot_stands_in_a_goal():
+def test_no_foot_stands_in_a_goal_and_it_is_so_low_that_the_ball_meets_the_upright_board():
+    """By the distance of the ball's centre from the slope, 45 degrees, where it touches floor and board."""
     league = find_league(LEGGED)
     inside = league.pitch.length / 2 + 0.5 * league.pitch.goal_depth
     assert walked_up(league, inside, 0.0) == pytest.approx(league.pitch.goal_width / 2, abs=0.003)
-
-
-def test_a_foot_is_so_low_that_the_ball_meets_the_upright_board():
-    """By the distance of the ball's centre from the slope, 45 degrees, where it touches floor and board."""
     league = find_league(LEGGED)
     r, highest = league.ball.radius, league.highest_foot
     assert abs(r + r - highest) / np.sqrt(2.0) == pytest.approx(r)
     assert highest == pytest.approx(0.0246, abs=5e-5) and league.pitch.board_foot < highest
-    with pytest.raises(
-        ValueError, match=r"Pitch\.board_foot must be at most 0\.0246, got 0\.025: the ball has to meet"
-    ):
+    with pytest.raises(ValueError, match=r"Pitch\.board_foot must be at most 0\.0246, got 0\.025: the ball has to"):
         replace(league, pitch=replace(league.pitch, board_foot=0.025))
-
-
-def test_a_league_that_is_gone_says_what_replaced_it():
-    with pytest.raises(ValueError, match="legged-2001 has legs now, legged-2001-smooth the body without them"):
-        find_league("legged-2001-legs")
-    smooth, league = find_league("legged-2001-smooth"), find_league(LEGGED)
-    assert replace(smooth, name=league.name, body=league.body) == league and league.body.legs
-    assert not smooth.body.legs and not find_league(MIDDLE).body.legs

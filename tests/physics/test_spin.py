@@ -15,8 +15,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.match.staging import constants_of
-from tests.scenes.staging import MIDDLE, boarded, each_league, energy, icy, put, put_ball, stage, stand
+from tests.scenes.leagues import MIDDLE, boarded, each_league, icy
+from tests.scenes.staging import asking, each_step, energy, freeze, put, put_ball, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow
 SUBSTEPS = 2
@@ -103,7 +103,8 @@ def check_blow(match: Match, point, normal, pair, speeds, angles, rolls, share=1
 
 
 @each_league
-def test_a_board_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_say(name):
+def test_a_board_takes_roll_and_speed_as_friction_and_elasticity_say_and_a_robot_on_ice_by_the_reduced_mass(name):
+    """Into the middle of its back, so that it does not turn."""
     league = quick(boarded(name))
     speeds, angles, rolls = every(league)
     match = stage(league, len(speeds))
@@ -111,6 +112,11 @@ def test_a_board_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_say(n
     check_blow(match, side, (0.0, 1.0), league.materials.ball_board, speeds, angles, rolls)
     end = (-0.5 * league.pitch.length, 0.4 * league.pitch.width)
     check_blow(match, end, (-1.0, 0.0), league.materials.ball_board, speeds, angles, rolls)
+    league = quick(name, mass=8.0 * find_league(name).ball.mass)
+    match = freeze(stage(league, len(ROLLS), robots={0: (0.0, 0.0)}))
+    point, normal = targets(league)["back"]
+    speeds, angles = np.full((2, len(ROLLS)), ((0.4 * league.ball.top_speed,), (0.0,)))
+    check_blow(match, point, normal, league.materials.ball_robot, speeds, angles, ROLLS, share=8.0 / 9.0)
 
 
 def test_a_goal_post_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_say():
@@ -127,32 +133,9 @@ def test_a_goal_post_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_s
 def test_a_heavy_robot_takes_roll_and_speed_of_a_ball_as_friction_and_elasticity_say(name, part):
     league = quick(name)
     speeds, angles, rolls = every(league)
-    match = stage(league, len(speeds))
-    put(match, 0, 0.0, 0.0)
+    match = stage(league, len(speeds), robots={0: (0.0, 0.0)})
     point, normal = targets(league)[part]
     check_blow(match, point, normal, league.materials.ball_robot, speeds, angles, rolls)
-
-
-@each_league
-def test_head_on_the_blow_of_a_robot_on_ice_is_that_of_the_reduced_mass(name):
-    """Into the middle of its back, so that it does not turn."""
-    league = quick(name, mass=8.0 * find_league(name).ball.mass)
-    match = on_ice(league, len(ROLLS))
-    put(match, 0, 0.0, 0.0)
-    point, normal = targets(league)["back"]
-    speeds, angles = np.full((2, len(ROLLS)), ((0.4 * league.ball.top_speed,), (0.0,)))
-    check_blow(match, point, normal, league.materials.ball_robot, speeds, angles, ROLLS, share=8.0 / 9.0)
-
-
-def on_ice(league: League, matches: int) -> Match:
-    """Return a match in which neither the ground nor a drive acts on robots."""
-    match = stage(league, matches)
-    for name in ("traction", "thrust", "turn_traction", "turn_thrust"):
-        constants_of(match)[f"drive_{name}"] = 1e-9
-    return match
-
-
-# Contacts that last
 
 
 @each_league
@@ -163,16 +146,14 @@ def test_a_wall_takes_the_roll_of_a_ball_that_its_own_roll_drives_into_it(name):
     """
     league = fine(boarded(name))
     ball, mu = league.ball, league.materials.ball_board.friction
-    match = stage(league)
-    put_ball(match, 0.0, 0.5 * league.pitch.width - ball.radius)
+    match = stage(league, ball=(0.0, 0.5 * league.pitch.width - ball.radius))
     match.balls["roll_y"] = began = 1.0
     match.rebuild()
     rate = (1.0 + mu) * ball.sliding / ball.shell  # [m/s2]
     for step in range(1, int(1.2 * began / rate * RATE)):
         match.step(stand(match))
         left = max(began - rate * step / RATE, 0.0)
-        assert match.balls["roll_y"][0] == pytest.approx(left, abs=0.03)
-        assert match.balls["roll_y"][0] > -0.03
+        assert match.balls["roll_y"][0] == pytest.approx(left, abs=0.03) and match.balls["roll_y"][0] > -0.03
     assert abs(match.balls["vy"][0]) < 0.01
 
 
@@ -191,11 +172,6 @@ def test_a_ball_pressed_against_a_board_loses_its_roll_to_both_sides(name):
     rate = (materials.ball_board.friction + materials.ball_robot.friction) * press / (ball.shell * ball.mass)
     match.balls["roll_x"] = began = rate * 40 / RATE
     match.rebuild()
-    left = []
-    actions = stand(match)
-    actions[:, 0, 0] = 1.0
-    for _ in range(60):
-        match.step(actions)
-        left.append(match.balls["roll_x"][0])
+    left = each_step(match, lambda: match.balls["roll_x"][0], 0.0, asking(match, forward=1.0), 60)
     assert (left[9] - left[29]) * RATE / 20 == pytest.approx(rate, rel=0.1), "once it has begun to press"
     assert left[-1] == pytest.approx(0.0, abs=1e-3 * began)

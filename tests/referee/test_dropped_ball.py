@@ -1,25 +1,12 @@
 """A dropped ball falls near where it stuck, and moves nobody farther than it must: property tests with crowds."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.types import MAX_TEAM, Phase
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    deepest_overlaps,
-    distance,
-    each_league,
-    put,
-    put_ball,
-    scatter,
-    set_phase,
-    stage,
-    stand,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league
+from tests.scenes.staging import deepest_overlaps, distance, scatter, set_phase, stage, stand
 from tests.scenes.symmetry import Records, assert_same, mirrored
 
 
@@ -42,8 +29,7 @@ def carried(match, before):
 
 def dropped_at(name, x, y):
     """Return where balls that stuck at x, y are dropped, nobody near."""
-    match = stage(name, len(x))
-    put_ball(match, x, y)
+    match = stage(name, len(x), ball=(x, y))
     dropped(match)
     return match.balls["x"], match.balls["y"]
 
@@ -84,19 +70,19 @@ def test_before_a_goal_it_is_dropped_on_the_line_of_the_area_where_it_was(name, 
     assert (abs(found_x) <= abs(x) + 1e-9).all()
 
 
-def test_beside_the_area_it_stays_beside_it():
+def test_beside_the_area_it_stays_beside_it_and_without_the_rule_no_ball_is_dropped():
     x, y = dropped_at(LEGGED, np.array([1.1, -1.1]), np.array([0.51, 0.95]))
-    np.testing.assert_allclose([x[0], y[0]], [1.1, 0.51], atol=1e-9)
-    assert abs(x[1] + 1.1) < 1e-9 and y[1] > 0.64
+    assert (x, y[0]) == (pytest.approx([1.1, -1.1], abs=1e-9), pytest.approx(0.51, abs=1e-9)) and y[1] > 0.64
+    match = stage(find_league(LEGGED), rules="league:dropped_ball=False", ball=(0.4, 0.3))
+    match.matches["still_clock"] = match.league.rules.stuck_time
+    match.step(stand(match))
+    assert match.events["restart"][0] == 0
 
 
 @pytest.mark.parametrize("handedness", [1.0, -1.0])
 def test_a_goalkeeper_stays_in_its_area_and_a_robot_just_within_the_ring_is_moved_out_by_a_hair(handedness):
     """A trap: robots were moved round the ring one way only, a keeper from its goal to midfield."""
-    match = stage(LEGGED, 1, home=2, away=2)
-    put(match, 2, 1.30, 0.20, np.pi)
-    put(match, 3, 0.5, -0.30, np.pi)
-    put_ball(match, 0.95, 0.1)
+    match = stage(LEGGED, 1, home=2, away=2, ball=(0.95, 0.1), robots={2: (1.30, 0.20, np.pi), 3: (0.5, -0.30, np.pi)})
     match.matches["handedness"] = handedness
     ring = match.league.rules.separation + match.league.body.reach
     assert match.robots["keeper"][0, 2] == 1
@@ -105,19 +91,11 @@ def test_a_goalkeeper_stays_in_its_area_and_a_robot_just_within_the_ring_is_move
     assert way[0, 2] == 0.0 and 0.0 < way[0, 3] < 0.1
 
 
-def test_a_goalkeeper_out_of_its_area_keeps_the_ring_like_anybody():
-    match = stage(LEGGED, 1, home=2, away=2)
-    put(match, 2, 0.7, 0.2, np.pi)
-    put_ball(match, 0.5, 0.2)
+def test_a_goalkeeper_out_of_its_area_keeps_the_ring_and_a_robot_outside_it_is_not_moved_however_near_others_stand():
+    match = stage(LEGGED, 1, home=2, away=2, ball=(0.5, 0.2), robots={2: (0.7, 0.2, np.pi)})
     dropped(match)
     assert distance(match.robots, 0.5, 0.2)[0, 2] >= match.league.rules.separation + match.league.body.reach - 1e-6
-
-
-def test_a_robot_outside_the_ring_is_not_moved_however_near_others_stand():
-    match = stage(LEGGED, 1, home=2, away=2)
-    put(match, 0, -0.5, 0.0)
-    put(match, 3, -0.5, 0.17, np.pi)
-    put_ball(match, 0.5, 0.0)
+    match = stage(LEGGED, 1, home=2, away=2, ball=(0.5, 0.0), robots={0: (-0.5, 0.0), 3: (-0.5, 0.17, np.pi)})
     assert not carried(match, dropped(match)).any()
 
 
@@ -144,10 +122,9 @@ def test_after_a_drop_nobody_stands_in_anybody_nor_in_the_ring(name, place, size
     robots, rules, pitch = match.robots, match.league.rules, match.league.pitch
     far = distance(robots, match.balls["x"][:, None], match.balls["y"][:, None])
     attack = np.where(robots["team"] == 0, 1.0, -1.0)
-    area = (attack * robots["x"] < -pitch.length / 2 + pitch.penalty_depth) & (
-        abs(robots["y"]) < pitch.penalty_width / 2
-    )
-    assert (far >= rules.separation)[~((robots["keeper"] == 1) & area)].all()
+    deep = attack * robots["x"] < -pitch.length / 2 + pitch.penalty_depth
+    at_home = deep & (abs(robots["y"]) < pitch.penalty_width / 2) & (robots["keeper"] == 1)
+    assert (far >= rules.separation)[~at_home].all()
 
 
 def test_a_mirrored_drop_is_the_mirror_image():
@@ -156,19 +133,6 @@ def test_a_mirrored_drop_is_the_mirror_image():
     mirrored(Records.of(one)).put_into(other)
     dropped(one), dropped(other)
     assert_same(mirrored(Records.of(one)).robots, other.robots, 1e-9)
-
-
-def test_without_the_rule_no_ball_is_dropped():
-    league = find_league(LEGGED)
-    match = stage(replace(league, rules=replace(league.rules, dropped_ball=False)))
-    put_ball(match, 0.4, 0.3)
-    match.matches["still_clock"] = league.rules.stuck_time
-    match.rebuild()
-    match.step(stand(match))
-    assert match.events["restart"][0] == 0
-
-
-# Crowds
 
 
 def crowd(match, place, rng, spread, pairs=False):

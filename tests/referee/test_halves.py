@@ -7,7 +7,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import LEGGED, each_league, put_ball, stand, steps_in
+from tests.scenes.staging import LEGGED, each_league, place, play, stand, steps_in
 
 MINUTES = 0.2  # two halves of 6 s
 
@@ -22,11 +22,17 @@ def play_on(match: Match, what: str) -> int:
 
 
 @each_league
-def test_the_first_half_ends_on_time(name):
+def test_the_first_half_ends_on_time_goals_of_its_last_moment_count_and_end_an_episode_even_then(name):
+    """It used to begin a second half of a match that was over."""
     match = Match(name, minutes=MINUTES, seed=1)
-    assert play_on(match, "half_time") == steps_in(match, 6.0)
+    assert play_on(match, "half_time") == steps_in(match, 6.0) and not match.terminated[0]
     assert match.matches["half"][0] == 1 and match.matches["clock"][0] == 0.0
-    assert not match.terminated[0]
+    match = goal_at_half_time(name)
+    assert match.events["half_time"][0] == 1 and match.matches["score"].tolist() == [[1, 0]]
+    assert match.matches["restart_team"][0] == AWAY, "the second half begins, whoever scored"
+    match = goal_at_half_time(name, episode="goal")
+    assert match.terminated[0] and match.matches["phase"][0] == Phase.OVER
+    assert match.events["half_time"][0] == 0 and match.matches["home_direction"][0] == 1.0
 
 
 @pytest.mark.parametrize(("name", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 15.0)])
@@ -42,8 +48,7 @@ def test_at_half_time_the_teams_change_ends_and_the_other_team_kicks_off(name, p
     first = match.matches["kick_off_team"][0]
     assert match.matches["restart_team"][0] == first and match.matches["home_direction"][0] == 1.0
     play_on(match, "half_time")
-    assert match.matches["home_direction"][0] == -1.0
-    assert match.events["restart"][0] == Phase.KICK_OFF
+    assert match.matches["home_direction"][0] == -1.0 and match.events["restart"][0] == Phase.KICK_OFF
     assert match.events["restart_team"][0] == match.matches["restart_team"][0] == 1 - first
     for _ in range(steps_in(match, 12.0) if placement == "drive" else 0):
         if match.matches["placing"][0] == 0:
@@ -71,50 +76,24 @@ def test_the_final_whistle_ends_the_match_and_nothing_happens_after_it(name):
 
 
 @each_league
-def test_time_runs_on_while_the_ball_lies_ready_for_a_restart(name):
-    match = Match(name, seed=1)
-    assert match.matches["phase"][0] == Phase.KICK_OFF
-    for _ in range(steps_in(match, 3.0)):
-        match.step(stand(match))
+def test_time_runs_on_while_the_ball_lies_ready_for_a_restart_and_without_a_clock_a_match_goes_on(name):
+    match, endless = Match(name, seed=1), Match(name, episode="goal", seed=1)
+    assert match.matches["phase"][0] == Phase.KICK_OFF and np.isinf(endless.matches["half_length"][0])
+    play(match, 3.0)
     assert match.matches["clock"][0] == pytest.approx(3.0)
+    play(endless, steps=200)
+    assert endless.matches["half"][0] == 0 and not endless.terminated[0]
 
 
-@each_league
-def test_without_a_clock_a_match_goes_on(name):
-    match = Match(name, episode="goal", seed=1)
-    assert np.isinf(match.matches["half_length"][0])
-    for _ in range(200):
-        match.step(stand(match))
-    assert match.matches["half"][0] == 0 and not match.terminated[0]
-
-
-@each_league
-def test_a_goal_in_the_last_moment_of_a_half_counts(name):
-    match = Match(name, minutes=MINUTES, seed=1, rules="simple")
-    for _ in range(steps_in(match, 6.0) - 1):
-        match.step(stand(match))
+def goal_at_half_time(name, **settings):
+    """Return a match in which a goal falls in the last step of the first half."""
+    match = Match(name, minutes=MINUTES, seed=1, rules="simple", **settings)
+    play(match, steps=steps_in(match, 6.0) - 1)
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
-    assert match.events["goal"][0] == HOME and match.events["half_time"][0] == 1
-    assert match.matches["score"].tolist() == [[1, 0]]
-    assert match.matches["restart_team"][0] == AWAY, "the second half begins, whoever scored"
-
-
-@each_league
-def test_the_goal_that_ends_an_episode_ends_it_even_at_half_time(name):
-    """It used to begin a second half of a match that was over."""
-    match = Match(name, episode="goal", minutes=MINUTES, seed=1, rules="simple")
-    for _ in range(steps_in(match, 6.0) - 1):
-        match.step(stand(match))
-    match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, NO_TEAM
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
-    match.step(stand(match))
-    assert match.events["goal"][0] == HOME and match.terminated[0]
-    assert match.events["half_time"][0] == 0 and match.matches["phase"][0] == Phase.OVER
-    assert match.matches["home_direction"][0] == 1.0
+    assert match.events["goal"][0] == HOME
+    return match
 
 
 @each_league
@@ -127,12 +106,10 @@ def test_events_name_teams_and_not_sides(name):
     match.robots["x"], match.robots["y"] = [-1.0, -0.5, -1.0, 0.0], [0.5, 0.5, -0.5, -0.5]
     match.robots["x"][:, 1], match.robots["y"][:, 1], match.robots["heading"][:, 1] = [x, -x], 0.0, [0.0, np.pi]
     gap = league.body.front + league.ball.radius + 0.002
-    put_ball(match, [x + gap, -x - gap], 0.0)
-    match.rebuild()
+    place(match, ball=([x + gap, -x - gap], 0.0))
     match.step(stand(match))
     assert match.events["touch_team"].tolist() == [HOME, HOME]
-    put_ball(match, [7.0 * x, -7.0 * x], 0.0)
-    match.rebuild()
+    place(match, ball=([7.0 * x, -7.0 * x], 0.0))
     match.step(stand(match))
     assert match.events["goal"].tolist() == [HOME, HOME] and match.matches["score"].tolist() == [[1, 0], [1, 0]]
     assert match.events["restart_team"].tolist() == [AWAY, AWAY]
@@ -152,13 +129,10 @@ def test_the_seed_chooses_who_kicks_off_first_each_side_equally_often(name):
     assert (match.matches["kick_off_team"] != first).mean() > 0.3, "an episode draws anew"
 
 
-def test_with_the_teams_sides_swapped_the_same_side_kicks_off():
-    """So that each team does in one match of a pair."""
-    both = [Match(LEGGED, home=1, away=3, matches=20, seed=6), Match(LEGGED, home=3, away=1, matches=20, seed=6)]
-    assert (both[0].matches["kick_off_team"] == both[1].matches["kick_off_team"]).all()
-
-
-def test_in_a_drill_home_kicks_off():
+def test_with_the_teams_sides_swapped_the_same_side_kicks_off_and_in_a_drill_home():
+    """So that each team kicks off in one match of a pair."""
+    one, other = (Match(LEGGED, home=home, away=4 - home, matches=20, seed=6) for home in (1, 3))
+    assert (one.matches["kick_off_team"] == other.matches["kick_off_team"]).all()
     for scene in [scene for scene in SCENES.values() if scene.place is not None and not scene.in_play]:
         match = Match(LEGGED, home=3, away=3, matches=20, seed=4, scene=scene)
         assert (match.matches["kick_off_team"] == HOME).all()

@@ -10,21 +10,9 @@ from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.places import MARGIN, capsule, in_the_way
 from soccer_env.referee.restarts import STEP_ASIDE, make_room
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
-from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
-    MIDDLE,
-    asking,
-    deepest_overlaps,
-    distance,
-    each_league,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league
+from tests.scenes.looking import deepest_overlaps, distance, speed
+from tests.scenes.staging import asking, place, play, scatter, set_phase, stand, steps_in
 
 KINDS = {
     LEGGED: (Phase.KICK_OFF,),
@@ -56,8 +44,7 @@ def called(name, phase, home, away, placement="instant", seed=0) -> Match:
         Phase.CORNER_KICK: (attack * beyond, aside, 1 - TAKERS),
     }[phase]
     match.matches["last_touch_team"] = last
-    put_ball(match, x, y)
-    match.rebuild()
+    place(match, ball=(x, y))
     match.step(stand(match))
     assert (match.events["restart"] == phase).all() and (match.events["restart_team"] == TAKERS).all()
     return match
@@ -107,18 +94,12 @@ def assert_legal(match, phase):
     assert (takers.sum(axis=1) >= fielders).all(), "nobody stands ready to take it"
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(("home", "away"), [*((size, size) for size in SIZES), (1, MAX_TEAM), (MAX_TEAM, 2), (4, 9)])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
-def test_instant_placement_is_legal_for_teams_of_every_size(name, phase, size):
-    match = called(name, phase, size, size, seed=size)
+def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(name, phase, home, away):
+    match = called(name, phase, home, away, seed=home)
     assert (match.matches["placing"] == 0).all()
     assert_legal(match, phase)
-
-
-@pytest.mark.parametrize(("home", "away"), [(1, MAX_TEAM), (MAX_TEAM, 2), (4, 9)])
-@pytest.mark.parametrize(("name", "phase"), KIND_CASES)
-def test_instant_placement_is_legal_for_unequal_teams(name, phase, home, away):
-    assert_legal(called(name, phase, home, away, seed=home), phase)
 
 
 @pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
@@ -145,8 +126,7 @@ def test_the_old_base_finds_its_place_without_stepping_aside():
     match = Match("middle-size-2006-differential", home=1, away=1, matches=8, seed=3, placement="drive")
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(3), 0.8)
-    put_ball(match, match.league.pitch.length / 2 + 0.2, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + 0.2, 0.0))
     match.step(stand(match))
     places = match.robots[["place_x", "place_y"]].copy()
     last = match.robots.copy()
@@ -170,54 +150,44 @@ def test_at_a_middle_size_kick_off_opponents_keep_2_m_and_stay_in_their_half():
 
 
 @each_league
-def test_the_taker_faces_the_ball_with_the_opponents_goal_ahead(name):
+def test_the_taker_faces_the_ball_with_the_opponents_goal_ahead_and_goalkeepers_stand_in_front_of_their_goals(name):
     match = Match(name, home=3, away=3, matches=20, seed=6)
     taker = match.robots[np.arange(20), distance(match.robots, 0.0, 0.0).argmin(axis=1)]
     assert (taker["team"] == match.matches["kick_off_team"]).all() and (taker["keeper"] == 0).all()
     ahead = np.where(taker["team"] == HOME, 1.0, -1.0)
     assert (ahead * np.cos(taker["heading"]) > 0.995).all()
     assert (ahead * taker["x"] < 0.0).all() and (abs(taker["y"]) < 0.03).all()
+    keepers, pitch = match.robots[:, [0, 3]], match.league.pitch
+    assert (keepers["keeper"] == 1).all() and (abs(keepers["y"]) < pitch.goal_width / 2).all()
+    assert (abs(keepers["x"] - [-pitch.length / 2, pitch.length / 2]) < 0.1 * pitch.length).all()
 
 
 @each_league
-def test_the_goalkeeper_stands_in_front_of_its_goal(name):
-    match = Match(name, home=3, away=3, matches=20, seed=6)
-    pitch = match.league.pitch
-    for row, end in ((0, -1.0), (3, 1.0)):
-        keeper = match.robots[:, row]
-        assert (keeper["keeper"] == 1).all()
-        assert (abs(keeper["x"] - end * pitch.length / 2) < 0.1 * pitch.length).all()
-        assert (abs(keeper["y"]) < pitch.goal_width / 2).all()
+def test_formations_differ_by_centimetres_and_robots_may_stand_side_by_side_with_a_margin_between_them(name):
+    match = Match(name, home=3, away=3, matches=50, seed=8)
+    spread = match.robots["x"][match.matches["kick_off_team"] == HOME].std(axis=0)
+    assert (spread > 0.002).all() and (spread < 0.05).all() and len(np.unique(match.robots["heading"])) == 50 * 6
+    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
+    _, radius = capsule(k)
+    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
+        assert in_the_way(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near
 
 
 @each_league
-def test_play_goes_on_once_the_ball_has_moved(name):
+def test_play_goes_on_once_the_ball_has_moved_by_a_kick_off_or_after_ten_seconds(name):
     match = Match(name, home=1, away=1, matches=2, seed=1)
-    far = match.league.rules.in_play_distance
+    far, first = match.league.rules.in_play_distance, match.matches["kick_off_team"][0]
     match.balls["x"] = [far - 0.001, far + 0.001]
     match.robots["x"] += np.array([-0.3, 0.3])
     match.rebuild()
     match.step(stand(match))
     assert match.matches["phase"].tolist() == [Phase.KICK_OFF, Phase.PLAY]
-    assert match.events["in_play"].tolist() == [0, 1] and match.matches["restart_team"].tolist() == [
-        match.matches["kick_off_team"][0],
-        NO_TEAM,
-    ]
-
-
-@each_league
-def test_play_goes_on_after_ten_seconds_if_nobody_takes_the_restart(name):
+    assert match.events["in_play"].tolist() == [0, 1] and match.matches["restart_team"].tolist() == [first, NO_TEAM]
     match = Match(name, home=2, away=2, seed=1)
-    steps = 0
-    while match.matches["phase"][0] != Phase.PLAY:
-        match.step(stand(match))
-        steps += 1
-        assert steps < 1000
-    assert steps == steps_in(match, 10.0) and find_league(name).rules.restart_time == 10.0
-
-
-@each_league
-def test_taking_a_kick_off_puts_the_ball_in_play(name):
+    play(match, steps=steps_in(match, 10.0) - 1)
+    assert match.matches["phase"][0] == Phase.KICK_OFF and find_league(name).rules.restart_time == 10.0
+    match.step(stand(match))
+    assert match.matches["phase"][0] == Phase.PLAY
     match = Match(name, home=1, away=1, seed=1)
     taker = match.matches["kick_off_team"][0]
     for _ in range(steps_in(match, 9.0)):
@@ -228,36 +198,18 @@ def test_taking_a_kick_off_puts_the_ball_in_play(name):
 
 
 @each_league
-def test_a_restart_forgets_who_touched_the_ball(name):
-    match = Match(name, home=1, away=1, seed=1)
-    set_phase(match, Phase.PLAY)
-    match.matches["last_touch_team"], match.matches["last_touch_robot"] = HOME, 0
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
-    match.step(stand(match))
-    assert match.matches["last_touch_team"][0] == NO_TEAM and match.matches["last_touch_robot"][0] == -1
-
-
-@each_league
-def test_sent_off_robots_are_not_placed(name):
+def test_sent_off_robots_are_not_placed_and_a_restart_forgets_who_touched_the_ball(name):
     match = Match(name, home=2, away=2, max_players=4, matches=3, seed=2)
     absent = match.robots["active"][0] == 0
     before = match.robots[:, absent].copy()
     set_phase(match, Phase.PLAY)
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    match.matches["last_touch_team"], match.matches["last_touch_robot"] = HOME, 0
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert (match.events["restart"] == Phase.KICK_OFF).all()
     for axis in ("x", "y", "heading"):
         np.testing.assert_array_equal(match.robots[axis][:, absent], before[axis])
-
-
-@each_league
-def test_formations_differ_from_seed_to_seed_by_centimetres(name):
-    match = Match(name, home=3, away=3, matches=50, seed=8)
-    spread = match.robots["x"][match.matches["kick_off_team"] == HOME].std(axis=0)
-    assert (spread > 0.002).all() and (spread < 0.05).all()
-    assert len(np.unique(match.robots["heading"])) == 50 * 6
+    assert (match.matches["last_touch_team"] == NO_TEAM).all() and (match.matches["last_touch_robot"] == -1).all()
 
 
 @each_league
@@ -274,11 +226,3 @@ def test_who_makes_room_for_a_carried_robot_goes_straight_away_from_the_ball_and
     assert not robots_touch(robots[0], robots[1], k)
     robots["x"][1], robots["y"][1] = new - 1.01 * STEP_ASIDE * new / np.hypot(*new)
     assert robots_touch(robots[0], robots[1], k)
-
-
-@each_league
-def test_robots_may_be_placed_side_by_side_with_the_margin_between_their_capsules(name):
-    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
-    _, radius = capsule(k)
-    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
-        assert in_the_way(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near

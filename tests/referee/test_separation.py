@@ -10,18 +10,8 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import NEVER, simple_of
 from soccer_env.types import MAX_TEAM
 from tests.referee.test_dropped_ball import crowd
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    asking,
-    deepest_overlaps,
-    distance,
-    put,
-    put_ball,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE
+from tests.scenes.staging import asking, deepest_overlaps, distance, place, play, put, put_ball, stage, stand, steps_in
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions
 
 PAWS = find_league(LEGGED).body
@@ -32,11 +22,7 @@ def pushing(league=LEGGED, matches=1, x=0.3, y=0.4, contact_time=15.0):
     """Return matches in which two opponents push against each other, away from the ball, and their actions."""
     found = find_league(league)
     found = replace(found, rules=replace(simple_of(found.rules), contact_time=contact_time, dropped_ball=False))
-    match = stage(found, matches)
-    put_ball(match, -1.2, -0.8)
-    put(match, 0, x, y, 0.0)
-    put(match, 1, np.asarray(x) + NOSES, y, np.pi)
-    match.rebuild()
+    match = stage(found, matches, ball=(-1.2, -0.8), robots={0: (x, y, 0.0), 1: (np.asarray(x) + NOSES, y, np.pi)})
     return match, asking(match, [0, 1], forward=1.0)
 
 
@@ -89,53 +75,43 @@ NOSE = NOSES / 2
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 @pytest.mark.parametrize("half", [1.0, -1.0])
 def test_the_one_that_attacks_the_goal_of_the_balls_half_is_moved_back(half, direction):
-    """Wherever the pair stands, in both halves of the match."""
     x = 0.2 * half
     match, way = overdue(
-        (None, x - NOSE, None, x + NOSE), (0, 0.3, 0, 0.3), (0, 0.0, 0, np.pi), (0.5 * half, -0.4),
+        (None, x - NOSE, None, x + NOSE),
+        (0, 0.3, 0, 0.3),
+        (0, 0.0, 0, np.pi),
+        (0.5 * half, -0.4),
         home_direction=direction,
-    )  # fmt: skip
+    )
     attacker, defender = (1, 3) if half * direction > 0.0 else (3, 1)
     assert match.events["separated"][0] == 1
     assert way[0, defender] < 0.01 and 0.3 < way[0, attacker] <= match.league.rules.separation + 0.3
 
 
-def test_who_has_the_ball_does_not_count_and_the_attacker_comes_no_nearer_to_ball_or_goal():
+def test_the_attacker_comes_no_nearer_to_ball_or_goal_whoever_has_the_ball_and_bystanders_are_not_touched():
     held = PAWS.front + find_league(LEGGED).ball.radius + 0.001  # [m] of a ball between the paws of both
-    match, way = overdue(
-        (None, 0.9, None, 0.9 + 2.0 * held), (0, 0.2, 0, 0.2), (0, 0.0, 0, np.pi), (0.9 + held, 0.2),
-    )  # fmt: skip
+    match, way = overdue((None, 0.9, None, 0.9 + 2.0 * held), (0, 0.2, 0, 0.2), (0, 0.0, 0, np.pi), (0.9 + held, 0.2))
     robot = match.robots[0, 1]
     assert way[0, 3] < 0.01 and robot["x"] < 0.7
     assert np.hypot(robot["x"] - 0.9 - held, robot["y"] - 0.2) > 0.3
-
-
-def test_an_attacker_that_has_passed_the_defender_is_moved_aside_and_not_towards_the_goal():
-    match, way = overdue(
-        (None, 0.8, None, 0.8 - NOSES), (0, 0.2, 0, 0.2), (0, np.pi, 0, 0.0), (1.2, 0.2),
-    )  # fmt: skip
+    match, way = overdue((None, 0.8, None, 0.8 - NOSES), (0, 0.2, 0, 0.2), (0, np.pi, 0, 0.0), (1.2, 0.2))
     robot = match.robots[0, 1]
     goal = match.league.pitch.length / 2
     assert way[0, 3] < 0.01 and 0.3 < way[0, 1] <= match.league.rules.separation + 0.3
     assert np.hypot(goal - robot["x"], robot["y"]) >= np.hypot(goal - 0.8, 0.2) - 1e-6
+    match, way = overdue(
+        (0.5 + NOSE, 0.2 - NOSE, None, 0.2 + NOSE), (0.5, 0.3, 0, 0.3), (0, 0.0, 0, np.pi), (0.5, -0.4)
+    )
+    assert match.events["separated"][0] == 1 and way[0, 0] < 0.01
 
 
 @pytest.mark.parametrize(("keeper_x", "moved"), [(-1.2, 3), (-0.9, 1)])
 def test_a_goalkeeper_in_its_own_area_is_never_moved(keeper_x, moved):
     """Not even where it is the attacker of the two: the ball lies before the other goal. Out of its area it may be."""
-    match, way = overdue(
-        (keeper_x, None, None, keeper_x + NOSES), (0.2, 0, 0, 0.2), (0, 0, 0, np.pi), (1.0, 0.0),
-    )  # fmt: skip
+    match, way = overdue((keeper_x, None, None, keeper_x + NOSES), (0.2, 0, 0, 0.2), (0, 0, 0, np.pi), (1.0, 0.0))
     assert match.robots["keeper"][0, 0] == 1 and match.events["separated"][0] == 1
     rows = {3: (3, 0), 1: (0, 3)}[moved]
     assert way[0, rows[0]] > 0.3 and way[0, rows[1]] < 0.01
-
-
-def test_bystanders_are_not_touched():
-    match, way = overdue(
-        (0.5 + NOSE, 0.2 - NOSE, None, 0.2 + NOSE), (0.5, 0.3, 0, 0.3), (0, 0.0, 0, np.pi), (0.5, -0.4),
-    )  # fmt: skip
-    assert match.events["separated"][0] == 1 and way[0, 0] < 0.01
 
 
 @pytest.mark.parametrize("size", [2, 3, 5, MAX_TEAM])
@@ -150,10 +126,9 @@ def test_in_a_crowd_nobody_is_put_into_anybody_or_off_the_pitch_and_no_keeper_is
     assert match.events["separated"].mean() > 0.3
     way, pitch = distance(match.robots, before["x"], before["y"]), match.league.pitch
     attack = np.where(before["team"] == 0, 1.0, -1.0)
-    area = (attack * before["x"] < -pitch.length / 2 + pitch.penalty_depth) & (
-        abs(before["y"]) < pitch.penalty_width / 2
-    )
-    assert way[(before["keeper"] == 1) & area].max(initial=0.0) < 0.02
+    deep = attack * before["x"] < -pitch.length / 2 + pitch.penalty_depth
+    at_home = deep & (abs(before["y"]) < pitch.penalty_width / 2) & (before["keeper"] == 1)
+    assert way[at_home].max(initial=0.0) < 0.02
     assert way.max() <= match.league.rules.separation + 0.3 or size == MAX_TEAM
     moved = way > 0.02
     ball = np.hypot(match.robots["x"] - balls["x"][:, None], match.robots["y"] - balls["y"][:, None])
@@ -164,26 +139,22 @@ def test_in_a_crowd_nobody_is_put_into_anybody_or_off_the_pitch_and_no_keeper_is
 def test_ms55_with_an_infinite_time_they_are_left_alone():
     match, actions = pushing(contact_time=NEVER)
     assert separations(match, actions, 30.0) == []
+    assert find_league(MIDDLE).rules.contact_time == NEVER and find_league(LEGGED).rules.contact_time == 15.0
+    with pytest.raises(ValueError, match=r"Rules\.contact_time must be a number above 0, got 0"):
+        Match(rules=replace(find_league(LEGGED).rules, contact_time=0.0))
 
 
-def test_robots_that_part_in_time_are_left_alone():
+def test_robots_that_part_in_time_and_team_mates_are_left_alone():
     match, actions = pushing()
-    assert separations(match, actions, 12.0) == []
-    assert separations(match, -actions, 15.0) == []
+    assert separations(match, actions, 12.0) == separations(match, -actions, 15.0) == []
     assert (match.robots["locked"] == 0.0).all()
-
-
-def test_team_mates_are_left_alone():
     match, actions = pushing()
     match.robots["team"][:, 1] = 0
     assert separations(match, actions, 20.0) == []
 
 
 def test_team_mates_that_hold_each_other_by_the_legs_are_set_free_and_the_farther_from_the_ball_goes():
-    match = stage(LEGGED, 1, home=2, away=1)
-    put(match, 0, 0.0, 0.0)
-    put(match, 1, 0.0, 0.17)
-    put_ball(match, 0.5, 0.0)
+    match = stage(LEGGED, 1, home=2, away=1, ball=(0.5, 0.0), robots={0: (0.0, 0.0), 1: (0.0, 0.17)})
     match.robots["locked"][:, :2] = 16.0
     match.robots["caught_by"][0, 1] = 1
     match.robots["gait_phase"] = 1  # legs are looked at anew as a gait step begins
@@ -196,29 +167,12 @@ def test_team_mates_that_hold_each_other_by_the_legs_are_set_free_and_the_farthe
     assert (match.robots["locked"][0, :2] == 0.0).all()
 
 
-def test_time_in_contact_counts_for_a_robot_that_stands_as_for_the_one_that_it_holds():
+def test_time_in_contact_counts_for_a_robot_that_stands_too_and_a_mirrored_pair_is_parted_alike():
     """A trap of searchers: the one stands for ever, the other cannot leave."""
     match, actions = pushing()
     actions[:, 0] = 0.0
-    for _ in range(3):
-        match.step(actions)
+    play(match, actions=actions, steps=3)
     assert (match.robots["locked"] > 0.0).all()
-
-
-def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody():
-    match, actions = pushing(matches=3, x=np.array([1.05, -1.3, 0.0]), y=np.array([0.5, -0.8, 0.83]))
-    put_ball(match, match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0])
-    match.rebuild()
-    match.robots["locked"] = 14.9
-    assert separations(match, actions, 0.5)
-    assert max(deepest_overlaps(match).values()) < 0.002
-    apart = np.hypot(np.ptp(match.robots["x"], axis=1), np.ptp(match.robots["y"], axis=1))
-    assert (apart > match.league.rules.separation).all()
-    assert (abs(match.robots["x"]) < match.league.pitch.length / 2).all()
-    assert (abs(match.robots["y"]) < match.league.pitch.width / 2).all()
-
-
-def test_a_mirrored_pair_is_pulled_apart_the_same_way():
     (match, actions), (other, _) = pushing(), pushing()
     match.robots["locked"] = 15.0
     mirrored(Records.of(match)).put_into(other)
@@ -229,13 +183,12 @@ def test_a_mirrored_pair_is_pulled_apart_the_same_way():
     assert_same(mirrored(Records.of(match)).robots, other.robots, 1e-9)
 
 
-def test_the_middle_size_league_has_no_such_rule():
-    assert find_league(MIDDLE).rules.contact_time == NEVER
-    assert find_league(LEGGED).rules.contact_time == 15.0
-
-
-def test_a_contact_time_must_be_above_zero():
-    rules = find_league(LEGGED).rules
-    with pytest.raises(ValueError, match=r"Rules\.contact_time must be a number above 0, got 0"):
-        Match(rules=replace(rules, contact_time=0.0))
-    assert stand(Match(rules=replace(rules, contact_time=3), seed=1)).shape == (1, 6, 4)
+def test_at_a_board_the_other_one_is_moved_farther_and_nobody_stands_in_anybody():
+    match, actions = pushing(matches=3, x=np.array([1.05, -1.3, 0.0]), y=np.array([0.5, -0.8, 0.83]))
+    place(match, ball=(match.robots["x"][:, 0] - 0.25, match.robots["y"][:, 0]))
+    match.robots["locked"] = 14.9
+    assert separations(match, actions, 0.5) and max(deepest_overlaps(match).values()) < 0.002
+    apart = np.hypot(np.ptp(match.robots["x"], axis=1), np.ptp(match.robots["y"], axis=1))
+    assert (apart > match.league.rules.separation).all()
+    assert (abs(match.robots["x"]) < match.league.pitch.length / 2).all()
+    assert (abs(match.robots["y"]) < match.league.pitch.width / 2).all()

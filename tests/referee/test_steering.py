@@ -8,20 +8,8 @@ from soccer_env.compiled import compiled
 from soccer_env.physics.contacts import paws_gap
 from soccer_env.referee.steering import CLEAR, SLACK, hold_off, keep_off, way_round
 from soccer_env.types import Phase
-from tests.scenes.staging import (
-    LEGGED,
-    MIDDLE,
-    distance,
-    each_league,
-    put,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEGGED, MIDDLE, each_league
+from tests.scenes.staging import distance, place, put, put_ball, scatter, set_phase, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 DEEPEST = 0.001  # [m] of a robot that was set back, in the held ball
@@ -48,9 +36,12 @@ def gaps_of(match: Match) -> np.ndarray:
     return gaps
 
 
-def test_a_way_that_keeps_off_the_ball_is_straight():
+@pytest.mark.parametrize("handedness", [1.0, -1.0])
+def test_a_way_that_keeps_off_the_ball_is_straight_and_through_its_middle_on_the_side_of_the_handedness(handedness):
     for x, y, to_x, to_y in ((-2.0, 0.6, 2.0, 0.6), (1.0, 0.0, 3.0, 0.1), (-3.0, 0.0, -1.0, 0.0)):
-        assert way_round(x, y, to_x, to_y, 0.5, 1.0) == pytest.approx((to_x - x, to_y - y))
+        assert way_round(x, y, to_x, to_y, 0.5, handedness) == pytest.approx((to_x - x, to_y - y))
+    ahead, left = way_round(-2.0, 0.0, 2.0, 0.0, 0.5, handedness)
+    assert left == pytest.approx(-handedness * 4.0 * 0.25) and ahead > 0.0
 
 
 @pytest.mark.parametrize("y", [0.3, 0.1, -0.1, -0.3])
@@ -61,12 +52,6 @@ def test_a_way_through_the_ball_goes_along_the_tangent_of_its_ring_on_the_side_o
     across = (x * left - y * ahead) / size
     assert across == pytest.approx(-np.sign(y) * ring), "the tangent passes the middle at the ring's radius"
     assert size == pytest.approx(4.0) and ahead > 0.0
-
-
-@pytest.mark.parametrize("handedness", [1.0, -1.0])
-def test_a_way_through_the_middle_of_the_ball_passes_on_the_side_of_the_handedness(handedness):
-    ahead, left = way_round(-2.0, 0.0, 2.0, 0.0, 0.5, handedness)
-    assert left == pytest.approx(-handedness * 4.0 * 0.25) and ahead > 0.0
 
 
 @each_league
@@ -119,15 +104,12 @@ def test_a_robot_where_the_ball_is_laid_down_is_set_back_till_it_touches_it_and_
 
 @each_league
 def test_a_robot_on_whose_place_the_ball_is_put_is_set_back_at_once_and_told(name):
-    match = stage(name, 4, home=2, away=2, placement="drive")
-    for r in range(4):
-        put(match, r, [0.05, 1.0, 1.2, -1.0][r], [0.02, 0.6, -0.6, 0.7][r])
-    put_ball(match, match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0)
-    match.rebuild()
+    robots = {0: (0.05, 0.02), 1: (1.0, 0.6), 2: (1.2, -0.6), 3: (-1.0, 0.7)}
+    match = stage(name, 4, home=2, away=2, placement="drive", robots=robots)
+    place(match, ball=(match.league.pitch.length / 2 + match.league.ball.radius + 0.01, 0.0))
     match.step(stand(match))
     assert (match.matches["placing"] == 1).all() and (match.events["restart"] == Phase.KICK_OFF).all()
-    assert gaps_of(match).min() > -DEEPEST
-    assert match.robots["placed"].tolist() == [[1, 0, 0, 0]] * 4
+    assert gaps_of(match).min() > -DEEPEST and match.robots["placed"].tolist() == [[1, 0, 0, 0]] * 4
 
 
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])
@@ -159,8 +141,7 @@ def test_while_placing_nobody_drives_through_the_ball(name, size):
     match = Match(name, home=size, away=size, matches=24, seed=6, placement="drive")
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(6), 0.5)
-    put_ball(match, match.league.pitch.length / 2 + 0.2, 0.0)
-    match.rebuild()
+    place(match, ball=(match.league.pitch.length / 2 + 0.2, 0.0))
     match.step(stand(match))
     placing, depths, moved = match.matches["placing"] == 1, [], 0.0
     assert placing.all()

@@ -5,28 +5,14 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
-from tests.scenes.staging import (
-    LEAGUES,
-    LEGGED,
-    deepest_overlaps,
-    distance,
-    each_league,
-    put,
-    put_ball,
-    scatter,
-    set_phase,
-    speed,
-    stage,
-    stand,
-    steps_in,
-)
+from tests.scenes.leagues import LEAGUES, LEGGED, each_league
+from tests.scenes.looking import deepest_overlaps, distance, speed
+from tests.scenes.staging import place, play, scatter, set_phase, stage, stand, steps_in
 
 
 @each_league
-def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
-    match = stage(name)
-    put_ball(match, 0.4, 0.3)
-    match.rebuild()
+def test_a_ball_that_stays_or_trembles_is_stuck_after_the_leagues_time_and_robots_far_off_stay(name):
+    match = stage(name, ball=(0.4, 0.3))
     steps = 0
     while not match.events["stuck"][0]:
         match.step(stand(match))
@@ -34,14 +20,26 @@ def test_a_ball_that_stays_is_stuck_after_the_leagues_time(name):
         assert steps < 2000
     assert steps == steps_in(match, match.league.rules.stuck_time)
     assert match.events["restart"][0] == Phase.DROP_BALL and match.events["restart_team"][0] == NO_TEAM
+    match = stage(name, ball=(0.0, 0.0))
+    rules, called = match.league.rules, 0
+    for step in range(steps_in(match, rules.stuck_time) + 2):
+        match.balls["x"] = 0.4 * rules.stuck_radius * np.sin(step)
+        match.rebuild()
+        match.step(stand(match))
+        called += match.events["stuck"][0]
+    assert called == 1
+    match = stage(name, ball=(1.2, 0.9), robots={0: (-1.0, -0.6, 0.4)})
+    match.matches["still_clock"] = match.league.rules.stuck_time
+    match.step(stand(match))
+    assert match.events["stuck"][0] == 1
+    assert match.robots[["x", "y", "heading"]][0, 0].tolist() == (-1.0, -0.6, 0.4)
 
 
 @pytest.mark.parametrize(("x", "y"), [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.6, -0.8)])
 @pytest.mark.parametrize(("share", "stuck"), [(0.99, 1), (1.01, 0)])
 @each_league
 def test_within_the_radius_it_has_stayed_and_beyond_it_it_begins_anew(name, x, y, share, stuck):
-    match = stage(name)
-    put_ball(match, 0.4, 0.3)
+    match = stage(name, ball=(0.4, 0.3))
     far = share * match.league.rules.stuck_radius
     match.matches["still_x"], match.matches["still_y"] = 0.4 + far * x, 0.3 + far * y
     match.matches["still_clock"] = match.league.rules.stuck_time - match.league.dt
@@ -60,29 +58,11 @@ def test_a_moving_ball_is_never_stuck_however_slowly_it_moves_on(name, pace):
     radius = 1.2 * rules.stuck_radius
     for step in range(int(2.5 * rules.stuck_time / dt)):
         way = pace * slowest * step * dt
-        put_clock = match.matches[["still_x", "still_y", "still_clock"]].copy()
-        put_ball(match, [-0.6 + 0.4 * way, radius * np.cos(way / radius)], [0.2, radius * np.sin(way / radius)])
-        match.balls["x"][0] += 0.6 * way
-        for field in put_clock.dtype.names:
-            match.matches[field] = put_clock[field]  # `put_ball` would start the clock again
+        match.balls["x"] = [-0.6 + way, radius * np.cos(way / radius)]
+        match.balls["y"] = [0.2, radius * np.sin(way / radius)]
         match.rebuild()
         match.step(stand(match))
         assert not match.events["stuck"].any()
-
-
-@each_league
-def test_a_ball_that_trembles_on_the_spot_is_stuck(name):
-    match = stage(name)
-    rules = match.league.rules
-    put_ball(match, 0.0, 0.0)
-    match.rebuild()
-    called = 0
-    for step in range(steps_in(match, rules.stuck_time) + 2):
-        match.balls["x"] = 0.4 * rules.stuck_radius * np.sin(step)
-        match.rebuild()
-        match.step(stand(match))
-        called += match.events["stuck"][0]
-    assert called == 1
 
 
 @pytest.mark.parametrize("phase", [Phase.KICK_OFF, Phase.DROP_BALL])
@@ -93,8 +73,7 @@ def test_a_restart_that_nobody_takes_is_no_stuck_ball(name, phase):
     for _ in range(steps_in(match, match.league.rules.restart_time) + 2):
         match.step(stand(match))
         assert not match.events["stuck"].any()
-    assert match.matches["phase"][0] == Phase.PLAY
-    assert match.matches["still_clock"][0] < 1.0
+    assert match.matches["phase"][0] == Phase.PLAY and match.matches["still_clock"][0] < 1.0
 
 
 @pytest.mark.parametrize("placement", ["instant", "drive"])
@@ -119,24 +98,10 @@ def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, si
     assert found["robot robot"] < 0.001 and found["robot wall"] < 0.001
 
 
-@each_league
-def test_robots_far_from_a_dropped_ball_stay_where_they_are(name):
-    match = stage(name)
-    put(match, 0, -1.0, -0.6, 0.4)
-    put_ball(match, 1.2, 0.9 * match.league.pitch.width / 2)
-    match.matches["still_clock"] = match.league.rules.stuck_time
-    match.rebuild()
-    match.step(stand(match))
-    assert match.events["stuck"][0] == 1
-    assert match.robots[["x", "y", "heading"]][0, 0].tolist() == (-1.0, -0.6, 0.4)
-
-
 def test_anybody_may_play_a_dropped_ball_at_once():
     match = stage(LEGGED)
     set_phase(match, Phase.DROP_BALL)
     match.matches["restart_x"], match.matches["restart_y"] = 0.0, 0.0
-    put_ball(match, 0.0, 0.0, 0.5, 0.0)
-    match.rebuild()
-    for _ in range(4):
-        match.step(stand(match))
+    place(match, ball=(0.0, 0.0, 0.5, 0.0))
+    play(match, steps=4)
     assert match.matches["phase"][0] == Phase.PLAY

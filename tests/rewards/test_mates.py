@@ -17,8 +17,7 @@ MATES = ("cover", "crowding", "guard", "strength", "foul")
 
 def scene(places: dict[int, tuple[float, float]], home: int = 3, away: int = 1) -> Match:
     """Return a legged match with the ball at (0.5, 0.2) and these robots; the others are off the pitch."""
-    match = stage("legged-2001", home=home, away=away)
-    put_ball(match, 0.5, 0.2)
+    match = stage("legged-2001", home=home, away=away, ball=(0.5, 0.2))
     for r, (x, y) in places.items():
         put(match, r, x, y)
     return match
@@ -30,15 +29,12 @@ def phi(function: Any, match: Match, team: int = HOME) -> float:
     return float(function(*records, match.settings.constants()[0], team))
 
 
-def test_a_mate_halfway_between_ball_and_own_goal_covers_best() -> None:
-    diagonal = float(np.hypot(3.0, 2.0))
-    at_place = scene({0: (0.3, 0.2), 1: (-0.5, 0.1), 2: (-1.0, -0.5)})
-    assert phi(cover, at_place) == pytest.approx(0.0)
+def test_a_mate_halfway_to_its_goal_covers_best_not_one_at_the_ball_nor_in_its_penalty_area() -> None:
+    assert phi(cover, scene({0: (0.3, 0.2), 1: (-0.5, 0.1), 2: (-1.0, -0.5)})) == pytest.approx(0.0)
     beside = scene({0: (0.3, 0.2), 1: (-0.5, 0.5), 2: (-1.4, -0.9)})
-    assert phi(cover, beside) == pytest.approx(-0.4 / diagonal)
-
-
-def test_nobody_is_asked_to_cover_from_within_the_own_penalty_area() -> None:
+    assert phi(cover, beside) == pytest.approx(-0.4 / np.hypot(3.0, 2.0))
+    assert phi(cover, scene({0: (-0.5, 0.1)})) == -1.0, "its mates are out"
+    assert phi(cover, scene({0: (-0.5, 0.1)}, home=1)) == 0.0, "it has none"
     match = scene({0: (-1.2, -0.6), 1: (-1.3, 0.0), 2: (1.0, 0.8)})
     put_ball(match, -1.3, -0.6)
     league = match.league
@@ -46,11 +42,6 @@ def test_nobody_is_asked_to_cover_from_within_the_own_penalty_area() -> None:
     assert edge > -1.4, "halfway to the goal line"
     match.robots["x"][0, 1], match.robots["y"][0, 1] = edge, -0.3
     assert phi(cover, match) == pytest.approx(0.0)
-
-
-def test_the_robot_at_the_ball_covers_nobody_and_mates_that_are_out_are_far() -> None:
-    assert phi(cover, scene({0: (-0.5, 0.1)})) == -1.0, "its mates are out"
-    assert phi(cover, scene({0: (-0.5, 0.1)}, home=1)) == 0.0, "it has none"
 
 
 def test_a_goalkeeper_guards_the_angle_that_it_takes_from_a_shot() -> None:
@@ -76,24 +67,21 @@ def test_a_goalkeeper_guards_the_angle_that_it_takes_from_a_shot() -> None:
 
 
 def test_a_second_robot_at_the_ball_crowds_and_one_far_off_does_not() -> None:
-    far = 3.0 * Match(home=1, away=1, seed=1).league.body.reach
-    apart = scene({0: (0.3, 0.2), 1: (0.5 - 1.01 * far, 0.2)})
-    assert phi(crowding, apart) == 0.0
-    half = scene({0: (0.3, 0.2), 1: (0.5, 0.2 - 0.5 * far)})
-    assert phi(crowding, half) == pytest.approx(-0.5)
+    far = 3.0 * find_league("legged-2001").body.reach
+    assert phi(crowding, scene({0: (0.3, 0.2), 1: (0.5 - 1.01 * far, 0.2)})) == 0.0
+    assert phi(crowding, scene({0: (0.3, 0.2), 1: (0.5, 0.2 - 0.5 * far)})) == pytest.approx(-0.5)
     assert phi(crowding, scene({0: (0.3, 0.2)})) == 0.0
     assert phi(crowding, scene({0: (0.3, 0.2), 3: (0.5, 0.4)})) == 0.0, "an opponent is no mate"
+    nobody = scene({})
+    assert at_ball(nobody.balls[0], nobody.robots[0], HOME) == -1 and phi(crowding, nobody) == 0.0
 
 
-def test_strength_counts_those_who_serve_a_penalty() -> None:
+def test_strength_counts_those_who_serve_a_penalty_and_who_is_whistled_pays_alone() -> None:
     match = scene({0: (0.0, 0.0)})
     assert phi(strength, match) == 0.0
     match.robots["penalty"][0, 1] = 30.0
     match.robots["banned"][0, 2] = 1
     assert phi(strength, match) == pytest.approx(-2.0 / 3.0) and phi(strength, match, AWAY) == 0.0
-
-
-def test_who_is_whistled_pays_and_nobody_else() -> None:
     match = scene({0: (0.0, 0.0), 1: (-1.0, 0.0)})
     match.robot_events["foul"][0, 1] = Foul.PUSHING
     records = match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0]
@@ -115,12 +103,6 @@ def test_a_kick_between_the_posts_is_a_shot(side: int, aside: float, speed: floa
     assert [shot(*records, constants, r, 0.4) for r in (side, 1 - side)] == [paid, 0.0], "whose kick it was"
     match.events["restart"] = Phase.KICK_OFF
     assert shot(*records, constants, side, 0.4) == 0.0, "the ball lies there again"
-
-
-def test_a_team_without_active_robots_has_nobody_at_the_ball() -> None:
-    match = scene({})
-    assert at_ball(match.balls[0], match.robots[0], HOME) == -1
-    assert phi(crowding, match) == 0.0
 
 
 @pytest.mark.parametrize("league", LEAGUES)

@@ -10,7 +10,7 @@ from soccer_env import Match, Rewards
 from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_pay
 from soccer_env.train.command.command_line import main
 from soccer_env.types import AWAY, HOME
-from tests.scenes.staging import LEAGUES, endless, put, put_ball, scatter, set_phase, stage, stand
+from tests.scenes.staging import LEAGUES, endless, place, play, put, put_ball, scatter, set_phase, stage, stand
 
 GOAL, PROGRESS, APPROACH, EFFORT = (NAMES.index(name) for name in ("goal", "progress", "approach", "effort"))
 EVENTS = [column for column, term in enumerate(TERMS) if term.kind == "event"]
@@ -84,8 +84,7 @@ def test_a_discounted_loop_pays_what_the_potentials_say() -> None:
 
 def test_shaping_does_not_leak_over_a_reset() -> None:
     fresh, used = Match(home=1, away=1, seed=3, rewards=SHAPED), Match(home=1, away=1, seed=1, rewards=SHAPED)
-    for _ in range(50):
-        used.step(np.ones((1, 2, 4)))
+    play(used, steps=50, actions=np.ones((1, 2, 4)))
     used.reset(seed=3)
     np.testing.assert_array_equal(fresh.step(np.ones((1, 2, 4)))[1], used.step(np.ones((1, 2, 4)))[1])
 
@@ -123,50 +122,11 @@ def test_the_terms_add_up_and_weights_scale_them() -> None:
         np.testing.assert_allclose(one.terms * scale, two.terms, atol=1e-12)
 
 
-def test_effort_is_the_mean_square_of_the_clipped_command() -> None:
+def test_effort_is_the_mean_square_of_the_clipped_command_and_sparse_rewards_are_events_alone() -> None:
     match = Match(home=1, away=1, seed=1)
     match.step(np.array([[[9.0, -0.5, 0.5, 1.0], [0.0, 0.0, 0.0, 1.0]]]))
     assert match.terms[0, 0, EFFORT] == pytest.approx(-0.001 * (1.0 + 0.25 + 0.25) / 3)
     assert match.terms[0, 1, EFFORT] == 0.0
-
-
-def test_progress_is_gained_by_one_team_and_lost_by_the_other() -> None:
-    match = stage(endless("middle-size-2006"), rewards=Rewards(gamma=1.0))
-    put(match, 0, -3.0, 3.0)
-    put(match, 1, 3.0, -3.0)
-    put_ball(match, 0.0, 0.0, 3.0)
-    match.rebuild()
-    match.step(stand(match))
-    assert match.terms[0, 0, PROGRESS] > 0.0
-    assert match.terms[0, 0, PROGRESS] == pytest.approx(-match.terms[0, 1, PROGRESS])
-
-
-def test_approach_rewards_the_nearest_robot_for_coming_nearer() -> None:
-    match = stage("middle-size-2006", home=2, away=1, rewards=Rewards(gamma=1.0))
-    for r, x in enumerate((-3.0, -1.0, 2.0)):
-        put(match, r, x, 0.5, forward=1.0 if r == 1 else 0.0)
-    match.rebuild()
-    match.step(np.array([[[0.0] * 4, [0.4, 0, 0, 0], [0.0] * 4]]))
-    assert match.terms[0, 0, APPROACH] == match.terms[0, 1, APPROACH] > 0.0 == match.terms[0, 2, APPROACH]
-
-
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        ({"goal": np.nan}, r"Rewards\.goal"),
-        ({"progress": "much"}, r"Rewards\.progress"),
-        ({"gamma": 1.5}, r"Rewards\.gamma"),
-        ({"extra": {"goal": len}}, r"Rewards\.extra"),
-        ({"effort": 1.7e308}, r"Rewards\.effort must be -1000000000 to 1000000000, got 1.7e\+308"),
-        ({"goals": 1.0}, f"'goals'.*known: {', '.join(NAMES)}, gamma, extra"),
-    ],
-)
-def test_bad_weights_are_refused_by_name(bad: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        Rewards(**bad)
-
-
-def test_sparse_rewards_are_events_alone() -> None:
     match = Match(seed=1, rewards="sparse", matches=4)
     scatter(match, np.random.default_rng(0))
     match.rebuild()
@@ -175,6 +135,32 @@ def test_sparse_rewards_are_events_alone() -> None:
         assert not np.delete(match.terms, EVENTS, axis=-1).any()
         assert (match.terms[:, :, EVENTS].sum(axis=-1) == match.rewards).all()
     assert find_rewards("sparse").goal == 1.0
+
+
+def test_progress_is_lost_by_the_other_team_and_approach_rewards_the_nearest_robot() -> None:
+    match = stage(endless("middle-size-2006"), rewards=Rewards(gamma=1.0))
+    place(match, ball=(0.0, 0.0, 3.0), robots={0: (-3.0, 3.0), 1: (3.0, -3.0)})
+    match.step(stand(match))
+    assert (
+        match.terms[0, 0, PROGRESS] == pytest.approx(-match.terms[0, 1, PROGRESS]) and match.terms[0, 0, PROGRESS] > 0
+    )
+    match = stage("middle-size-2006", home=2, away=1, rewards=Rewards(gamma=1.0))
+    for r, x in enumerate((-3.0, -1.0, 2.0)):
+        put(match, r, x, 0.5, forward=1.0 if r == 1 else 0.0)
+    match.rebuild()
+    match.step(np.array([[[0.0] * 4, [0.4, 0, 0, 0], [0.0] * 4]]))
+    assert match.terms[0, 0, APPROACH] == match.terms[0, 1, APPROACH] > 0.0 == match.terms[0, 2, APPROACH]
+
+
+@pytest.mark.parametrize(("bad", "message"), [
+    ({"goal": np.nan}, r"Rewards\.goal"), ({"progress": "much"}, r"Rewards\.progress"),
+    ({"gamma": 1.5}, r"Rewards\.gamma"), ({"extra": {"goal": len}}, r"Rewards\.extra"),
+    ({"effort": 1.7e308}, r"Rewards\.effort must be -1000000000 to 1000000000, got 1.7e\+308"),
+    ({"goals": 1.0}, f"'goals'.*known: {', '.join(NAMES)}, gamma, extra"),
+])  # fmt: skip
+def test_bad_weights_are_refused_by_name(bad: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Rewards(**bad)
 
 
 @pytest.mark.parametrize("repeat", [1, 8])
@@ -189,9 +175,6 @@ def test_shaping_of_a_kept_action_discounts_once(repeat: int) -> None:
     _, paid, _, _ = match.step(np.zeros((1, 2, 4)))
     assert paid[0, 0] == pytest.approx((0.9 - 1.0) * potential)
     assert paid[0, 1] == pytest.approx((0.9 - 1.0) * -potential)
-
-
-# The table
 
 
 def test_weights_infos_presets_and_lists_follow_from_the_table(capsys: pytest.CaptureFixture[str]) -> None:

@@ -31,8 +31,7 @@ def gap(first: Shape, second: Shape) -> np.ndarray:
     apart = np.minimum(nearest(one, other), nearest(other, one))
     between = np.maximum(separation(one, other), separation(other, one))
     overlaps = (between < 0.0) & np.isfinite(between)
-    found: np.ndarray = np.where(overlaps, between, apart) - first.radius - second.radius
-    return found
+    return np.where(overlaps, between, apart) - first.radius - second.radius
 
 
 def nearest(points: np.ndarray, hull: np.ndarray) -> np.ndarray:
@@ -40,8 +39,7 @@ def nearest(points: np.ndarray, hull: np.ndarray) -> np.ndarray:
     away, edge, squared = edges(points, hull)
     along = np.clip((away * edge).sum(axis=-1) / np.maximum(squared, POINTLESS**2), 0.0, 1.0)
     rest = away - along[..., None] * edge
-    found: np.ndarray = np.sqrt((rest * rest).sum(axis=-1).min(axis=(-1, -2)))
-    return found
+    return np.sqrt((rest * rest).sum(axis=-1).min(axis=(-1, -2)))
 
 
 def separation(points: np.ndarray, hull: np.ndarray) -> np.ndarray:
@@ -52,8 +50,7 @@ def separation(points: np.ndarray, hull: np.ndarray) -> np.ndarray:
     away, edge, squared = edges(points, hull)
     outward = away[..., 0] * edge[..., 1] - away[..., 1] * edge[..., 0]
     beyond = np.where(squared > POINTLESS**2, outward / np.sqrt(np.maximum(squared, POINTLESS**2)), -np.inf)
-    found: np.ndarray = beyond.min(axis=-2).max(axis=-1)
-    return found
+    return beyond.min(axis=-2).max(axis=-1)
 
 
 def edges(points: np.ndarray, hull: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -137,5 +134,4 @@ def robot_board_gaps(league: League, robots: np.ndarray) -> np.ndarray:
 
 def least_gap(some: Sequence[Shape], others: Sequence[Shape]) -> np.ndarray:
     """Return the least gap (N,) between any shape of the one list and any of the other."""
-    found: np.ndarray = np.min([gap(one, other) for one, other in product(some, others)], axis=0)
-    return found
+    return np.min([gap(one, other) for one, other in product(some, others)], axis=0)

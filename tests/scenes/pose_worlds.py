@@ -10,8 +10,6 @@ head sweeps from side to side; its blobs are made from the true pose through `op
 camera. The middle-size robot's picture comes from its sensor.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -63,8 +61,6 @@ class World:
             start_streams(self.robots["noise"][i, 0], seed * 1000 + i, 0, 1)
         self.tables = np.zeros(1, np.dtype([("unused", "f8")])) if self.legged else line_tables(found)
         self.blind = False
-        self.percepts_seen = []  # copies, if `record` is set
-        self.record = False
         self.kidnap()
         self.aims = self.somewhere()
 
@@ -87,11 +83,8 @@ class World:
     def tell(self):
         """Tell all robots where they stand, as after a placement."""
         body, sensors = self.percepts["body"][:, 0], self.league.sensors
-        for name, spread in (
-            ("x", sensors.place_noise),
-            ("y", sensors.place_noise),
-            ("heading", sensors.place_turn_noise),
-        ):
+        spreads = {"x": sensors.place_noise, "y": sensors.place_noise, "heading": sensors.place_turn_noise}
+        for name, spread in spreads.items():
             body[name] = self.truth[name] + self.rng.normal(0.0, spread, self.count)
         body["handedness"], body["upright"], body["pose"] = 1.0, 1, POSE_TOLD
         body["forward"] = body["left"] = body["turn"] = 0.0
@@ -152,15 +145,14 @@ class World:
             self.percepts["body"]["pose"] = NO_POSE
             self.truth["placed"] = 0
         if self.blind:
-            for name in (
+            kinds = (
                 ("landmarks", "own_goal", "opponent_goal") if self.legged else ("own_goal", "opponent_goal", "lines")
-            ):
+            )
+            for name in kinds:
                 self.percepts[name] = np.zeros((), self.percepts.dtype[name].base)
 
     def believe(self):
         """Bring the own poses up to the percepts."""
-        if self.record:
-            self.percepts_seen.append(self.percepts.copy())
         believe_all(
             self.percepts[:, 0],
             self.own,
@@ -218,19 +210,8 @@ def see_from(robots, percepts, constants, sensors):
         for which in range(LANDMARKS):
             x = (0.5 * k.pitch_length + s.landmark_radius) * (which // 2 - 1)
             y = (0.5 * k.pitch_width + s.landmark_radius) * (1 - 2 * (which % 2))
-            see_box(
-                robot,
-                percept,
-                percept.landmarks[which],
-                x,
-                y,
-                x,
-                y,
-                s.landmark_radius,
-                s.landmark_low,
-                s.landmark_high,
-                s,
-            )
+            radius, low, high = s.landmark_radius, s.landmark_low, s.landmark_high
+            see_box(robot, percept, percept.landmarks[which], x, y, x, y, radius, low, high, s)
         end, half = 0.5 * k.pitch_length, 0.5 * k.pitch_goal_width
         see_box(robot, percept, percept.own_goal[0], -end, -half, -end, half, 0.0, 0.0, s.goal_height, s)
         see_box(robot, percept, percept.opponent_goal[0], end, half, end, -half, 0.0, 0.0, s.goal_height, s)

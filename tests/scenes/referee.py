@@ -1,7 +1,5 @@
 """One match of the middle size whose records a test fills, and what the referee says of them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -39,8 +37,7 @@ class Referee:
     def put(self, index: int, x: float, y: float, heading: float = 0.0, forward: float = 0.0) -> np.ndarray:
         """Put a robot (0 to 2 of `team`, 0 its keeper; 3 to 5 of the others) somewhere; return its record."""
         put(self.match, self.rows[index], x, y, heading, forward)
-        robot: np.ndarray = self.robots[self.rows[index]]
-        return robot
+        return self.robots[self.rows[index]]
 
     def restart(self, phase: Phase, x: float, y: float) -> None:
         """Let `team` have a restart, the ball at its spot."""

@@ -1,7 +1,5 @@
 """A player of sacks-2001 alone with what it is told to believe."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -59,3 +57,8 @@ class Mind:
         steps = max(1, round(seconds * RATE))
         view = View(self.league, self.beliefs, self.tracks)
         return np.array([self.team.act(view, self._memory, self._rng)[0, 0] for _ in range(steps)])
+
+    def does(self, seconds: float = 1.0 / RATE) -> int:
+        """Let it think for a time; return what it does then."""
+        self.think(seconds)
+        return int(self.memory["behaviour"])

@@ -6,17 +6,13 @@ import pytest
 from soccer_env import Match
 from soccer_env.teams import TeamRandom, View
 from soccer_env.types import AWAY
-from tests.scenes.staging import LEGGED, put, put_ball, stage, steady
+from tests.scenes.staging import LEGGED, place, play, stage, steady
 
 
 def looking() -> Match:
     """Return a robot that has just looked at a ball, a team-mate and an opponent, and has not thought about it yet."""
     match = stage(steady(LEGGED), home=2, away=1, observe="belief")
-    put(match, 0, -0.9, 0.0)
-    put(match, 1, 0.2, 0.3, 2.0)
-    put(match, 2, 0.3, -0.2, 3.0)
-    put_ball(match, 0.0, 0.1)
-    match.rebuild()
+    place(match, ball=(0.0, 0.1), robots={0: (-0.9, 0.0), 1: (0.2, 0.3, 2.0), 2: (0.3, -0.2, 3.0)})
     match.batch.senses.start(0)
     match.batch.senses.sense(0, 1)
     return match
@@ -42,12 +38,10 @@ def test_ms01_memory_gets_percepts_alone_and_fills_the_shared_records() -> None:
 
 
 def test_ms01_actuation_reads_what_memory_wrote() -> None:
-    """MS01: the head goes where the shared record says, whatever the ball does."""
     match = looking()
     match.batch.senses.believe = lambda first, last: None  # type: ignore[method-assign]
     match.robots["gaze"]["pan"][0, 0] = -0.6
-    for _ in range(16):
-        match.step(np.zeros((1, 3, 4)))
+    play(match, steps=16, actions=np.zeros((1, 3, 4)))
     assert match.robots["pan"][0, 0] == pytest.approx(-0.6)
 
 
@@ -68,7 +62,6 @@ class Reader:
 
 
 def test_ms01_any_team_plans_on_the_shared_records_alone() -> None:
-    """MS01: a planner gets the records that memory filled, of its own players, and asks for a walk."""
     planner = Reader()
     match = Match(LEGGED, seed=3, controllers={"away": planner}, senses="sensors")
     kept = match.beliefs.copy(), match.tracks.copy()
@@ -76,6 +69,5 @@ def test_ms01_any_team_plans_on_the_shared_records_alone() -> None:
     shown, rows = planner.shown[-1], match.robots["team"][0] == AWAY
     assert shown.beliefs.tobytes() == kept[0][:, rows].tobytes()
     assert shown.tracks.tobytes() == kept[1][:, rows].tobytes()
-    for _ in range(16):
-        match.step(np.zeros((1, 6, 4)))
+    play(match, steps=16, actions=np.zeros((1, 6, 4)))
     assert (match.robots["walk"]["forward"][0, rows] > 0.0).any()

@@ -1,7 +1,5 @@
 """A kind of robot is one declared thing: here is a third one, which hears a beacon in the ball and plays a match."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -30,6 +28,7 @@ from soccer_env.records.percepts import BODY_PERCEPT
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.thoughts.thought import Reader
 from soccer_env.types import HOME, RobotStream
+from tests.scenes.staging import play
 
 CAMERA = int(RobotStream.CAMERA)
 PERCEPT = np.dtype([("body", BODY_PERCEPT), ("ahead", "f4"), ("left", "f4")])  # [m] robot frame: the ball
@@ -108,17 +107,10 @@ def observe_slice(percepts, beliefs, robots, out, constants, sensors, half_lengt
 
 
 BEACON = RobotKind(
-    percept=PERCEPT,
-    sensor_state=SENSOR_STATE,
-    memory=MEMORY,
-    message=np.dtype([("unused", "i8")]),
-    particle=PARTICLE,
-    sense=sense_kernel(nothing, sense_robot),
-    believe=believe_kernel(no_scratch, believe_robot, say_nothing),
-    entries=entries,
-    observe=observe_slice,
-    tables=lambda league: np.zeros(1, np.dtype([("unused", "f8")])),
-)
+    percept=PERCEPT, sensor_state=SENSOR_STATE, memory=MEMORY, message=np.dtype([("unused", "i8")]), particle=PARTICLE,
+    sense=sense_kernel(nothing, sense_robot), believe=believe_kernel(no_scratch, believe_robot, say_nothing),
+    entries=entries, observe=observe_slice, tables=lambda league: np.zeros(1, np.dtype([("unused", "f8")])),
+)  # fmt: skip
 
 
 @pytest.fixture
@@ -129,12 +121,10 @@ def league(monkeypatch: pytest.MonkeyPatch) -> Iterator[League]:
 
 
 def test_a_new_kind_of_robot_plays_by_its_sensors(league: League) -> None:
-    match = Match(
-        league, home=2, away=2, matches=2, seed=1, controllers={"home": "chaser"}, observe="percepts", rules="simple"
-    )
+    match = Match(league, home=2, away=2, matches=2, seed=1, controllers={"home": "chaser"}, observe="percepts",
+                  rules="simple")  # fmt: skip
     assert match.observation_names == ["ball_ahead", "ball_left"]
-    for _ in range(150):
-        match.step(np.zeros((2, 4, 4)))
+    play(match, steps=150, actions=np.zeros((2, 4, 4)))
     x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
     assert match.beliefs["ball"]["distance"] == pytest.approx(np.hypot(x, y), abs=0.15)
     observed = 10.0 * np.hypot(match.observations[..., 0], match.observations[..., 1])
@@ -147,8 +137,7 @@ def test_a_new_kind_of_robot_plays_by_its_sensors(league: League) -> None:
 
 def test_its_memory_is_saved_and_its_ranges_are_held(league: League) -> None:
     match = Match(league, home=1, away=1, seed=1, observe="belief")
-    for _ in range(10):
-        match.step(np.zeros((1, 2, 4)))
+    play(match, steps=10, actions=np.zeros((1, 2, 4)))
     saved, memories = match.save(), match.batch.senses.memories  # type: ignore[union-attr]
     assert (memories["heard"] == 11).all()  # the first look, and one after each step
     memories["heard"] = 1001
@@ -161,12 +150,13 @@ def test_its_memory_is_saved_and_its_ranges_are_held(league: League) -> None:
 
 def test_an_unknown_kind_of_sensors_is_refused_by_name() -> None:
     legged = find_league("legged-2001")
-    with pytest.raises(ValueError, match="unknown kind of sensors 'beacon'; known: legged, omni"):
-        replace(legged, sensors=BeaconSensors(), memory=BeaconMemory())
-    with pytest.raises(ValueError, match="unknown kind of sensors .*; known: legged, omni"):
-        replace(legged, sensors=object())
-    with pytest.raises(ValueError, match="unknown kind of sensors None; known: legged, omni"):
-        names_of(replace(legged, sensors=None), "percepts")
+    for kind, make in (
+        ("'beacon'", lambda: replace(legged, sensors=BeaconSensors(), memory=BeaconMemory())),
+        (".*", lambda: replace(legged, sensors=object())),
+        ("None", lambda: names_of(replace(legged, sensors=None), "percepts")),
+    ):
+        with pytest.raises(ValueError, match=f"unknown kind of sensors {kind}; known: legged, omni"):
+            make()
 
 
 @pytest.mark.parametrize("name", KINDS)

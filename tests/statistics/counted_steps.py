@@ -11,8 +11,7 @@ from soccer_env.types import QUIET
 from tests.scenes.staging import LEGGED, put, put_ball, stage
 
 HALF, SECOND = 8, 16  # steps of the legged league
-CLEAN_KICK, DEFLECTED_KICK, CLEAN_DRIBBLE, PUSHED_IN, SCRUM, OWN_GOAL = (int(kind) for kind in GoalKind)
-KEEPER, KICKER, MATE, THEIR_KEEPER, THEIR_PLAYER = 0, 1, 2, 3, 4  # rows of 3 against 3
+KEEPER, KICKER, MATE, THEIR_KEEPER, THEIR_PLAYER = range(5)  # rows of 3 against 3
 
 
 class Steps:
@@ -82,8 +81,7 @@ class Steps:
 
     def kinds(self, team: int) -> list[int]:
         """Return the goals of a team by kind."""
-        found: list[int] = self.tally["goals"][0, team].tolist()
-        return found
+        return self.tally["goals"][0, team].tolist()
 
 
 def only(kind: int) -> list[int]:

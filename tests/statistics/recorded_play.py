@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.types import Phase
@@ -32,8 +33,7 @@ class Recording:
     @cached_property
     def in_play(self) -> np.ndarray:
         """Return where (T, M) the ball is in play: no restart is being placed or waited for."""
-        found: np.ndarray = self.live & (self.matches["phase"] == Phase.PLAY) & (self.matches["placing"] == 0)
-        return found
+        return self.live & (self.matches["phase"] == Phase.PLAY) & (self.matches["placing"] == 0)
 
     def steps(self, seconds: float) -> int:
         """Return how many control steps a time [s] takes, at least one."""
@@ -41,8 +41,7 @@ class Recording:
 
     def seconds(self, flags: np.ndarray) -> np.ndarray:
         """Return for how long (M,) [s] a flag (T, M) holds."""
-        found: np.ndarray = flags.sum(axis=0) * self.league.dt
-        return found
+        return flags.sum(axis=0) * self.league.dt
 
 
 def running(match: Match) -> Iterator[tuple[np.ndarray, ...]]:
@@ -68,8 +67,7 @@ class Runs(NamedTuple):
     @property
     def steps(self) -> np.ndarray:
         """Return how many steps (N,) each lasts."""
-        found: np.ndarray = self.ends - self.starts
-        return found
+        return self.ends - self.starts
 
 
 def runs_of(flags: np.ndarray) -> Runs:
@@ -116,8 +114,7 @@ def touches(play: Recording) -> np.ndarray:
 
 def kicks(play: Recording) -> np.ndarray:
     """Return how many kicks (M,) reach the ball."""
-    found: np.ndarray = ((play.deeds["kick"] == 1) & play.live[..., None]).sum(axis=(0, 2))
-    return found
+    return ((play.deeds["kick"] == 1) & play.live[..., None]).sum(axis=(0, 2))
 
 
 def held(play: Recording) -> np.ndarray:
@@ -131,3 +128,14 @@ def spells(play: Recording) -> list[np.ndarray]:
     runs = runs_of(bridged((play.robots["has_ball"] == 1) & inside, play.steps(LOST)) & inside)
     _, matches, robots = play.robots.shape
     return [runs.steps[runs.columns // robots == m] * play.league.dt for m in range(matches)]
+
+
+MINUTES = {"legged-2001": 3.0, "middle-size-2006": 1.5}
+
+
+def chasers(name: str, **settings: Any) -> Match:
+    """Return matches of the chaser against itself that see the truth."""
+    players = find_league(name).team_size
+    given = {"home": players, "away": players, "senses": "ideal", "minutes": MINUTES[name], **settings}
+    given.setdefault("matches", len(given["seeds"]) if "seeds" in given else 3)
+    return Match(name, controllers={"home": "chaser", "away": "chaser"}, **given)

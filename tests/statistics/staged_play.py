@@ -9,7 +9,6 @@ from soccer_env.leagues.league import League
 from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import put, put_ball, stage, stand, steady
 
-FAR_Y = 0.45  # [1] of the pitch's width where robots wait that a situation does not need
 CASES = [(team, half) for team in (HOME, AWAY) for half in (0, 1)]
 
 
@@ -48,6 +47,11 @@ class Scene:
         """Let physics follow from the records, and possession with it."""
         self.match.rebuild()
         self.play(1, idle=True)
+
+    def walk(self, row: int, share: float, seconds: float) -> None:
+        """Let a robot walk ahead at a share of its top speed for a time [s]."""
+        self.actions[:, row, 0] = share
+        self.play(round(seconds * self.match.league.control_rate))
 
     def play(self, steps: int, idle: bool = False) -> None:
         """Step with the actions that are set."""

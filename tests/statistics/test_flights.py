@@ -1,4 +1,4 @@
-"""Shots, saves, passes and interceptions: staged ones, and where a ball rolls against where it is said to roll."""
+"""Staged goals of every kind, shots, saves and passes, for both teams; where a ball rolls as it is said to."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.statistics.flights import aim_of
-from soccer_env.statistics.records import Aim
+from soccer_env.statistics.records import Aim, GoalKind
 from soccer_env.types import NO_TEAM
 from tests.scenes.staging import LEGGED, MIDDLE, boarded, each_league, put_ball, stage, stand, steady
 from tests.statistics.staged_play import CASES, Scene
@@ -36,55 +36,36 @@ def played_across(name, team, half, apart, opponent):
 
 @each_league
 @each_case
-def test_a_ball_kicked_to_a_mate_is_a_pass(name, team, half):
-    scene = played_across(name, team, half, APART[name][1], opponent=False)
-    assert passes(scene) == [1, 1, 0]
-    assert passes(scene, opponents=True) == [0, 0, 0]
-    assert scene.of("shots") == 0
-
-
-@each_league
-@each_case
-def test_a_ball_kicked_to_an_opponent_is_intercepted(name, team, half):
-    scene = played_across(name, team, half, APART[name][1], opponent=True)
-    assert passes(scene) == [1, 0, 0]
-    assert passes(scene, opponents=True) == [0, 0, 1]
-
-
-@each_league
-def test_a_ball_handed_over_from_near_is_no_pass(name):
-    scene = played_across(name, 0, 0, APART[name][0], opponent=False)
-    assert passes(scene) == [0, 0, 0]
+@pytest.mark.parametrize(("far", "opponent", "ours", "theirs"), [
+    (1, False, [1, 1, 0], [0, 0, 0]), (1, True, [1, 0, 0], [0, 0, 1]), (0, False, [0, 0, 0], [0, 0, 0]),
+])  # fmt: skip
+def test_a_ball_kicked_to_a_mate_is_a_pass_to_an_opponent_intercepted_and_handed_over_from_near_neither(
+    name, team, half, far, opponent, ours, theirs
+):
+    scene = played_across(name, team, half, APART[name][far], opponent)
+    assert (passes(scene), passes(scene, opponents=True), scene.of("shots")) == (ours, theirs, 0)
 
 
 @each_case
-def test_a_shot_that_the_goalkeeper_stops_is_saved_and_no_pass(team, half):
+@pytest.mark.parametrize("stopper", [0, 1])
+def test_a_shot_that_the_goalkeeper_stops_is_saved_and_no_pass_and_one_that_a_field_player_stops_is_not(
+    team, half, stopper
+):
     scene = Scene(LEGGED, team, half, players=2)
     scene.feed(scene.row(1), scene.line - 0.9, 0.0)
-    scene.put(scene.row(0, opponent=True), scene.line - 0.15, 0.0, np.pi)
+    scene.put(scene.row(stopper, opponent=True), scene.line - 0.15, 0.0, np.pi)
     scene.begin()
     scene.kick(scene.row(1), seconds=3.0)
     assert [scene.of(what) for what in ("shots", "on_target")] == [1, 1]
-    assert scene.of("saves", opponents=True) == 1
-    assert scene.match.statistics["goals"].sum() == 0
-    assert passes(scene) == passes(scene, opponents=True) == [0, 0, 0]
+    saves = [0, 0]
+    saves[1 - team] = int(stopper == 0)
+    assert scene.match.statistics["saves"][0].tolist() == saves and scene.match.statistics["goals"].sum() == 0
+    assert stopper == 1 or passes(scene) == passes(scene, opponents=True) == [0, 0, 0]
 
 
-@each_case
-def test_a_shot_that_a_field_player_stops_is_not_saved(team, half):
-    scene = Scene(LEGGED, team, half, players=2)
-    scene.feed(scene.row(1), scene.line - 0.9, 0.0)
-    scene.put(scene.row(1, opponent=True), scene.line - 0.15, 0.0, np.pi)
-    scene.begin()
-    scene.kick(scene.row(1), seconds=3.0)
-    assert scene.of("on_target") == 1
-    assert scene.match.statistics["saves"].sum() == 0
-
-
-@pytest.mark.parametrize(
-    ("name", "pace", "way", "shots"),
-    [(LEGGED, 8.0, 0.4, 1), (LEGGED, 3.0, 0.15, 0), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0)],
-)
+@pytest.mark.parametrize(("name", "pace", "way", "shots"), [
+    (LEGGED, 8.0, 0.4, 1), (LEGGED, 3.0, 0.15, 0), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0),
+])  # fmt: skip
 def test_a_ball_knocked_away_as_by_a_kick_is_a_shot_and_one_that_is_dribbled_is_not(name, pace, way, shots):
     scene = Scene(name, 0, 0)
     league = scene.match.league
@@ -95,8 +76,7 @@ def test_a_ball_knocked_away_as_by_a_kick_is_a_shot_and_one_that_is_dribbled_is_
     scene.ball(scene.line - way, 0.0, vx=pace * league.drive.forward)
     scene.match.rebuild()
     scene.play(round(1.5 * league.control_rate))
-    assert scene.of("goals").sum() == 1
-    assert scene.of("shots") == shots
+    assert scene.of("goals").sum() == 1 and scene.of("shots") == shots
     assert scene.of("kicks") == 0
 
 
@@ -151,3 +131,60 @@ def test_the_aim_is_the_same_for_both_directions_and_sides():
         assert len(aims) == 1
         seen |= aims
     assert seen == set(Aim)
+
+
+def assert_only(scene, kind, opponents=False):
+    """Tell that one goal fell, for one team, of one kind."""
+    expected = np.zeros((2, len(GoalKind)), int)
+    expected[1 - scene.team if opponents else scene.team, kind] = 1
+    assert scene.match.statistics["goals"][0].tolist() == expected.tolist()
+
+
+@each_league
+@each_case
+def test_a_kick_into_an_empty_goal_is_a_clean_kick_and_a_shot_on_target(name, team, half):
+    scene = Scene(name, team, half)
+    scene.feed(scene.row(), scene.line - 0.7, 0.05)
+    scene.begin()
+    scene.kick(scene.row())
+    assert_only(scene, GoalKind.CLEAN_KICK)
+    assert [scene.of(what) for what in ("kicks", "shots", "on_target", "solo")] == [1, 1, 1, 1]
+    assert [scene.of(what, opponents=True) for what in ("kicks", "shots", "on_target", "solo", "saves")] == [0] * 5
+
+
+@each_league
+@each_case
+def test_a_kick_into_the_own_goal_is_an_own_goal_and_no_shot(name, team, half):
+    scene = Scene(name, team, half)
+    scene.feed(scene.row(), 0.7 - scene.line, 0.05, np.pi)
+    scene.begin()
+    scene.kick(scene.row())
+    assert_only(scene, GoalKind.OWN_GOAL, opponents=True)
+    assert scene.of("kicks") == 1 and scene.of("shots") == 0
+
+
+@each_league
+@each_case
+def test_a_ball_walked_into_an_empty_goal_is_a_clean_dribble(name, team, half):
+    scene = Scene(name, team, half)
+    scene.feed(scene.row(), scene.line - 0.5, 0.0)
+    scene.begin()
+    scene.actions[:, scene.row(), 0] = 0.7
+    for _ in range(round(6.0 * scene.match.league.control_rate)):
+        if scene.of("goals").sum() == 0:  # it would walk on after the kick-off
+            scene.play(1)
+    assert_only(scene, GoalKind.CLEAN_DRIBBLE)
+    assert scene.of("shots") == 0 and scene.of("after_pushed_keeper") == 0
+
+
+@each_case
+@pytest.mark.parametrize(("before", "other", "seconds", "kind"), [
+    (0.35, 0.30, 5.0, GoalKind.PUSHED_IN), (1.0, 1.05, 12.0, GoalKind.CLEAN_DRIBBLE),  # the push was long before
+])  # fmt: skip
+def test_a_ball_walked_in_along_an_opponent_is_pushed_in(team, half, before, other, seconds, kind):
+    scene = Scene(LEGGED, team, half)
+    scene.feed(scene.row(), scene.line - before, 0.0)
+    scene.put(scene.row(opponent=True), scene.line - other, 0.155)
+    scene.begin()
+    scene.walk(scene.row(), 1.0, seconds)
+    assert_only(scene, kind)

@@ -1,4 +1,4 @@
-"""Path following stays within the base's limits, ends at its target and keeps off others."""
+"""Path following stays within the base's limits and keeps off others; dribbling stays inside what the guide bears."""
 
 from math import atan2, cos, hypot, pi, sin
 from typing import Any
@@ -6,13 +6,17 @@ from typing import Any
 import numpy as np
 import pytest
 
+from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.crowd import note_crowd
+from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
 from soccer_env.baselines.heinemann_2006.driving import bend_between, bend_speed, drive_to, turn_limit
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.types import COMMAND
+from soccer_env.scenes import SCENES
+from soccer_env.train.casting import controllers_of
+from soccer_env.types import COMMAND, Phase
 from tests.scenes.staging import MIDDLE
 
 K = constants_of(find_league(MIDDLE))[0]
@@ -45,7 +49,7 @@ def drive(others: list[Other], seconds: float = 6.0, target: tuple[float, float]
     return np.array(rows)
 
 
-SCENES: dict[str, list[Other]] = {
+CROWDS: dict[str, list[Other]] = {
     "alone": [],
     "one stands": [(0.0, 0.05, 0.0, 0.0)],
     "two stand": [(-0.5, 0.3, 0.0, 0.0), (0.7, -0.3, 0.0, 0.0)],
@@ -54,7 +58,7 @@ SCENES: dict[str, list[Other]] = {
 }
 
 
-@pytest.mark.parametrize("others", SCENES.values(), ids=SCENES)
+@pytest.mark.parametrize("others", CROWDS.values(), ids=CROWDS)
 def test_mh14_it_follows_the_plan_to_its_end_within_the_bases_limits(others: list[Other]) -> None:
     rows = drive(others)
     speeds = np.hypot(rows[:, 2], rows[:, 3])
@@ -85,14 +89,10 @@ def test_mh01_what_it_looks_at_is_free_of_where_it_drives() -> None:
     assert rows[-1, 4] == pytest.approx(facing, abs=0.02)
     turns, speeds = np.diff(rows[:, 4]) / DT, np.hypot(rows[1:, 2], rows[1:, 3])
     assert np.abs(turns * speeds).max() <= 0.4 * ACCELERATION + 1e-6
-
-
-def test_alone_it_drives_straight_in_the_time_that_acceleration_and_braking_take() -> None:
-    rows = drive([])
-    assert np.abs(rows[:, 1]).max() < 1e-9
+    assert np.abs(rows[:, 1]).max() < 1e-9, "alone it drives straight"
     there = np.flatnonzero(np.abs(rows[:, 0] - 3.0) < 0.1)[0] * DT
     least = 6.0 / TOP + TOP / ACCELERATION - (2.0 * 0.1 / ACCELERATION) ** 0.5  # [s] to 0.1 m before the end
-    assert least < there < least + 0.5
+    assert least < there < least + 0.5, "in the time that acceleration and braking take"
 
 
 def test_mh15_whoever_moves_is_passed_behind_and_a_static_planner_does_not_know() -> None:
@@ -123,16 +123,7 @@ def test_whatever_is_in_the_way_it_comes_as_near_as_it_can_and_touches_nobody(sc
     others, target, near = HARD[scene]
     rows = drive(others, 8.0, target)
     assert np.isfinite(rows[:, :5]).all()
-    assert hypot(rows[-1, 0] - target[0], rows[-1, 1] - target[1]) <= near
-    assert rows[:, 5].min() > 2.0 * 0.287
-
-
-def test_a_mirrored_scene_is_driven_in_the_mirror() -> None:
-    others: list[Other] = [(-0.5, 0.3, 0.2, 0.1), (0.7, -0.4, 0.0, 0.5)]
-    image = [(x, -y, vx, -vy) for x, y, vx, vy in others]
-    rows, mirrored = drive(others, 2.0, (3.0, 1.0))[:, :4], drive(image, 2.0, (3.0, -1.0))[:, :4]
-    # the facing is not mirrored: only the way is compared
-    np.testing.assert_allclose(mirrored * [1, -1, 1, -1], rows, atol=1e-9)
+    assert hypot(rows[-1, 0] - target[0], rows[-1, 1] - target[1]) <= near and rows[:, 5].min() > 2.0 * 0.287
 
 
 def test_bends_and_turns_are_as_fast_as_their_share_of_the_acceleration() -> None:
@@ -156,3 +147,89 @@ def test_mh25_an_obstacle_is_no_faster_than_robots_are() -> None:
     np.testing.assert_allclose(crowd["vy"][:2], (4.0, 4.0))
     note_crowd(scratch, K, settings_of(HeinemannSettings(velocity=False))[OMNI], False)
     assert scratch["count"] == 3 and not crowd["vx"][:3].any()
+
+
+MATCHES, HOLDING, REACH = 20, 0.29, 0.287  # [m] from the robot's middle to a ball in its guide, and to its edge
+
+
+@pytest.mark.parametrize("turn", [0.1, 0.3, 1.0])
+def test_speed_times_turn_is_the_grip(turn: float) -> None:
+    play = settings_of(HeinemannSettings(dribble_grip=0.35, dribble_turn=4.0))[OMNI]
+    speed = grip_speed(play, turn)
+    assert speed * turn == pytest.approx(0.35) and grip_speed(play, -turn) == speed
+    assert grip_turn(play, speed) == pytest.approx(turn)
+    assert grip_speed(play, 100.0) == LEAST and grip_turn(play, 0.0) == 4.0
+
+
+def asked(speed: float, aside: float) -> tuple[float, float]:
+    """Return speed and turn [m/s, rad/s] asked for with a ball in the guide that is to go `aside` [rad] to the left."""
+    scratch, memory, command = (np.zeros(1, dtype)[0] for dtype in (SCRATCH, MEMORY, COMMAND))
+    sight, k = scratch["sight"], constants_of(find_league(MIDDLE))[0]
+    sight["pace"], sight["cosine"], sight["now_cosine"], sight["vx"] = 1.0, 1.0, 1.0, speed
+    sight["touch"] = HOLDING
+    play = settings_of(HeinemannSettings(dribble_grip=0.35))[OMNI]
+    dribble(command, sight, memory, k, play, np.cos(aside), np.sin(aside))
+    return float(command["forward"]) * 2.6, float(command["turn"]) * 6.0
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_mh24_at_speed_it_turns_no_faster_than_the_guide_bears_and_slows_down_to_turn(side: float) -> None:
+    for speed in (0.5, 1.0, 1.5):
+        slower, turn = asked(speed, side * 2.0)
+        assert side * turn == pytest.approx(0.35 / speed) and slower < speed
+    assert side * asked(0.0, side * 2.0)[1] == pytest.approx(4.0)
+    assert asked(1.5, 0.0)[1] == 0.0
+
+
+def kept(team: str) -> tuple[float, float]:
+    """Return the share of two seconds for which a ball is kept that has to be turned with, and goals a match."""
+    match = Match(MIDDLE, home=1, away=1, matches=MATCHES, seed=3, rules="none", senses="ideal",
+                  controllers={"home": team, "away": "still"})  # fmt: skip
+    match.matches["phase"] = int(Phase.PLAY)
+    heading = np.linspace(-2.5, 2.5, MATCHES)
+    robots, balls = match.robots, match.balls
+    robots["x"][:], robots["y"][:] = (-3.0, 5.6), (0.0, 3.4)
+    robots["heading"][:, 0] = heading
+    balls["x"], balls["y"] = -3.0 + HOLDING * np.cos(heading), HOLDING * np.sin(heading)
+    match.rebuild()
+    held = np.zeros(MATCHES)
+    for step in range(400):
+        match.step()
+        if step < 100:
+            x, y = balls["x"] - robots["x"][:, 0], balls["y"] - robots["y"][:, 0]
+            c, s = np.cos(robots["heading"][:, 0]), np.sin(robots["heading"][:, 0])
+            held += (c * x + s * y < HOLDING + 0.06) & (np.abs(c * y - s * x) < 0.1)
+    return float(held.mean()) / 100.0, float(match.matches["score"][:, 0].mean())
+
+
+def test_mh24_it_turns_with_the_ball_and_keeps_it_and_scores() -> None:
+    careful, goals = kept("heinemann-2006")
+    hasty, _ = kept("heinemann-2006:dribble_grip=20.0")
+    assert careful > 0.85 and careful > hasty + 0.03
+    assert goals >= 0.95
+
+
+def through_the_challenge(team: str, **more: Any) -> tuple[float, float]:
+    """Return the shares of runs in which a robot gets past the obstacles of 2003 with the ball, and touches none."""
+    scene, runs = SCENES["challenge-2003"], 40
+    match = Match(MIDDLE, home=1, away=4, matches=runs, seed=1, scene=scene, episode="drill",
+                  controllers=controllers_of(scene, team), **more)  # fmt: skip
+    past, gap, robots = np.zeros(runs, bool), np.full(runs, np.inf), match.robots
+    over = past.copy()
+    while not over.all():
+        match.step()
+        past |= match.events["drill"] == 1
+        over |= past | match.terminated | match.truncated
+        apart = np.hypot(robots["x"][:, 1:] - robots["x"][:, :1], robots["y"][:, 1:] - robots["y"][:, :1])
+        gap = np.where(over, gap, np.minimum(gap, apart.min(axis=1)))
+    match.close()
+    return float(past.mean()), float((gap > 2.0 * REACH).mean())
+
+
+def test_mh24_it_dribbles_the_ball_round_still_obstacles_and_touches_hardly_any() -> None:
+    """So it does with a ball that has no colour."""
+    past, clear = through_the_challenge("heinemann-2006:dribbles_round=True", senses="ideal")
+    _, by_the_widest_way = through_the_challenge("heinemann-2006", senses="ideal")
+    assert past > 0.7 and clear > 0.9 and clear > by_the_widest_way + 0.3
+    sensors = {"ball_coloured": False}
+    assert through_the_challenge("heinemann-2006:dribbles_round=True", senses="sensors", sensors=sensors)[0] > 0.35

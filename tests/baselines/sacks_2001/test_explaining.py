@@ -1,7 +1,5 @@
 """What sacks-2001 shows people of its potential field is the force that it would dribble by, wherever it stood."""
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 
 import numpy as np

@@ -1,6 +1,6 @@
 """The potential field of sacks-2001: each mechanism of sections 4.2 and 4.3, mirror symmetry."""
 
-from math import atan2, cos, hypot, isfinite, pi, sin
+from math import atan2, cos, hypot, isfinite, sin
 from typing import Any
 
 import numpy as np
@@ -9,31 +9,21 @@ import pytest
 from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sacks_2001.steering import (
-    choose_way,
-    force_of_players,
-    limited,
-    off_ahead,
-    step_speed,
-)
+from soccer_env.baselines.sacks_2001.steering import choose_way, force_of_players, limited, off_ahead, step_speed
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
-from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
 from tests.scenes.sacks_mind import LEAGUE, Mind
-from tests.scenes.symmetry import mirrored_beliefs, mirrored_tracks
 
 K = constants_of(find_league("legged-2001"))[0]
-MIRROR = 1e-12
 EYE, CHEST = 0.142, 0.105  # [m] of the camera ahead of the middle, half of the other body
 THEORY = {"exponent": 3, "goal_force": "proportional", "cosine_factor": False}
 
 
 def play_of(**changes: Any) -> np.void:
     """Return the record of the team's settings, some of them changed."""
-    record: np.void = SacksSettings(**changes).record()[0]
-    return record
+    return SacksSettings(**changes).record()[0]
 
 
 def scene(*places: tuple[float, float], heading: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -230,35 +220,6 @@ def test_ms49_the_obstacle_repels_by_the_reading_itself() -> None:
     assert force_of_players(belief[0], tracks, 1.0, 0.0, K, play_of())[0] == pytest.approx(-5.6, rel=1e-6)
     memory["way"] = 1.2
     assert np.degrees(off_ahead(belief[0], tracks, memory[0], K, play_of())) == pytest.approx(55.0)
-
-
-def test_limited_is_the_same_in_the_mirror() -> None:
-    rng = np.random.default_rng(1)
-    for _ in range(2000):
-        pull, push = rng.normal(size=2), 10.0 ** rng.uniform(-3.0, 3.0) * rng.normal(size=2)
-        side = float(rng.choice([-1.0, 0.0, 1.0]))
-        one = limited(*pull, *push, side, play_of())
-        other = limited(pull[0], -pull[1], push[0], -push[1], -side, play_of())
-        assert abs(one + other) <= MIRROR
-
-
-@pytest.mark.parametrize("changes", [{}, {"decisive": True}, {"patience": 3}, THEORY, {"clamp": False}])
-def test_the_way_is_the_same_in_the_mirror(changes: dict[str, Any]) -> None:
-    rng, play = np.random.default_rng(2), play_of(**changes)
-    beliefs, tracks = draw_beliefs(rng, 400), draw_tracks(rng, 400, 5)
-    memories = np.zeros((2, 400), MEMORY)
-    memories["way_side"] = rng.choice([-1.0, 0.0, 1.0], 400) * np.array([[1.0], [-1.0]])
-    images = mirrored_beliefs(beliefs), mirrored_tracks(tracks)
-    for m in range(400):
-        choose_way(beliefs[m], tracks[m], memories[0, m], K, play)
-        choose_way(images[0][m], images[1][m], memories[1, m], K, play)
-        one = off_ahead(beliefs[m], tracks[m], memories[0, m], K, play)
-        assert abs(one + off_ahead(images[0][m], images[1][m], memories[1, m], K, play)) <= MIRROR
-    for name in ("way", "way_side"):
-        turn = memories[name][0] + memories[name][1]
-        assert np.abs((turn + pi) % (2.0 * pi) - pi).max() <= MIRROR if name == "way" else not turn.any()
-    assert (memories["changes"][0] == memories["changes"][1]).all()
-    assert "way" in MEMORY_LATERAL
 
 
 def test_forces_stay_finite_wherever_anybody_is() -> None:

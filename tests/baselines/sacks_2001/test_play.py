@@ -1,4 +1,6 @@
-"""sacks-2001 in whole matches: any size, alone, without a ball, never stuck for long, weaker at less strength."""
+"""sacks-2001 in whole matches: never stuck for long, weaker at less strength; left as right and finite."""
+
+from typing import Any
 
 import numpy as np
 import pytest
@@ -7,6 +9,7 @@ from soccer_env import Match, make_team
 from soccer_env.baselines.sacks_2001.memory import (
     APPROACH,
     BACK,
+    BEHAVIOURS,
     DRIBBLE,
     ORBIT,
     PASS,
@@ -16,10 +19,13 @@ from soccer_env.baselines.sacks_2001.memory import (
     SIDESTEP,
 )
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.types import COMMAND, Phase
-from tests.scenes.staging import patient, put_ball, send_off, set_phase
+from soccer_env.leagues import find_league
+from soccer_env.teams import CompiledTeam, TeamRandom, View
+from soccer_env.types import COMMAND, NOISE_STREAMS, Phase
+from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
+from tests.scenes.staging import LEGGED, patient, put_ball, send_off, set_phase
+from tests.scenes.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
-LEAGUE = "legged-2001"
 TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")
 BUSY = (APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS)  # supporters and goalkeepers may stand
 STANDS, LONG = 0.05, 30.0  # [m] within which a robot stands; [s] for which no busy one may
@@ -31,36 +37,19 @@ def numbers(match: Match) -> np.ndarray:
     return np.stack([match.robots["command"][name] for name in COMMAND.names or ()], axis=-1)
 
 
-@pytest.mark.parametrize("senses", ["ideal", "sensors"])
-@pytest.mark.parametrize("team", TEAMS)
-@pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
-def test_it_plays_at_every_size(team: str, senses: str, home: int, away: int) -> None:
-    match = Match(LEAGUE, home=home, away=away, seed=1, controllers={"home": team, "away": team}, senses=senses)
-    for _ in range(200):
-        match.step()
-    commands = numbers(match)
-    assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0
-    assert np.isfinite(match.robots["x"]).all()
-
-
 def test_other_leagues_are_refused() -> None:
     with pytest.raises(ValueError, match="'sacks-2001' is for legged leagues, 'middle-size-2006' is middle-size"):
         Match("middle-size-2006", controllers={"home": "sacks-2001"}, seed=1)
     Match("legged-2001-inner", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"strength": 1.5}, "strength must be 0 to 1"),
-        ({"exponent": 4}, "exponent must be 1 to 3"),
-        ({"exponent": 1.5}, "exponent must be a whole number, 1 to 3"),
-        ({"goal_force": "strong"}, "goal_force must be one of unit, proportional"),
-        ({"player_range": 0.0}, "player_range must be 0.01 to 100"),
-        ({"step_length": -0.01}, "step_length must be 0 to"),
-        ({"recovery": 1}, "recovery must be True or False"),
-    ],
-)
+@pytest.mark.parametrize(("changes", "message"), [
+    ({"strength": 1.5}, "strength must be 0 to 1"), ({"exponent": 4}, "exponent must be 1 to 3"),
+    ({"exponent": 1.5}, "exponent must be a whole number, 1 to 3"),
+    ({"goal_force": "strong"}, "goal_force must be one of unit, proportional"),
+    ({"player_range": 0.0}, "player_range must be 0.01 to 100"), ({"step_length": -0.01}, "step_length must be 0 to"),
+    ({"recovery": 1}, "recovery must be True or False"),
+])  # fmt: skip
 def test_settings_that_cannot_be_are_refused(changes: dict[str, object], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         SacksSettings().changed(changes)
@@ -69,7 +58,7 @@ def test_settings_that_cannot_be_are_refused(changes: dict[str, object], message
 @pytest.mark.parametrize("extreme", [{"replan": 10.0}, {"step_length": 1.0}, {"player_gain": 1e6}, {"settle": 0.01}])
 def test_extreme_settings_give_commands_that_a_robot_can_obey(extreme: dict[str, float]) -> None:
     team = make_team("sacks-2001", **extreme)
-    match = Match(LEAGUE, home=2, away=2, matches=8, seed=2, controllers={"home": team, "away": "chaser"}, minutes=0.5)
+    match = Match(LEGGED, home=2, away=2, matches=8, seed=2, controllers={"home": team, "away": "chaser"}, minutes=0.5)
     while not match.terminated.all():
         match.step()
         assert np.isfinite(numbers(match)).all()
@@ -77,7 +66,7 @@ def test_extreme_settings_give_commands_that_a_robot_can_obey(extreme: dict[str,
 
 def test_a_robot_without_team_mates_still_goes_for_the_ball() -> None:
     """All the others of its team are sent off: the last one attacks by itself."""
-    match = Match(LEAGUE, matches=16, seed=3, controllers={"home": "sacks-2001", "away": "still"}, minutes=3)
+    match = Match(LEGGED, matches=16, seed=3, controllers={"home": "sacks-2001", "away": "still"}, minutes=3)
     match.robots["active"][:, :2] = 0
     match.robots["x"][:, :2], match.robots["y"][:, :2] = [[-9.0, -9.6]], 9.0
     match.rebuild()
@@ -94,7 +83,7 @@ def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() 
     The opponent is off the field: legs that hold each other would stop a robot that turns beside him.
     """
     teams = {"home": "sacks-2001", "away": "still"}
-    match = Match(patient(LEAGUE), matches=8, home=2, away=1, seed=4, controllers=teams)
+    match = Match(patient(LEGGED), matches=8, home=2, away=1, seed=4, controllers=teams)
     set_phase(match, Phase.PLAY)
     put_ball(match, 50.0, 50.0)
     send_off(match, [2])
@@ -117,7 +106,7 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
     A search or another role in between counts as standing too, unless it lasts.
     """
     teams = {"home": "sacks-2001", "away": "chaser"}
-    match = Match(LEAGUE, controllers=teams, matches=24, threads=2, seed=11, minutes=4)
+    match = Match(LEGGED, controllers=teams, matches=24, threads=2, seed=11, minutes=4)
     squad = match.squads[0]
     since, idle, anchor, longest = np.zeros((24, 3)), np.zeros((24, 3)), np.zeros((2, 24, 3)), 0.0
     while not match.terminated.all():
@@ -138,8 +127,69 @@ def test_two_steps_of_strength_win_goals() -> None:
     gaps = []
     for strength in (0.0, 1.0):
         teams = {"home": f"sacks-2001@{strength}", "away": "chaser"}
-        match = Match(LEAGUE, controllers=teams, matches=128, threads=2, seed=5, minutes=4)
+        match = Match(LEGGED, controllers=teams, matches=128, threads=2, seed=5, minutes=4)
         while not match.terminated.all():
             match.step()
         gaps.append((match.matches["score"][:, 0] - match.matches["score"][:, 1]).mean())
     assert gaps[1] - gaps[0] > 0.1
+
+
+LEAGUE = find_league("legged-2001")
+MATCHES, PLAYERS, SLOTS = 60, 3, 5
+MIRROR = 1e-12
+SCENES, HELD = 12, 25  # scenes, and decisions for which each lasts
+
+
+def decide(team: CompiledTeam, beliefs: np.ndarray, tracks: np.ndarray, memory: np.ndarray) -> np.ndarray:
+    """Return the commands (M, P, 7) of one decision."""
+    rng = TeamRandom(np.zeros((MATCHES, PLAYERS, NOISE_STREAMS), np.uint64), np.arange(PLAYERS))
+    return team.act(View(LEAGUE, beliefs, tracks), memory, rng)
+
+
+def team_of(name: str, **settings: Any) -> CompiledTeam:
+    """Return a team with its kernel."""
+    team = make_team(name, **settings)
+    assert isinstance(team, CompiledTeam)
+    return team
+
+
+@pytest.mark.parametrize(("name", "settings"), [
+    ("sacks-2001", {}), ("sacks-2001-future", {}), ("sacks-2001", {"avoidance": False, "avoid_chasing": True}),
+    ("sacks-2001", {"decisive": True}), ("sacks-2001", {"patience": 3}), ("sacks-2001", {"clamp": False}),
+    ("sacks-2001", {"exponent": 3, "goal_force": "proportional", "cosine_factor": False}),
+])  # fmt: skip
+def test_the_team_plays_the_mirrored_scene_in_the_mirror(name: str, settings: dict[str, Any]) -> None:
+    team, rng = team_of(name, **settings), np.random.default_rng(4)
+    memory, image = (np.zeros((MATCHES, PLAYERS), team.memory_dtype) for _ in range(2))
+    chosen = set()
+    for _ in range(SCENES):
+        beliefs, tracks = draw_beliefs(rng, (MATCHES, PLAYERS)), draw_tracks(rng, (MATCHES, PLAYERS), SLOTS)
+        for _ in range(HELD):
+            commands = decide(team, beliefs, tracks, memory)
+            other = decide(team, mirrored_beliefs(beliefs), mirrored_tracks(tracks), image)
+            worst = np.abs(mirrored_actions(other) - commands)
+            m, p, c = np.unravel_index(worst.argmax(), worst.shape)
+            assert worst.max() <= MIRROR, (BEHAVIOURS[memory["behaviour"][m, p]], c)
+            chosen |= {BEHAVIOURS[code] for code in np.unique(memory["behaviour"])}
+    assert (memory["behaviour"] == image["behaviour"]).all()
+    for field in ("side", "way_side"):
+        assert field in MEMORY_LATERAL and (memory[field] == -image[field]).all()
+    assert {"search", "approach", "dribble", "support", "guard", "yield", "orbit"} - chosen <= {"dribble"}, chosen
+
+
+@pytest.mark.parametrize("name", ["sacks-2001", "sacks-2001-future", "sacks-2001-tuned"])
+def test_commands_are_finite_whatever_is_believed(name: str) -> None:
+    rng = np.random.default_rng(5)
+    for strength in (0.0, 1.0):
+        team = team_of(name, strength=strength)
+        memory = np.zeros((MATCHES, PLAYERS), team.memory_dtype)
+        for step in range(120):
+            reach = 10.0 ** rng.integers(-12, 9)
+            beliefs = draw_beliefs(rng, (MATCHES, PLAYERS), reach)
+            tracks = draw_tracks(rng, (MATCHES, PLAYERS), SLOTS, reach)
+            if step % 3 == 0:  # nobody seen yet, everybody at the same place
+                beliefs["ball"]["age"], tracks["distance"], tracks["x"], tracks["y"] = np.inf, 0.0, 0.0, 0.0
+                beliefs["heard"]["distance"] = beliefs["heard"]["age"] = np.inf
+            commands = decide(team, beliefs, tracks, memory)
+            assert np.isfinite(commands).all() and np.abs(commands).max() <= 1.0 + 1e-9
+            assert all(np.isfinite(memory[field]).all() for field in MEMORY_LATERAL)

@@ -9,6 +9,7 @@ from soccer_env import Match, make_team
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, ORBIT, PASS, SEARCH, SHOOT
 from soccer_env.leagues import find_league
 from tests.scenes.sacks_mind import LEAGUE, Mind
+from tests.scenes.staging import play
 
 FORWARD, LEFT, TURN, KICK = range(4)
 TOUCH = LEAGUE.body.front + LEAGUE.ball.radius  # [m] from a robot's middle to a ball between its paws
@@ -53,38 +54,32 @@ def test_ms26_it_dribbles_round_who_is_in_the_way_and_shoots_where_nobody_is() -
     for x, expected in ((0.142 + 0.95 + 0.105, DRIBBLE), (0.142 + 1.01 + 0.105, SHOOT), (-0.5, SHOOT)):
         mind = holding(0.0, -0.9)
         believe_player(mind, 2, x, 0.0)
-        mind.think()
-        assert mind.memory["behaviour"] == expected
+        assert mind.does() == expected
     for heading, expected in ((0.5, ORBIT), (0.2, SHOOT)):  # it faces the goal first
         mind = holding(heading, -0.5)
-        mind.think()
-        assert mind.memory["behaviour"] == expected
+        assert mind.does() == expected
 
 
-def test_ms26_a_team_that_shoots_not_at_all_dribbles_to_the_goal() -> None:
-    for mind in (holding(0.0, shoots=False), holding(0.5, shoots=False)):
-        assert mind.think(1.0)[:, KICK].max() == 0.0
-        assert mind.memory["behaviour"] == DRIBBLE
+@pytest.mark.parametrize("heading", [0.0, 0.5])
+def test_ms26_a_team_that_shoots_not_at_all_dribbles_to_the_goal(heading: float) -> None:
+    mind = holding(heading, shoots=False)
+    assert mind.think(1.0)[:, KICK].max() == 0.0 and mind.memory["behaviour"] == DRIBBLE
 
 
-def test_ms26_who_chooses_shots_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it() -> None:
-    for mind in (holding(0.9, choose_shots=True), holding(0.0, -1.0, choose_shots=True)):
-        assert mind.think(1.0)[:, KICK].max() == 0.0
-        assert mind.memory["behaviour"] != SHOOT
-    mind = holding(0.0, choose_shots=True)
-    assert mind.think()[-1, KICK] == 1.0
+@pytest.mark.parametrize(("heading", "x", "kicks"), [(0.9, 0.3, False), (0.0, -1.0, False), (0.0, 0.3, True)])
+def test_ms26_who_chooses_shots_does_not_shoot_while_it_faces_away_from_the_goal_or_is_far_from_it(heading, x, kicks):
+    mind = holding(heading, x, choose_shots=True)
+    assert (mind.think(0.0 if kicks else 1.0)[:, KICK].max() == 1.0) == (mind.memory["behaviour"] == SHOOT) == kicks
 
 
 def test_ms26_a_kick_that_the_leg_winds_up_for_is_seen_through() -> None:
     """It cannot be called back: though the goal closes meanwhile, the player knows afterwards that it has kicked."""
     mind = holding(0.0)
-    mind.think()
-    assert mind.memory["behaviour"] == SHOOT
+    assert mind.does() == SHOOT
     mind.stand_at(0.3, 0.0, 0.9)
     assert (mind.think(LEAGUE.kicker.wind_up)[:, KICK] == 1.0).all()
     mind.see_ball(0.6)
-    mind.think(0.3)
-    assert mind.memory["behaviour"] == APPROACH and mind.memory["kicked"] > 0.0
+    assert mind.does(0.3) == APPROACH and mind.memory["kicked"] > 0.0
 
 
 @pytest.mark.parametrize("side", [-1.0, 1.0])
@@ -115,35 +110,29 @@ def test_ms27_others_are_avoided_with_the_ball_alone() -> None:
     dribbler.see_ball(TOUCH, held=1)
     command = dribbler.think()[-1]
     assert dribbler.memory["behaviour"] == DRIBBLE and command[LEFT] < -0.1
-    careful = blocked(avoid_chasing=True)
-    assert careful.think()[-1, LEFT] < -0.1
+    assert blocked(avoid_chasing=True).think()[-1, LEFT] < -0.1
 
 
 def test_ms27_a_ball_that_was_between_the_paws_counts_as_there_for_a_while() -> None:
     mind = holding(0.0, -1.2, glance_time=0.0, shoots=False)
-    mind.think()
-    assert mind.memory["behaviour"] == DRIBBLE
+    assert mind.does() == DRIBBLE
     mind.see_ball(0.6)
-    mind.think(0.5)
-    assert mind.memory["behaviour"] == DRIBBLE
-    mind.think(2.0)
-    assert mind.memory["behaviour"] == APPROACH
+    assert mind.does(0.5) == DRIBBLE
+    assert mind.does(2.0) == APPROACH
 
 
 @pytest.mark.parametrize("avoidance", [True, False])
 def test_ms52_without_avoidance_the_ball_is_orbited_instead_of_dribbled(avoidance: bool) -> None:
     mind = holding(0.7, -0.5, avoidance=avoidance)
     believe_player(mind, 2, 0.6, 0.1)
-    mind.think()
-    assert mind.memory["behaviour"] == (DRIBBLE if avoidance else ORBIT)
+    assert mind.does() == (DRIBBLE if avoidance else ORBIT)
 
 
 @pytest.mark.parametrize("two", [True, False])
 def test_ms52_with_one_counter_a_robot_near_the_ball_thinks_itself_stuck(two: bool) -> None:
     mind = Mind(two_counters=two)
     mind.see_ball(0.3)
-    mind.think(4.0)
-    assert mind.memory["behaviour"] == (APPROACH if two else BACK)
+    assert mind.does(4.0) == (APPROACH if two else BACK)
 
 
 @pytest.mark.parametrize("clamp", [True, False])
@@ -151,19 +140,15 @@ def test_ms52_without_the_clamp_a_player_ahead_pushes_the_robot_back(clamp: bool
     mind = holding(0.0, -0.5, clamp=clamp, body_clamp=clamp, contested_range=0.0)
     believe_player(mind, 2, 0.25, 0.0)
     command = mind.think()[-1]
-    assert mind.memory["behaviour"] == DRIBBLE
-    assert command[FORWARD] > 0.0 if clamp else command[FORWARD] < 0.0
+    assert mind.memory["behaviour"] == DRIBBLE and (command[FORWARD] > 0.0 if clamp else command[FORWARD] < 0.0)
 
 
 def played(memory: dict[str, Any]) -> np.ndarray:
     """Return where everybody is after a while of play by sensors with a memory (M, R)."""
     teams = {"home": "sacks-2001", "away": "sacks-2001"}
     match = Match("legged-2001", matches=4, seed=3, controllers=teams, memory=memory)
-    for _ in range(20 * LEAGUE.control_rate):
-        match.step()
-    places: np.ndarray = match.robots["x"].copy()
-    match.close()
-    return places
+    play(match, steps=20 * LEAGUE.control_rate)
+    return match.robots["x"].copy()  # type: ignore[no-any-return]
 
 
 @pytest.mark.slow
@@ -184,20 +169,14 @@ def supporting(ball: tuple[float, float], x: float, y: float) -> Mind:
     return mind
 
 
-@pytest.mark.parametrize(
-    ("ball", "place"),
-    [
-        ((0.0, -0.4), (-0.8, 0.05)),  # 0.8 m behind the ball, 0.45 m aside of it towards the middle
-        ((0.5, 0.9), (-0.3, 0.45)),
-        ((-1.2, 0.3), (-1.5 + 3.0 * LEAGUE.body.reach, -0.15)),  # off the goal line
-        ((0.0, 0.15), (-0.8, -0.3)),
-        ((0.5, 1.5), (-0.3, 1.0 - LEAGUE.body.reach)),
-        ((0.5, -1.5), (-0.3, -1.0 + LEAGUE.body.reach)),  # of a ball that is believed outside, not beyond the board
-    ],
-)
-def test_a_supporter_stands_behind_the_ball_and_aside_of_it_and_off_lines_and_boards(
-    ball: tuple[float, float], place: tuple[float, float]
-) -> None:
+@pytest.mark.parametrize(("ball", "place"), [
+    ((0.0, -0.4), (-0.8, 0.05)),  # 0.8 m behind the ball, 0.45 m aside of it towards the middle
+    ((0.5, 0.9), (-0.3, 0.45)),
+    ((-1.2, 0.3), (-1.5 + 3.0 * LEAGUE.body.reach, -0.15)),  # off the goal line
+    ((0.0, 0.15), (-0.8, -0.3)), ((0.5, 1.5), (-0.3, 1.0 - LEAGUE.body.reach)),
+    ((0.5, -1.5), (-0.3, -1.0 + LEAGUE.body.reach)),  # of a ball that is believed outside, not beyond the board
+])  # fmt: skip
+def test_a_supporter_stands_behind_the_ball_and_aside_of_it_and_off_lines_and_boards(ball, place) -> None:
     for dx, dy in [(0.0, 0.0), (0.2, 0.0), (0.0, 0.2), (-0.15, 0.0), (0.0, -0.15)]:
         mind = supporting(ball, place[0] + dx, place[1] + dy)
         walk = mind.think()[-1][[FORWARD, LEFT]]
@@ -222,8 +201,7 @@ def keeper(**settings: Any) -> Mind:
 
 def test_ms53_the_goalkeeper_steps_to_where_the_ball_will_pass() -> None:
     mind, bearing = keeper(), keeper(angular_keeper=False)
-    assert mind.think()[-1, LEFT] > 0.5
-    assert bearing.think()[-1, LEFT] == 0.0
+    assert mind.think()[-1, LEFT] > 0.5 and bearing.think()[-1, LEFT] == 0.0
     assert mind.memory["behaviour"] == bearing.memory["behaviour"] == GUARD
 
 
@@ -235,21 +213,21 @@ def shot_at(distance: float, aside: float, speed: float = 0.6, **settings: Any) 
     mind = keeper(**{"keeper_blocks": True, "keeper_speed": True, **settings})
     mind.league = BLOCKING
     mind.see_ball(distance)
-    mind.belief["ball"]["vx"] = -speed
-    across = aside * speed / distance
-    mind.belief["ball"]["angular"] = across / distance
-    mind.belief["ball"]["radial"] = -np.sqrt(speed**2 - across**2)
+    across, ball = aside * speed / distance, mind.belief["ball"]
+    ball["vx"], ball["angular"], ball["radial"] = -speed, across / distance, -np.sqrt(speed**2 - across**2)
     return bool(mind.think()[-1, KICK] > 0.0)
 
 
 def test_ms53_the_goalkeeper_blocks_what_passes_within_the_reach_of_its_legs() -> None:
     """MS53: where the ball will pass follows from its angular velocity; without it the bearing says that it comes."""
-    block = BLOCKING.block
-    reach = block.paw_y + BLOCKING.body.tip_radius + BLOCKING.ball.radius
+    reach = BLOCKING.block.paw_y + BLOCKING.body.tip_radius + BLOCKING.ball.radius
     for side in (1.0, -1.0):
         assert shot_at(0.5, side * (reach - 0.01)) and not shot_at(0.5, side * (reach + 0.01))
         assert shot_at(0.5, side * (reach + 0.01), angular_keeper=False)
     assert not shot_at(0.5, 0.0, keeper_blocks=False)
+    mind = keeper(keeper_blocks=True)  # in a league without a block
+    mind.see_ball(0.4, radial=-0.8)
+    assert mind.think()[-1, KICK] == 0.0
 
 
 def test_ms53_the_goalkeeper_blocks_so_that_the_ball_comes_while_its_legs_are_spread() -> None:
@@ -263,10 +241,11 @@ def test_ms53_the_goalkeeper_blocks_so_that_the_ball_comes_while_its_legs_are_sp
     assert not shot_at(block.paw_x + 0.61 * time, 0.0, 0.9, keeper_speed=False)
 
 
-def test_in_a_league_without_a_block_the_goalkeeper_asks_for_none() -> None:
-    mind = keeper(keeper_blocks=True)
-    mind.see_ball(0.4, radial=-0.8)
-    assert mind.think()[-1, KICK] == 0.0
+@pytest.mark.parametrize("name", ["sacks-2001-tuned", "sacks-2001-future"])
+def test_the_variants_are_made_of_settings(name: str) -> None:
+    variant: Any = make_team(name)
+    plain: Any = make_team("sacks-2001")
+    assert variant.name == name and variant.settings.tobytes() != plain.settings.tobytes()
 
 
 def before_a_wall(**settings: Any) -> Mind:
@@ -276,15 +255,6 @@ def before_a_wall(**settings: Any) -> Mind:
         believe_player(mind, slot, 0.55, y)
     believe_player(mind, 0, 0.4, 0.55, teammate=1)
     return mind
-
-
-def test_ms53_no_pass_is_given_where_a_kick_was_stopped_at_once() -> None:
-    mind = before_a_wall(passes=True)
-    mind.memory["foiled"] = 1.0
-    mind.think(0.5)
-    assert mind.memory["behaviour"] == DRIBBLE
-    mind.think(1.0)
-    assert mind.memory["behaviour"] == PASS
 
 
 def turn_to_mate(mind: Mind) -> None:
@@ -298,18 +268,17 @@ def turn_to_mate(mind: Mind) -> None:
 
 @pytest.mark.parametrize("passes", [True, False])
 def test_ms53_a_remembered_team_mate_is_passed_to_when_the_goal_is_blocked(passes: bool) -> None:
-    mind = before_a_wall(passes=passes)
+    """Not where a kick was stopped at once; the pass stays soft while the leg winds up for it."""
+    mind, foiled = before_a_wall(passes=passes), before_a_wall(passes=True)
     mind.think()
     assert (mind.memory["behaviour"] == PASS) == passes
     turn_to_mate(mind)
     assert (mind.think()[-1, KICK] > 0.0) == passes
-
-
-def test_ms53_a_pass_stays_soft_while_the_leg_winds_up_for_it() -> None:
-    mind = before_a_wall(passes=True)
-    turn_to_mate(mind)
-    kicks = mind.think(LEAGUE.kicker.wind_up)[:, KICK]
-    assert mind.memory["behaviour"] == PASS
+    foiled.memory["foiled"] = 1.0
+    assert foiled.does(0.5) == DRIBBLE
+    assert foiled.does(1.0) == PASS
+    turn_to_mate(foiled)
+    kicks = foiled.think(LEAGUE.kicker.wind_up)[:, KICK]
     assert (kicks == LEAGUE.kicker.least).all(), "a mate at half a metre gets the softest kick that there is"
 
 
@@ -328,9 +297,3 @@ def test_ms53_the_goalkeeper_stands_on_the_line_from_its_goal_to_the_ball(side: 
         walk = complex(command[FORWARD], command[LEFT]) * np.exp(1j * heading)
         assert mind.memory["behaviour"] == GUARD
         assert np.sign(walk.imag.round(9)) == -walks and (walks != 0.0 or abs(walk) < 1e-9)
-
-
-@pytest.mark.parametrize("name", ["sacks-2001-tuned", "sacks-2001-future"])
-def test_the_variants_are_made_of_settings(name: str) -> None:
-    variant, plain = make_team(name), make_team("sacks-2001")
-    assert variant.name == name and variant.settings.tobytes() != plain.settings.tobytes()  # type: ignore[attr-defined]

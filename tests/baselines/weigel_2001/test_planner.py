@@ -19,27 +19,23 @@ from tests.scenes.planning import CROSSING_A, CROSSING_B, random_scene
 HERE, THERE = (0.0, 0.0), (3.0, 1.0)
 
 
-@pytest.mark.parametrize(
-    ("asked", "complaint"),
-    [
-        ({"robot": (0.0, nan)}, r"robot must be finite and within 1000 m of the middle of the pitch, got \(0.0, nan\)"),
-        ({"robot": (0.0, 1.0, 2.0)}, "robot must be two numbers x, y, got"),
-        ({"robot": None}, "robot must be two numbers x, y, got None"),
-        ({"target": (inf, 0.0)}, "target must be finite and within 1000 m"),
-        ({"target": (0.0, 1001.0)}, "target must be finite and within 1000 m"),
-        ({"target": ("a", 0.0)}, "target must be two numbers x, y"),
-        ({"obstacles": (1.0, 2.0)}, r"obstacles must be rows of x, y, vx, vy, .* got \(2,\)"),
-        ({"obstacles": [(1.0, 2.0)]}, r"obstacles must be rows of x, y, vx, vy, .* got \(1, 2\)"),
-        ({"obstacles": [(1.0, 2.0, 0.0, 0.0), (1.0,)]}, "obstacles must be rows of x, y, vx, vy"),
-        ({"obstacles": [(1.0, 2.0, 0.0, nan)]}, r"obstacles\[0\].vy must be -100 to 100, got nan"),
-        ({"obstacles": [(0.0,) * 4, (0.0, 2e3, 0.0, 0.0)]}, r"obstacles\[1\].y must be -1000 to 1000, got 2000.0"),
-        ({"obstacles": [(1.0, 2.0, 0.0, 0.0, -0.1)]}, r"obstacles\[0\].radius must be 0 to 5, got -0.1"),
-        ({"obstacles": np.zeros((33, 4))}, "obstacles must be at most 32, got 33"),
-        ({"side": 0}, "side must be one of -1, 1, got 0"),
-        ({"side": 2}, "side must be -1 to 1, got 2"),
-        ({"side": 0.5}, "side must be a whole number"),
-    ],
-)
+@pytest.mark.parametrize(("asked", "complaint"), [
+    ({"robot": (0.0, nan)}, r"robot must be finite and within 1000 m of the middle of the pitch, got \(0.0, nan\)"),
+    ({"robot": (0.0, 1.0, 2.0)}, "robot must be two numbers x, y, got"),
+    ({"robot": None}, "robot must be two numbers x, y, got None"),
+    ({"target": (inf, 0.0)}, "target must be finite and within 1000 m"),
+    ({"target": (0.0, 1001.0)}, "target must be finite and within 1000 m"),
+    ({"target": ("a", 0.0)}, "target must be two numbers x, y"),
+    ({"obstacles": (1.0, 2.0)}, r"obstacles must be rows of x, y, vx, vy, .* got \(2,\)"),
+    ({"obstacles": [(1.0, 2.0)]}, r"obstacles must be rows of x, y, vx, vy, .* got \(1, 2\)"),
+    ({"obstacles": [(1.0, 2.0, 0.0, 0.0), (1.0,)]}, "obstacles must be rows of x, y, vx, vy"),
+    ({"obstacles": [(1.0, 2.0, 0.0, nan)]}, r"obstacles\[0\].vy must be -100 to 100, got nan"),
+    ({"obstacles": [(0.0,) * 4, (0.0, 2e3, 0.0, 0.0)]}, r"obstacles\[1\].y must be -1000 to 1000, got 2000.0"),
+    ({"obstacles": [(1.0, 2.0, 0.0, 0.0, -0.1)]}, r"obstacles\[0\].radius must be 0 to 5, got -0.1"),
+    ({"obstacles": np.zeros((33, 4))}, "obstacles must be at most 32, got 33"),
+    ({"side": 0}, "side must be one of -1, 1, got 0"), ({"side": 2}, "side must be -1 to 1, got 2"),
+    ({"side": 0.5}, "side must be a whole number"),
+])  # fmt: skip
 @pytest.mark.parametrize("act", ["plan", "travel"])
 def test_bad_input_is_named(act: str, asked: dict[str, Any], complaint: str) -> None:
     ask: Callable[..., Any] = getattr(Planner(), act)
@@ -64,7 +60,7 @@ def test_bad_settings_are_named() -> None:
         Planner().travel(HERE, THERE, seconds=-1)
 
 
-def test_obstacles_are_rows_with_or_without_a_radius_or_records() -> None:
+def test_obstacles_are_rows_or_records_and_a_league_with_another_pitch_has_another_grid() -> None:
     planner = Planner()
     bare = planner.plan(HERE, THERE, [(1.5, 0.4, 0.0, 0.1)])
     records = np.array([(1.5, 0.4, 0.0, 0.1, 0.25)], OBSTACLE)
@@ -73,9 +69,6 @@ def test_obstacles_are_rows_with_or_without_a_radius_or_records() -> None:
     smaller = planner.plan(HERE, THERE, [(1.5, 0.4, 0.0, 0.1, 0.1)])
     assert smaller.length < bare.length
     assert len(planner.plan(HERE, THERE, []).obstacles) == 0
-
-
-def test_settings_of_a_league_with_another_pitch_make_another_grid() -> None:
     planner = Planner(PlannerSettings(pitch_length=18.0, pitch_width=12.0), speed=4.0)
     plan = planner.plan((-8.9, -5.9), (8.9, 5.9))
     assert plan.arrived and plan.path[-1] == pytest.approx((8.9, 5.9))
@@ -91,7 +84,8 @@ def test_a_plan_made_again_is_the_same_to_the_last_bit() -> None:
         assert plan.again(time_variant=False).iterations == 1
 
 
-def test_a_plan_tells_where_the_robot_and_the_others_will_be() -> None:
+def test_a_plan_tells_where_everybody_will_be_and_a_travel_its_smallest_gap_and_all_its_turns() -> None:
+    """One goes ahead of the robot at its speed, 1.2 m off; one comes by as close as 0.8 m."""
     plan = Planner().plan((0.0, 0.0), (2.6, 0.0), [(1.0, 3.0, 0.5, -0.25)])
     robot, others = plan.at(0.4)
     assert robot == pytest.approx((1.04, 0.0), abs=1e-6)
@@ -99,20 +93,12 @@ def test_a_plan_tells_where_the_robot_and_the_others_will_be() -> None:
     assert plan.at(9.0)[0] == pytest.approx((2.6, 0.0))
     with pytest.raises(ValueError, match="t must be a number of at least 0, got -1"):
         plan.at(-1)
-
-
-def test_the_clearance_is_the_smallest_gap_to_whoever_moves() -> None:
-    """One goes ahead of the robot at its speed, 1.2 m off; one comes by as close as 0.8 m."""
     planner = Planner(reach=0.1)  # all ways are straight
     assert planner.plan((0.0, 0.0), (4.0, 0.0), [(0.0, 1.2, 2.6, 0.0)]).clearance() == pytest.approx(0.7, abs=1e-3)
     assert planner.plan((0.0, 0.0), (4.0, 0.0), [(4.0, 0.8, -2.6, 0.0)]).clearance() == pytest.approx(0.3, abs=1e-3)
     assert planner.plan((0.0, 0.0), (4.0, 0.0)).clearance() > 1e6
-
-
-def test_turns_to_both_sides_add_up() -> None:
     square = np.array([(0, 0), (1, 0), (1, 0), (1, 1), (2, 1)], float)
-    assert turn_of(square) == pytest.approx(pi)
-    assert turn_of(square[:2]) == 0.0
+    assert turn_of(square) == pytest.approx(pi) and turn_of(square[:2]) == 0.0
     assert Planner().plan((0.0, 0.0), (3.0, 0.0)).turn == pytest.approx(0.0, abs=1e-6)
 
 
@@ -131,7 +117,6 @@ def test_the_forces_at_the_cells_are_those_of_the_time_when_they_are_reached() -
 
 @pytest.mark.parametrize("scene", [CROSSING_A, CROSSING_B])
 def test_mh18_plans_and_travels_are_drawn(scene: Any) -> None:
-    """Planned and travelled path, at t = 1, 30 and 60 of the paper's figure."""
     figure = pytest.importorskip("matplotlib.figure")
     canvas = figure.Figure()
     axes = canvas.subplots(1, 4)

@@ -67,8 +67,7 @@ class Watcher:
     @property
     def ball(self) -> np.void:
         """The believed ball."""
-        ball: np.void = self.beliefs[0]["ball"]
-        return ball
+        return self.beliefs[0]["ball"]
 
     @property
     def place(self) -> tuple[float, float]:

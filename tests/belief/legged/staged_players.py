@@ -10,8 +10,6 @@ The tables are the plain law of the pinhole, range = focal length * height of a 
 differ by known factors: `FACTORS`.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import atan2, sqrt
 from typing import Any

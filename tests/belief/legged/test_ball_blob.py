@@ -1,7 +1,5 @@
 """From blobs to a place: which blob is the ball, in which direction, how far."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, pi, radians, sin, sqrt, tan
 from typing import Any
 
@@ -21,7 +19,6 @@ def camera_height(tilt: float) -> float:
 
 
 def test_ms08_the_bearing_is_head_angle_plus_place_in_the_picture() -> None:
-    """MS08: a far ball in the picture's middle is where the head points; beside it, as far as the pixels say."""
     robot = Watcher(infrared_override=False)
     for pan in (-1.0, 0.0, 0.4):
         robot.head = pan, -0.1
@@ -41,51 +38,38 @@ def test_ms08_bearing_and_distance_count_from_the_body_not_from_the_camera() -> 
         assert robot.ball["bearing"] == pytest.approx(atan2(y, x), abs=2e-3)
 
 
+def square(robot: Watcher, size: int = 200, **frame: Any) -> Any:
+    """Return the ball after a square blob in the middle of the picture, its sides `size` [px]."""
+    return robot.look((size // 2, size // 2 - size, size // 2, size // 2 - size, 9999), **frame)
+
+
 def test_ms09_the_range_is_read_from_the_table_of_sizes() -> None:
-    """MS09: whatever the table says of a size is the range from the camera."""
     robot = Watcher(infrared_override=False)
-    robot.tables["ball_width"][0, 700] = robot.tables["ball_height"][0, 700] = 1.25
-    robot.head = 0.0, -0.3
-    robot.look((350, -350, 350, -350, 9999))
-    assert robot.ball["distance"] == pytest.approx(CAMERA_AHEAD + 1.25, abs=1e-6)
-
-
-@pytest.mark.parametrize("size", [0, 1, 255, 256, 20000])
-def test_ms09_sizes_beyond_the_table_read_as_its_ends(size: int) -> None:
-    """MS09: no size of a blob leads outside the table."""
-    robot = Watcher(infrared_override=False)
-    robot.tables["ball_width"][0, 8191] = robot.tables["ball_height"][0, 8191] = 0.05
-    robot.head = 0.0, -0.3
-    robot.look((size // 2, size // 2 - size, size // 2, size // 2 - size, 9999))
-    assert np.isfinite(robot.ball["distance"]) and robot.ball["confidence"] == 100.0
-    if size > 8191:
-        assert robot.ball["distance"] == pytest.approx(CAMERA_AHEAD + 0.05, abs=1e-6)
+    for place, found in ((700, 1.25), (8191, 0.05)):
+        robot.tables["ball_width"][0, place] = robot.tables["ball_height"][0, place] = found
+    for size, found in ((700, 1.25), (20000, 0.05)):
+        assert square(robot, size)["distance"] == pytest.approx(CAMERA_AHEAD + found, abs=1e-6)
+    for size in (0, 1, 255, 256, 20000):
+        assert np.isfinite(square(robot, size)["distance"]) and robot.ball["confidence"] == 100.0
 
 
 def test_ms10_almost_under_the_head_the_range_is_height_by_angle() -> None:
-    """MS10: 60 degrees down a wrong size does not matter, height / tan(60 degrees) is the range."""
+    """MS10: 60 degrees down a wrong size does not matter, height / tan(60 degrees) is the range; 55 are needed."""
     tilt = -radians(60.0)
     on, off = Watcher(infrared_override=False), Watcher(under_head=False, infrared_override=False)
     for robot in (on, off):
         robot.head = 0.0, tilt
-        robot.look((100, -100, 100, -100, 9999))  # so small a ball would be 2 m away
+        square(robot)  # so small a ball would be 2 m away
     camera = 0.075 + 0.0666 * cos(tilt) - 0.048 * sin(tilt)
     expected = camera + (camera_height(tilt) - RADIUS) / tan(radians(60.0))
     assert on.ball["distance"] == pytest.approx(expected, abs=1e-6)
     assert off.ball["distance"] > 1.5
-
-
-def test_ms10_it_holds_for_steep_balls_alone() -> None:
-    """MS10: a degree less steep than the switch the size counts."""
-    robot = Watcher(infrared_override=False)
     for degrees, near in ((54.0, False), (56.0, True)):
-        robot.head = 0.0, -radians(degrees)
-        robot.look((100, -100, 100, -100, 9999))
-        assert (robot.ball["distance"] < 0.5) == near
+        on.head = 0.0, -radians(degrees)
+        assert (square(on)["distance"] < 0.5) == near
 
 
 def test_ms10_a_ball_straight_below_the_camera_or_behind_it_is_placed() -> None:
-    """MS10: at 90 degrees down the range is 0, beyond it the ball lies behind the camera."""
     robot = Watcher(infrared_override=False)
     robot.head = 0.0, -radians(82.0)
     camera, _, height = camera_place(*robot.head, robot.sensors[0])
@@ -96,24 +80,17 @@ def test_ms10_a_ball_straight_below_the_camera_or_behind_it_is_placed() -> None:
     assert robot.ball["distance"] == pytest.approx(camera - (height - RADIUS) / tan(-elevation), abs=1e-6)
 
 
-@pytest.mark.parametrize("share", [(0.4, 1.0), (1.0, 0.4)])
-def test_ms11_a_ball_cut_in_one_dimension_keeps_its_range(share: tuple[float, float]) -> None:
-    """MS11: the closer of the ranges by height and by width is the right one when one of them is cut."""
-    robots = {size: Watcher(ball_size=size, infrared_override=False) for size in ("closer", "height", "width")}
-    for robot in robots.values():
-        robot.look(robot.blob(0.7, 0.0, share))
-    assert robots["closer"].ball["distance"] == pytest.approx(0.7, abs=0.01)
-    cut = "width" if share[0] < 1.0 else "height"
-    whole = "height" if cut == "width" else "width"
-    assert robots[cut].ball["distance"] > 1.2
-    assert robots[whole].ball["distance"] == pytest.approx(0.7, abs=0.01)
+@pytest.mark.parametrize(("share", "cut", "whole"), [((0.4, 1.0), "width", "height"), ((1.0, 0.4), "height", "width")])
+def test_ms11_a_ball_cut_in_one_dimension_keeps_its_range(share: tuple[float, float], cut: str, whole: str) -> None:
+    """MS11: the closer of the ranges by height and by width; cut to half in both, it seems twice as far away."""
 
+    def seen(size: str, share: tuple[float, float]) -> float:
+        robot = Watcher(ball_size=size, infrared_override=False)
+        return float(robot.look(robot.blob(0.7, 0.0, share))["distance"])
 
-def test_ms11_a_ball_cut_in_both_dimensions_looks_too_far() -> None:
-    """MS11: half the width and half the height: twice the range from the camera."""
-    robot = Watcher(infrared_override=False)
-    robot.look(robot.blob(0.7, 0.0, (0.5, 0.5)))
-    assert robot.ball["distance"] == pytest.approx(0.7 + (0.7 - CAMERA_AHEAD), abs=0.02)
+    assert seen("closer", share) == pytest.approx(0.7, abs=0.01) and seen(whole, share) == pytest.approx(0.7, abs=0.01)
+    assert seen(cut, share) > 1.2
+    assert seen("closer", (0.5, 0.5)) == pytest.approx(0.7 + (0.7 - CAMERA_AHEAD), abs=0.02)
 
 
 def look_at_hidden_ball(distance: float, share: float, reading: float = 0.0, **settings: Any) -> float:
@@ -130,25 +107,20 @@ def look_at_hidden_ball(distance: float, share: float, reading: float = 0.0, **s
 
 
 def test_ms12_the_infrared_ranger_wins_over_the_size_of_a_hidden_ball() -> None:
-    """MS12: a reading below two thirds of the range by size says that the ball is partly hidden."""
+    """MS12: a reading below two thirds of the range by size says so; one above, or none, changes nothing."""
     assert look_at_hidden_ball(0.5, 0.4) == pytest.approx(0.5, abs=2e-3)
     assert look_at_hidden_ball(0.5, 0.4, infrared_override=False) > 0.9
-
-
-def test_ms12_a_reading_above_two_thirds_changes_nothing() -> None:
-    """MS12: the size is the better measure of a ball that is in full view."""
-    camera_range = 0.9 - CAMERA_AHEAD
+    camera_range, by_size = 0.9 - CAMERA_AHEAD, look_at_hidden_ball(0.9, 1.0, infrared_override=False)
     for reading in (0.7 * camera_range, 0.89):
-        by_size = look_at_hidden_ball(0.9, 1.0, infrared_override=False)
         assert look_at_hidden_ball(0.9, 1.0, reading) == by_size
     assert look_at_hidden_ball(0.9, 1.0, 0.55 * camera_range) < 0.65
+    assert Watcher().see(0.8, 0.0, infrared=0.0)["distance"] == pytest.approx(0.8, abs=2e-3)
 
 
 @pytest.mark.parametrize("aside", [-1, 1])
 def test_ms12_the_beam_must_be_on_the_ball(aside: int) -> None:
     """MS12: a reading beside the blob, "in the center of the camera image" or not, is of something else."""
     robot = Watcher()
-    robot.head = 0.0, -0.3
     for degrees, wins in ((-0.1, True), (0.1, False), (2.5, False)):
         gap = round(robot.focal[0] * tan(radians(degrees)))
         left, right = (gap + 200, gap) if aside > 0 else (-gap, -gap - 200)
@@ -156,20 +128,10 @@ def test_ms12_the_beam_must_be_on_the_ball(aside: int) -> None:
         assert (robot.ball["distance"] < 0.6) == wins
 
 
-def test_ms12_no_valid_reading_no_override() -> None:
-    """MS12: a reading of 0 says nothing."""
-    robot = Watcher()
-    robot.see(0.8, 0.0, infrared=0.0)
-    assert robot.ball["distance"] == pytest.approx(0.8, abs=2e-3)
-
-
-def test_the_ranger_alone_measures_a_ball_in_full_view() -> None:
+def test_the_ranger_alone_measures_a_ball_in_full_view_and_meets_it_beside_its_middle_too() -> None:
     assert look_at_hidden_ball(0.5, 1.0, ball_range="infrared") == pytest.approx(0.5, abs=1e-3)
     assert look_at_hidden_ball(0.5, 1.0, 0.6, ball_range="infrared") > 0.7
     assert look_at_hidden_ball(0.5, 1.0, 0.6) == pytest.approx(0.5, abs=5e-3)
-
-
-def test_the_ranger_meets_the_ball_beside_its_middle_too() -> None:
     robot = Watcher(ball_range="infrared")
     robot.head = 0.0, -0.33
     camera, _, height = camera_place(*robot.head, robot.sensors[0])
@@ -184,58 +146,45 @@ def test_the_ranger_meets_the_ball_beside_its_middle_too() -> None:
 
 
 def test_ms13_what_lies_much_above_the_horizontal_is_no_ball() -> None:
-    """MS13: 6 degrees above the horizontal is ignored, 4 degrees is not; the next blob is taken."""
-    robot, off = Watcher.coarse(), Watcher.coarse(horizon=False)
-    for one in (robot, off):
-        one.head = 0.0, radians(6.0)
-        one.look((4, -4, 4, -4, 64))
-    assert robot.ball["confidence"] == 0.0 and off.ball["confidence"] == 100.0
-    robot.look((4, -4, 4, -4, 64), (3, -1, -24, -28, 16))  # 16 degrees below the horizontal
+    """MS13: 6 degrees above the horizontal is ignored, 4 are not, wherever in the picture; the next blob is taken."""
+
+    def confidence(tilt: float, *blobs: tuple[int, ...], pan: float = 0.0, **settings: Any) -> float:
+        robot = Watcher.coarse(**settings)
+        robot.head = pan, radians(tilt)
+        return float(robot.look(*blobs)["confidence"])
+
+    middle = (4, -4, 4, -4, 64)
+    assert confidence(6.0, middle) == 0.0 and confidence(4.0, middle) == 100.0
+    assert confidence(6.0, middle, horizon=False) == 100.0
+    assert confidence(-30.0, (4, -4, 34, 26, 64), pan=0.5) == 100.0  # high in the picture of a lowered head
+    assert confidence(30.0, (4, -4, -4, -12, 64), pan=0.5) == 0.0
+    robot = Watcher.coarse()
+    robot.head = 0.0, radians(6.0)
+    robot.look(middle, (3, -1, -24, -28, 16))  # 16 degrees below the horizontal
     assert robot.ball["confidence"] == 100.0
     assert robot.ball["distance"] == pytest.approx(1.68, abs=0.3)  # 4 px
-    robot = Watcher.coarse()
-    robot.head = 0.0, radians(4.0)
-    assert robot.look((4, -4, 4, -4, 64))["confidence"] == 100.0
-
-
-def test_ms13_counts_from_the_horizontal_whatever_the_head_does() -> None:
-    """MS13: high in the picture of a lowered head is below the horizontal."""
-    robot = Watcher.coarse()
-    robot.head = 0.5, radians(-30.0)
-    assert robot.look((4, -4, 34, 26, 64))["confidence"] == 100.0
-    robot = Watcher.coarse()
-    robot.head = 0.5, radians(30.0)
-    assert robot.look((4, -4, -4, -12, 64))["confidence"] == 0.0
 
 
 SMALL = (2, -2, 2, 0, 8)  # [px] an orange patch: more than the small least area, less than the large one
 
 
-def test_ms14_after_a_near_sighting_a_small_patch_is_no_ball() -> None:
-    """MS14: a player that has just seen the ball nearby asks for a larger area."""
-    for double_area, confidence in ((True, 90.0), (False, 100.0)):
-        robot = Watcher.coarse(double_area=double_area, fading=160.0)
-        robot.head = 0.0, -0.3
-        robot.see(0.5, 0.0)
-        assert robot.look(SMALL)["confidence"] == confidence
+@pytest.mark.parametrize(("double_area", "confidence"), [(True, 90.0), (False, 100.0)])
+def test_ms14_after_a_near_sighting_a_small_patch_is_no_ball(double_area: bool, confidence: float) -> None:
+    robot = Watcher.coarse(double_area=double_area, fading=160.0)
+    robot.see(0.5, 0.0)
+    assert robot.look(SMALL)["confidence"] == confidence
 
 
 def test_ms14_after_a_far_sighting_or_a_long_time_it_is() -> None:
-    """MS14: 0.8 m and a second make the difference."""
+    """MS14: 0.8 m and a second make the difference; at 176x144 a patch has four times as many pixels as at 88x72."""
     robot = Watcher.coarse(fading=160.0)
-    robot.head = 0.0, -0.3
     robot.see(1.2, 0.0)
     assert robot.look(SMALL)["confidence"] == 100.0
     robot = Watcher.coarse(odometry="none")
-    robot.head = 0.0, -0.3
     robot.see(0.5, 0.0)
     for _ in range(16):
         assert robot.look(SMALL)["age"] > 0.0
     assert robot.look(SMALL)["age"] == 0.0
-
-
-def test_ms14_areas_grow_with_the_resolution() -> None:
-    """MS14: areas are given at 88x72; the same patch has four times as many pixels at 176x144."""
     for resolution, least in ((0, 1), (1, 2), (2, 8)):
         for area in (least - 1, least):
             robot = Watcher(resolution, area_small=2.0, area_large=12.0)
@@ -243,16 +192,10 @@ def test_ms14_areas_grow_with_the_resolution() -> None:
             assert seen == (area == least and area > 0)
 
 
-def test_the_largest_blob_is_the_ball_whatever_the_order() -> None:
+def test_the_largest_blob_is_the_ball_whatever_the_order_and_angles_stay_in_a_turn() -> None:
     robot = Watcher.coarse()
-    robot.head = 0.0, -0.3
-    robot.look((12, 9, 0, -3, 9), (-20, -30, 5, -5, 100))
-    assert robot.ball["bearing"] < -0.2
+    assert robot.look((12, 9, 0, -3, 9), (-20, -30, 5, -5, 100))["bearing"] < -0.2
     assert Watcher.coarse().look((0, 0, 0, 0, 0))["confidence"] == 0.0
-
-
-def test_angles_stay_in_a_turn() -> None:
     robot = Watcher()
     robot.head = pi / 2, -0.3
-    robot.look((100, -100, 100, -100, 9999))
-    assert robot.ball["bearing"] == pytest.approx(pi / 2, abs=0.1)
+    assert square(robot)["bearing"] == pytest.approx(pi / 2, abs=0.1)

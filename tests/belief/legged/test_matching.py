@@ -1,22 +1,13 @@
 """Which player in memory is the one that is seen: likelihood = uncertainty / distance^3 / angle."""
 
-from __future__ import annotations
-
 from math import atan2, hypot, inf, pi
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env.belief.legged.matching import (
-    LEAST_ANGLE,
-    LEAST_DISTANCE,
-    angle_between,
-    falloff,
-    likeliest_slot,
-    likelihood,
-    uncertainty_of,
-)
+from soccer_env.belief.legged import matching
+from soccer_env.belief.legged.matching import angle_between, falloff, likeliest_slot, likelihood, uncertainty_of
 from soccer_env.belief.legged.players import grow_older, remember
 from soccer_env.compiled import compiled
 from soccer_env.leagues.constants import constants_of
@@ -29,8 +20,7 @@ CUBIC = {"distance_power": 3.0, "angle_power": 0.0}
 
 def settings(**changes: Any) -> np.void:
     """Return the record of the memory's settings."""
-    record: np.void = LEAGUE.memory.changed(changes).record()[0]
-    return record
+    return LEAGUE.memory.changed(changes).record()[0]
 
 
 def memory(*players: tuple[float, float, float] | None) -> np.ndarray:
@@ -50,80 +40,60 @@ def slot_for(tracks: np.ndarray, x: float, y: float, **changes: Any) -> int:
 
 
 @pytest.mark.parametrize("power", [0.0, 1.0, 2.0, 2.5, 3.0])
-def test_powers_may_be_whole_or_not(power: float) -> None:
+def test_powers_may_be_whole_or_not_and_never_overflow(power: float) -> None:
     for value in (1e-3, 0.07, 1.0, 3.6):
         assert falloff(value, power) == pytest.approx(value**-power, rel=1e-13)
-
-
-def test_powers_never_overflow() -> None:
-    for value, power in ((1e-3, 1e3), (1e-3, 1e300), (4.0, 1e300)):
-        assert 0.0 <= falloff(value, power) < inf
+    for value, huge in ((1e-3, 1e3), (1e-3, 1e300), (4.0, 1e300)):
+        assert 0.0 <= falloff(value, huge) < inf
     assert slot_for(memory((1, 0, 1), (2, 0, 1), None), 1.0, 0.0, distance_power=1e6, angle_power=1e6) == 0
 
 
 def test_ms32_uncertainty_grows_from_a_half_to_a_hundred() -> None:
-    """MS32: with the time that a player has not been seen for."""
+    """MS32: with the time that a player has not been seen for; of two equally near the longer unseen is replaced."""
     ages = [uncertainty_of(memory((1.0, 0.0, age))[0], settings()) for age in (0.0, 3.0, 15.0, 29.85, 60.0, 1e9)]
     assert ages == pytest.approx([0.5, 10.5, 50.5, 100.0, 100.0, 100.0])
     assert uncertainty_of(memory(None)[0], settings()) == 100.0
     assert uncertainty_of(memory((1.0, 0.0, 3.0))[0], settings(uncertainty_growth=0.0)) == 0.5
-
-
-def test_ms32_of_two_players_equally_near_the_longer_unseen_is_replaced() -> None:
-    """MS32: whichever slot it is in."""
     assert slot_for(memory((1.0, 0.3, 5.0), (1.0, -0.3, 1.0)), 1.0, 0.0) == 0
-    assert slot_for(memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0)), 1.0, 0.0) == 1
-    assert slot_for(memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0)), 1.0, 0.0, uncertainty_growth=0.0) == 0
+    later = memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0))
+    assert (slot_for(later, 1.0, 0.0), slot_for(later, 1.0, 0.0, uncertainty_growth=0.0)) == (1, 0)
 
 
 def test_ms30_likelihood_is_uncertainty_by_distance_cubed_by_angle() -> None:
-    """MS30: a player 0.5 m farther and 30 degrees aside, unseen for 3 s."""
     angle = pi / 6
     x, y = 1.2 * np.cos(angle), 1.2 * np.sin(angle)
     distance = hypot(x - 0.7, y)
     found = likelihood(memory((0.7, 0.0, 3.0))[0], x, y, angle, settings())
     assert found == pytest.approx(10.5 / distance**3 / angle, rel=1e-12)
-
-
-def test_ms30_a_player_is_matched_with_the_nearest_in_memory() -> None:
-    """MS30: all seen equally long ago."""
-    tracks = memory((0.8, 0.0, 1.0), (1.5, 0.5, 1.0), (1.0, -0.8, 1.0))
-    assert slot_for(tracks, 0.9, 0.05) == 0
-    assert slot_for(tracks, 1.3, 0.5) == 1
-    assert slot_for(tracks, 1.0, -0.6) == 2
+    tracks = memory((0.8, 0.0, 1.0), (1.5, 0.5, 1.0), (1.0, -0.8, 1.0))  # all seen equally long ago
+    assert [slot_for(tracks, *place) for place in ((0.9, 0.05), (1.3, 0.5), (1.0, -0.6))] == [0, 1, 2]
 
 
 def test_ms30_no_slot_is_taken_twice_in_one_view() -> None:
-    """MS30: a slot of age 0 has been taken, however near it is."""
     tracks = memory((1.0, 0.0, 0.0), (-1.0, 0.0, 0.1))
     assert slot_for(tracks, 1.0, 0.01) == 1
     tracks["age"] = 0.0
-    assert slot_for(tracks, 1.0, 0.01) == -1
-    assert slot_for(tracks[:0], 1.0, 0.0) == -1
+    assert slot_for(tracks, 1.0, 0.01) == -1 and slot_for(tracks[:0], 1.0, 0.0) == -1
 
 
 def test_ms31_with_the_first_power_an_uncertain_player_far_away_is_replaced() -> None:
     """MS31: 1/d lets uncertainty outweigh the distance; 1/d^3 does not."""
     tracks = memory((1.0, 0.0, 0.0625), (1.6, 0.6, 6.0))
-    assert slot_for(tracks, 1.1, 0.0, **LINEAR) == 1
-    assert slot_for(tracks, 1.1, 0.0, **CUBIC) == 0
+    assert slot_for(tracks, 1.1, 0.0, **LINEAR) == 1 and slot_for(tracks, 1.1, 0.0, **CUBIC) == 0
 
 
 def test_ms31_the_angle_counts_more_than_the_range() -> None:
-    """MS31: 0.3 m too far in the right direction, or 0.25 m aside."""
     tracks = memory((1.0, 0.0, 1.0), (1.3, 0.25, 1.0))
-    assert slot_for(tracks, 1.3, 0.01) == 0
-    assert slot_for(tracks, 1.3, 0.01, angle_power=0.0) == 1
+    assert slot_for(tracks, 1.3, 0.01) == 0 and slot_for(tracks, 1.3, 0.01, angle_power=0.0) == 1
 
 
-def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree() -> None:
+def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree_and_angles_are_taken_the_short_way() -> None:
     track = memory((1.0, 0.0, 0.0))[0]
-    assert likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(0.5 * LEAST_DISTANCE**-3 / LEAST_ANGLE)
+    assert likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(
+        0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
+    )
     own_place = memory((0.0, 0.0, 0.0))[0]
     assert likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
-
-
-def test_angles_are_taken_the_short_way_round() -> None:
     assert angle_between(3.0, -3.0) == pytest.approx(2 * pi - 6.0)
     assert angle_between(0.4, 0.1) == angle_between(0.1, 0.4) == angle_between(-0.1, -0.4)
     assert angle_between(pi, -pi) == 0.0
@@ -135,14 +105,10 @@ def test_an_empty_slot_is_used_unless_a_player_in_memory_is_near() -> None:
     assert slot_for(memory(None, None), 1.0, 0.0) == 0
     for age, stays, goes in ((0.0625, 0.2, 0.4), (5.0, 0.5, 0.8), (15.0, 0.7, 1.0)):  # [s], [m] aside
         tracks = memory(None, (1.0, 0.0, age))
-        assert slot_for(tracks, 1.0, stays) == 1
-        assert slot_for(tracks, 1.0, goes) == 0
+        assert slot_for(tracks, 1.0, stays) == 1 and slot_for(tracks, 1.0, goes) == 0
     just_seen = memory(None, (1.0, 0.0, 0.0625))
     assert slot_for(just_seen, 1.5, 0.01) == 1  # a range error
     assert slot_for(just_seen, 1.5, 0.01, empty_distance=0.3, empty_angle=0.1) == 0
-
-
-# One player alone in sight
 
 
 @compiled
@@ -181,6 +147,5 @@ def duplicate_share(noise: float, **changes: float) -> float:
 @pytest.mark.parametrize("noise", [0.05, 0.08])
 def test_ms31_one_player_fills_the_slots_under_the_first_power_and_not_under_the_final_rule(noise: float) -> None:
     """MS31: S35, "frequently caused a single foe to fill up all three foe slots"; the angle is what prevents it."""
-    assert duplicate_share(noise, **LINEAR) > 0.95
-    assert duplicate_share(noise) < 0.02
+    assert duplicate_share(noise, **LINEAR) > 0.95 and duplicate_share(noise) < 0.02
     assert duplicate_share(noise, **CUBIC) > 0.5

@@ -1,16 +1,25 @@
-"""What a legged robot makes of jersey-coloured blobs: players, their places, a slot for each."""
+"""What a legged robot makes of jersey-coloured blobs: which are stickers of one player, where it is, a slot for each.
 
-from __future__ import annotations
++--+                +-----+
+|B |- - - gap - - - |  A  |       one player if the gap is less than three times the size of A
++--+                +-----+
+"""
 
+import itertools
 from math import atan2, cos, hypot, sin
 
+import numpy as np
 import pytest
 
+from soccer_env.belief.legged.grouping import box_of_player, is_larger, largest_left, player_of, size_of
+from soccer_env.belief.legged.surface import surface_distance
 from soccer_env.belief.odometry import move_point
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_y
+from soccer_env.records.percepts import BLOB, BLOBS
 from tests.belief.legged.staged_players import (
     AHEAD,
     FACTORS,
+    LEAGUE,
     LEFT,
     RIGHT,
     STICKER_HEIGHT,
@@ -30,11 +39,7 @@ def away(robot: Onlooker, slot: int = 0) -> float:
     return hypot(track["x"] - ahead, track["y"] - left)
 
 
-# Slots
-
-
 def test_ms28_all_players_of_both_teams_are_remembered() -> None:
-    """MS28: three foes and two pals, in slots of their own; each seen in another direction of the head."""
     robot = Onlooker()
     for pan in (-1.2, 0.0, 1.2):
         robot.pan = pan
@@ -48,7 +53,6 @@ def test_ms28_all_players_of_both_teams_are_remembered() -> None:
 
 
 def test_ms28_the_old_memory_knows_the_nearest_of_the_moment() -> None:
-    """MS28: in the first slot, whoever was there before."""
     robot = Onlooker(slots="nearest")
     robot.look([robot.show(*LEFT), robot.show(0.6, -0.1)], [robot.show(*AHEAD)])
     assert places(robot.opponents) == [near((0.6, -0.1))] and places(robot.teammates) == [near(AHEAD)]
@@ -57,15 +61,12 @@ def test_ms28_the_old_memory_knows_the_nearest_of_the_moment() -> None:
     assert places(robot.teammates) == [near(AHEAD)]
 
 
-def test_several_players_in_one_view_take_several_slots() -> None:
+def test_several_players_in_one_view_take_several_slots_and_more_than_slots_drop_the_smallest() -> None:
     robot = Onlooker()
     for _ in range(30):
         robot.look([robot.show(*LEFT), robot.show(*RIGHT)])
     assert sorted(places(robot.opponents)) == [near(RIGHT), near(LEFT)]
     assert (robot.memories["teammates"], robot.memories["opponents"]) == (0, 2)
-
-
-def test_more_players_than_slots_drop_the_smallest() -> None:
     robot = Onlooker(opponents=2)
     blobs = [player(-30, 0, 4), player(-10, 0, 6), player(10, 0, 5), player(30, 0, 7)]
     robot.settings["grouping"] = 0.5
@@ -94,9 +95,6 @@ def test_any_number_of_slots_will_do(teammates: int, opponents: int) -> None:
         assert len(places(robot.teammates)) == min(teammates, 1)
 
 
-# Places
-
-
 @pytest.mark.parametrize(("pan", "tilt"), [(0.0, 0.0), (0.7, -0.3), (-1.5, 0.4)])
 def test_a_player_lies_where_head_and_pixel_point_at_the_range_of_its_height(pan: float, tilt: float) -> None:
     robot = Onlooker()
@@ -114,7 +112,6 @@ def test_a_player_lies_where_head_and_pixel_point_at_the_range_of_its_height(pan
 @pytest.mark.parametrize("mode", ["largest", "combined"])
 @pytest.mark.parametrize("view", ["front", "side"])
 def test_ms33_ranges_come_from_the_height_table_of_a_view(view: str, mode: str) -> None:
-    """MS33: the width counts for nothing."""
     table = f"player_{view}" + ("_all" if mode == "combined" else "")
     for height, width in ((4, 4), (4, 12), (9, 3)):
         robot = Onlooker(player_view=view, player_blob=mode)
@@ -161,3 +158,94 @@ def test_ms35_the_infrared_tells_of_nobody_beside_the_beam() -> None:
     robot = Onlooker(player_blob="combined")
     robot.look([player(20.0, 0.0, 12), player(-6.0, 0.0, 6)], infrared=0.3)  # the beam passes between
     assert away(robot) == pytest.approx(by_beam, abs=1e-6)
+
+
+CAMERA, HALF = 0.142, 0.105  # [m] camera ahead of the body's middle; a chest before its own
+
+
+@pytest.mark.parametrize("bearing", [0.0, 0.7, -1.5])
+def test_a_player_is_as_far_as_its_chest_from_the_camera_and_never_nearer_than_nothing(bearing: float) -> None:
+    k = Onlooker().constants[0]
+    x, y = CAMERA + 0.8 * cos(bearing), 0.8 * sin(bearing)
+    assert surface_distance(x, y, k) == pytest.approx(0.8 - HALF) and surface_distance(CAMERA + 0.05, 0.05, k) == 0.0
+
+
+@pytest.mark.parametrize("reading", [0.15, 0.3, 0.39])
+def test_ms35_the_reading_is_the_distance_to_the_surface(reading: float) -> None:
+    """MS35: of a player that the ranger has placed the paper's own quantity, the reading, is left."""
+    robot = Onlooker()
+    robot.look([player(0.0, 0.0, 12)], infrared=reading)
+    track = robot.opponents[0]
+    assert surface_distance(track["x"], track["y"], robot.constants[0]) == pytest.approx(reading, abs=1e-3)
+
+
+def picture(*blobs: Blob) -> np.ndarray:
+    """Return the blobs of one colour."""
+    found = np.zeros(BLOBS, BLOB)
+    for i, blob in enumerate(blobs):
+        found[i] = blob
+    return found
+
+
+def players(blobs: np.ndarray, grouping: float = 3.0) -> list[int]:
+    """Return the player, by its largest blob, that each blob belongs to."""
+    return [int(player_of(blobs, i, grouping)) for i in range(BLOBS) if blobs["area"][i]]
+
+
+def box(blobs: np.ndarray, i: int, **settings: str) -> tuple[int, ...]:
+    """Return left, right, high, low of the box that stands for a player."""
+    return tuple(box_of_player(blobs, i, LEAGUE.memory.changed(settings).record()[0]))
+
+
+def test_ms29_blobs_nearer_than_three_sizes_of_the_larger_are_one_player() -> None:
+    """MS29: the gap has to be less than 3 x 10 px; factor 0 makes a player of every blob, 1 misses what 3 joins."""
+    large = player(0.0, 0.0, 10)
+    assert players(picture(large, player(29.0, 0.0, 4))) == players(picture(large, player(0.0, -29.0, 4))) == [0, 0]
+    assert players(picture(large, player(30.0, 0.0, 4))) == [0, 1]
+    assert players(picture(large, player(-18.0, 24.0, 4))) == [0, 1]  # 30 px along the diagonal
+    blobs = picture(large, player(18.0, 0.0, 4))
+    assert players(blobs, 0.0) == players(blobs, 1.0) == [0, 1]
+    assert players(blobs, 2.0) == players(blobs, 6.0) == [0, 0]
+
+
+def test_ms29_size_is_the_mean_of_width_and_height() -> None:
+    """MS29, footnote 6: twice as near, everything is twice as large, and players are the same; areas do not count."""
+    assert size_of(picture(player(height=8, width=4))[0]) == 6.0
+    near, far = (picture(player(0, 0, 4 * n), player(11 * n, 0, 2 * n), player(-13 * n, 0, 2 * n)) for n in (4, 1))
+    assert players(near) == players(far) == [0, 0, 2]  # by area the near one would be all one player
+    thin, square = player(0.0, 0.0, 4, 40), player(60.0, 0.0, 14)
+    assert thin[4] < square[4]
+    assert players(picture(square, thin)) == [1, 1]  # 60 < 3 x 22
+
+
+def test_ms29_a_blob_joins_the_player_of_any_larger_blob() -> None:
+    """MS29: each is near the next larger one alone; so a player behind another is taken for part of it."""
+    chain = [player(0.0, 0.0, 10), player(25.0, 0.0, 8), player(45.0, 0.0, 6), player(60.0, 0.0, 4)]
+    for order in itertools.permutations(range(4)):
+        blobs = picture(*(chain[i] for i in order))
+        assert players(blobs) == [order.index(0)] * 4
+    assert players(picture(chain[0], chain[2])) == [0, 1]  # without the link
+
+
+def test_players_come_largest_first_with_ties_in_the_order_of_the_vision_and_blobs_of_no_size_are_somebodys() -> None:
+    blobs = picture(player(0, 0, 5), player(40, 0, 9), player(-40, 0, 5, 5), player(-10, 0, 6))
+    order, done = [], 0
+    while (i := largest_left(blobs, done)) >= 0:
+        order.append(i)
+        done |= 1 << i
+    assert order == [1, 3, 0, 2]
+    assert is_larger(blobs, 0, 2) and not is_larger(blobs, 2, 0) and not is_larger(blobs, 0, 0)
+    blobs["area"][2] += 1
+    assert is_larger(blobs, 2, 0)
+    blobs = picture(player(0, 0, 0), player(0, 0, 0), player(2, 0, 0), player(20, 0, 0))
+    blobs["area"] = 1
+    assert players(blobs) == [0, 0, 0, 3]
+    assert largest_left(picture(), 0) == -1
+
+
+def test_ms34_the_largest_blob_alone_stands_for_a_player() -> None:
+    chest, head, other = player(0.0, 0.0, 10), player(12.0, 14.0, 4), player(-40.0, 0.0, 6)
+    blobs = picture(chest, other, head)
+    assert box(blobs, 0) == chest[:4]
+    assert box(blobs, 0, player_blob="combined") == (head[0], chest[1], head[2], chest[3])
+    assert box(blobs, 1) == box(blobs, 1, player_blob="combined") == other[:4]

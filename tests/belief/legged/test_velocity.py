@@ -1,7 +1,5 @@
 """How fast the ball seems to come, and how fast it rolls."""
 
-from __future__ import annotations
-
 from math import atan2, cos, hypot, sin
 
 import numpy as np
@@ -34,7 +32,6 @@ def readings(robot: Watcher, frames: int, vx: float) -> list[int]:
 
 
 def test_ms17_a_velocity_every_third_of_a_second() -> None:
-    """MS17: 5 or 6 of 16 frames a second lie between two readings, three times a second."""
     frames = readings(Watcher(), 161, -0.05)
     assert len(frames) == 29  # of 30 readings the first has none to compare with
     assert set(np.diff(frames)) == {5, 6}
@@ -43,14 +40,17 @@ def test_ms17_a_velocity_every_third_of_a_second() -> None:
 
 
 def test_ms17_it_is_the_difference_of_places_by_the_time_between() -> None:
-    """MS17: whether 5 or 6 frames lie between them."""
     robot = Watcher()
-    x = 1.5
-    for _ in range(64):
-        robot.see(x, 0.0)
-        x -= 0.2 * robot.dt
-        if robot.frame > 16:
+    for step in range(64):
+        robot.see(1.5 - 0.2 * robot.dt * step, 0.0)
+        if robot.frame > 16:  # whether 5 or 6 frames lie between them
             assert robot.ball["radial"] == pytest.approx(-0.2, abs=SLOW)
+
+
+def stand_still(robot: Watcher, frames: int, missed: int = 0) -> None:
+    """Show a ball that lies 1.2 m ahead for some frames, and none for some more."""
+    for frame in range(frames + missed):
+        robot.look(*([robot.blob(1.2, 0.0)] if frame < frames else []))
 
 
 def after_a_gap(robot: Watcher, missed: int) -> float:
@@ -58,10 +58,7 @@ def after_a_gap(robot: Watcher, missed: int) -> float:
 
     It is seen up to frame 16, the reading at 1 s, and lies 0.3 m nearer when it is found again.
     """
-    for _ in range(17):
-        robot.see(1.2, 0.0)
-    for _ in range(missed):
-        robot.miss()
+    stand_still(robot, 17, missed)
     robot.see(0.9, 0.0)
     while robot.memories["sampled"][0] == 16:  # to the next reading
         robot.see(0.9, 0.0)
@@ -69,37 +66,13 @@ def after_a_gap(robot: Watcher, missed: int) -> float:
 
 
 def test_ms17_after_more_than_a_second_and_a_half_the_place_is_only_stored() -> None:
-    """MS17: 0.3 m in 1.4 s is a velocity, in 2 s it is none; then the next reading makes one again."""
+    """MS17: 0.3 m in 1.4 s is a velocity, in 2 s it is none; 1.5 s after the last reading all velocities are 0."""
     assert after_a_gap(Watcher(), 17) == pytest.approx(-0.3 / (22 / 16), abs=SLOW)
     robot = Watcher()
     assert after_a_gap(robot, 31) == 0.0
     roll(robot, 12, 0.9, 0.0, -0.3, 0.0)
     assert robot.ball["radial"] < -0.2
     assert after_a_gap(Watcher(velocity_gate=False), 31) == pytest.approx(-0.15, abs=SLOW)
-
-
-def test_ms17_a_ball_that_was_not_seen_for_a_third_of_a_second_gives_no_reading() -> None:
-    """MS17: then nothing is stored or calculated; a ball missed in a frame or two still gives one."""
-    robot = Watcher()
-    for _ in range(17):
-        robot.see(1.2, 0.0)
-    stored = int(robot.memories["sampled"][0])
-    assert stored == 16
-    for _ in range(6):
-        robot.miss()
-    assert robot.memories["sampled"][0] == stored  # the reading at frame 22: seen 6 frames ago
-    robot = Watcher()
-    for _ in range(20):
-        robot.see(1.2, 0.0)
-    robot.miss()
-    robot.miss()
-    assert robot.frame == 21
-    robot.miss()
-    assert robot.memories["sampled"][0] == 22  # seen 3 frames ago
-
-
-def test_ms17_a_velocity_is_forgotten_with_its_reading() -> None:
-    """MS17: a second and a half after the last reading all velocities are 0."""
     robot = Watcher()
     roll(robot, 33, 1.2, 0.0, -0.3, 0.1)
     assert robot.ball["radial"] < -0.2 and robot.ball["vy"] > 0.05
@@ -111,26 +84,29 @@ def test_ms17_a_velocity_is_forgotten_with_its_reading() -> None:
     assert [robot.ball[name] for name in ("radial", "angular", "vx", "vy")] == [0.0] * 4
 
 
-def jump(**settings: str) -> np.void:
-    """Return the ball after it was seen 6 cm nearer and 0.1 rad farther left in one frame, that of a reading."""
-    robot = Watcher(**settings)
-    for _ in range(16):
-        robot.see(1.0, 0.0)
-    return robot.see(0.94 * cos(0.1), 0.94 * sin(0.1))
+@pytest.mark.parametrize(("seen", "missed", "sampled"), [(17, 0, 16), (17, 6, 16), (20, 3, 22)])
+def test_ms17_a_ball_that_was_not_seen_for_a_third_of_a_second_gives_no_reading(seen, missed, sampled) -> None:
+    """MS17: the reading at frame 22 is stored if the ball was seen 3 frames ago, and is not if it was 6 ago."""
+    robot = Watcher()
+    stand_still(robot, seen, missed)
+    assert robot.memories["sampled"][0] == sampled
 
 
-def test_ms18_the_radial_velocity_is_of_the_filtered_place_the_angular_of_the_raw() -> None:
+@pytest.mark.parametrize(("radial_from", "radial"), [(None, -0.015), ("raw", -0.06)])
+@pytest.mark.parametrize(("angular_from", "angular"), [(None, 0.1), ("filtered", 0.025)])
+def test_ms18_the_radial_velocity_is_of_the_filtered_place_the_angular_of_the_raw(
+    radial_from: str | None, radial: float, angular_from: str | None, angular: float
+) -> None:
     """MS18, footnote 4: one sighting in four moves the filtered place by a quarter, the raw one by all.
 
-    The readings are 5 frames apart.
+    The ball is seen 6 cm nearer and 0.1 rad farther left in the frame of a reading, 5 after the one before.
     """
-    time = 5 / 16
-    ball = jump()
-    assert ball["radial"] == pytest.approx(-0.015 / time, abs=SLOW)
-    assert ball["angular"] == pytest.approx(0.1 / time, abs=SLOW)
-    ball = jump(radial_from="raw", angular_from="filtered")
-    assert ball["radial"] == pytest.approx(-0.06 / time, abs=SLOW)
-    assert ball["angular"] == pytest.approx(0.025 / time, abs=SLOW)
+    told = {"radial_from": radial_from, "angular_from": angular_from}
+    robot = Watcher(**{name: source for name, source in told.items() if source})
+    for _ in range(16):
+        robot.see(1.0, 0.0)
+    ball = robot.see(0.94 * cos(0.1), 0.94 * sin(0.1))
+    assert (ball["radial"], ball["angular"]) == pytest.approx((radial * 16 / 5, angular * 16 / 5), abs=SLOW)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -161,18 +137,14 @@ def test_a_still_ball_stands_still_over_the_ground_however_the_robot_walks(walk:
     assert (robot.ball["vx"], robot.ball["vy"]) == pytest.approx((0.0, 0.0), abs=SLOW)
 
 
-def test_ms18_the_moving_robot_sees_it_come_and_turn() -> None:
-    """MS18: radial and angular velocity are not freed of the robot's own motion."""
+def test_ms18_the_moving_robot_sees_it_come_and_turn_and_one_that_is_stuck_sees_it_stay() -> None:
+    """MS18: feet that walk against an obstacle do not bring the ball nearer, whatever odometry says."""
     robot, x, y = Watcher(), 1.2, 0.0
     for _ in range(40):
         x, y = move_point(x, y, 0.0075, 0.0, 0.02)
         robot.see(x, y, forward=0.0075, turn=0.02)
     assert robot.ball["radial"] == pytest.approx(-0.12 * cos(robot.ball["bearing"]), abs=0.02)
     assert robot.ball["angular"] == pytest.approx(-0.02 * 16 + 0.12 * y / hypot(x, y) ** 2, abs=0.05)
-
-
-def test_ms18_a_robot_that_is_stuck_sees_it_stay() -> None:
-    """MS18: feet that walk against an obstacle do not bring the ball nearer, whatever odometry says."""
     robot = Watcher()
     for _ in range(40):
         robot.see(0.8, 0.0, forward=0.0075)

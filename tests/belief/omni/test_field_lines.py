@@ -1,7 +1,5 @@
 """What poses cost whose white lines and goals lie elsewhere than the robot sees them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -73,14 +71,6 @@ def test_mh08_goals_tell_a_pose_from_its_half_turn_which_lines_cannot(pose: tupl
     assert cost_at(percepts, *turned) == pytest.approx(cost_at(percepts, *pose), abs=0.01)
 
 
-def test_an_outlier_among_the_lines_costs_no_more_than_its_share() -> None:
-    percepts, pose = seen_from(*POSES[0]), POSES[0]
-    true = cost_at(percepts, *pose)
-    seen = np.flatnonzero(percepts["lines"][0])
-    percepts["lines"][0, seen[0]] = 0.5 * percepts["lines"][0, seen[0]]
-    assert cost_at(percepts, *pose) < true + 4.5
-
-
 def test_line_points_lie_where_the_directions_say_from_the_front_counter_clockwise() -> None:
     percepts = seen_from(*POSES[0])
     percepts["lines"] = 0.0
@@ -104,33 +94,30 @@ def test_what_an_old_picture_shows_is_moved_by_the_motion_since() -> None:
     assert raw["points"]["ahead"][0, 0] == 2.0
 
 
-def test_far_beyond_the_field_nothing_is_read_outside_the_table() -> None:
-    percepts = seen_from(*POSES[0])
+def test_an_outlier_among_the_lines_costs_no_more_than_its_share_and_none_is_read_outside_the_table() -> None:
+    percepts, pose = seen_from(*POSES[0]), POSES[0]
+    true = cost_at(percepts, *pose)
+    percepts["lines"][0, np.flatnonzero(percepts["lines"][0])[0]] *= 0.5
+    assert cost_at(percepts, *pose) < true + 4.5
     percepts["lines"][0, :24] = 1e6
     assert np.isfinite(cost_at(percepts, 6.5, 5.0, 0.0))
 
 
-def test_fresh_particles_see_the_goal_as_the_robot_sees_it() -> None:
+def drawn(percepts: np.ndarray, count: int) -> np.ndarray:
+    """Return fresh particles (count,)."""
+    view, noise, particles = look(percepts)[0], np.zeros(NOISE_STREAMS, np.uint64), np.zeros(count, PARTICLE)
+    start_streams(noise, 3, 0, 1)
+    for i in range(count):
+        kernels.draw_from_goal(particles[i], view[0], 6.5, 5.0, noise, 1.0, W[0])
+    return particles
+
+
+def test_fresh_particles_see_the_goal_as_the_robot_sees_it_and_lie_anywhere_on_the_field_without_one() -> None:
     percepts = seen_from(*POSES[0])
     percepts["lines"], percepts["own_goal"]["seen"] = 0.0, 0
-    view, _ = look(percepts)
-    noise = np.zeros(NOISE_STREAMS, np.uint64)
-    start_streams(noise, 3, 0, 1)
-    costs = []
-    for _ in range(200):
-        particles = np.zeros(1, PARTICLE)
-        kernels.draw_from_goal(particles[0], view[0], 6.5, 5.0, noise, 1.0, W[0])
-        costs.append(cost_at(percepts, *(float(particles[name][0]) for name in ("x", "y", "heading"))))
+    costs = [cost_at(percepts, *map(float, particle[["x", "y", "heading"]])) for particle in drawn(percepts, 200)]
     assert np.median(costs) < 0.5  # the bearing fits exactly, the range within its noise
-
-
-def test_without_a_goal_fresh_particles_lie_anywhere_on_the_field() -> None:
-    percepts = seen_from(*POSES[0])
-    percepts["own_goal"]["seen"] = percepts["opponent_goal"]["seen"] = 0
-    view, _ = look(percepts)
-    noise = np.zeros(NOISE_STREAMS, np.uint64)
-    particles = np.zeros(500, PARTICLE)
-    for i in range(500):
-        kernels.draw_from_goal(particles[i], view[0], 6.5, 5.0, noise, 1.0, W[0])
+    percepts["opponent_goal"]["seen"] = 0
+    particles = drawn(percepts, 500)
     assert abs(particles["x"]).max() <= 6.5 and abs(particles["y"]).max() <= 5.0
     assert particles["x"].std() > 3.0 and particles["heading"].std() > 1.5

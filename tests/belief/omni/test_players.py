@@ -1,7 +1,5 @@
 """The players that a middle-size robot tracks: who is who, how they move, when they are forgotten."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 
@@ -9,16 +7,18 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.belief.omni.ball import BALL_MEMORY
 from soccer_env.belief.omni.believe import OMNI_MEMORY
 from soccer_env.belief.omni.players import READING, nearest_pair
 from soccer_env.belief.omni.tracking import FILTER
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import Slots
+from soccer_env.match.staging import begin
 from soccer_env.records.beliefs import TRACK
 from soccer_env.records.percepts import OMNI_PERCEPT
-from tests.belief.omni.staged_omni import begin, in_frame, run, state, thinking
-from tests.scenes.staging import MIDDLE, asking, put, put_ball, scatter, set_phase
+from tests.belief.omni.staged_omni import in_frame, state, thinking
+from tests.scenes.staging import MIDDLE, asking, place, play, put, scatter, set_phase
 
 MATES = find_league(MIDDLE).slots.teammates
 BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
@@ -26,23 +26,17 @@ BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
 
 def tracks_of(match: Match, teammates: bool) -> np.ndarray:
     """Return the slots (M, n) that robot 0 has for a team."""
-    tracks: np.ndarray = match.tracks[:, 0, :MATES] if teammates else match.tracks[:, 0, MATES:]
-    return tracks
+    return match.tracks[:, 0, :MATES] if teammates else match.tracks[:, 0, MATES:]
 
 
 def with_players(places: dict[int, tuple[float, float]], home: int, away: int, **settings: Any) -> Match:
     """Return matches in which robot 0 stands in the middle and others stand somewhere."""
-    match = thinking(settings.pop("matches", 10), home, away, **settings)
-    for r, (x, y) in places.items():
-        put(match, r, x, y)
-    put_ball(match, -5.0, -3.5)
-    begin(match)
-    return match
+    return thinking(settings.pop("matches", 10), home, away, **settings, ball=(-5.0, -3.5), robots=places)
 
 
 def test_players_are_kept_by_team_nearest_first() -> None:
     match = with_players({1: (3.0, 1.0), 2: (-1.0, 2.0), 3: (1.5, -2.0), 4: (-2.5, -1.0)}, 3, 2)
-    run(match, 0.3)
+    play(match, 0.3)
     mates, others = tracks_of(match, True), tracks_of(match, False)
     assert (mates["present"].sum(axis=1) == 2).all() and (others["present"].sum(axis=1) == 2).all()
     assert (mates["teammate"][:, :2] == 1).all() and (others["teammate"] == 0).all()
@@ -57,27 +51,21 @@ def test_players_are_kept_by_team_nearest_first() -> None:
 
 @BOTH
 def test_mh06_a_player_that_moves_is_tracked_with_its_velocity(name: str) -> None:
-    """MH06: positions and velocities of robots; most teams of 2005 were unaware of them."""
-    match = with_players({1: (2.0, -2.0)}, 1, 1, matches=30, memory={"filter": name})
-    run(match, 1.0, asking(match, 1, left=0.7))
+    """MH06: most teams of 2005 were unaware of velocities of robots; without a filter there is none."""
+    match, bare = (with_players({1: (2.0, -2.0)}, 1, 1, matches=30, memory={"filter": kind}) for kind in (name, "none"))
+    for one in (match, bare):
+        play(one, 1.0, asking(one, 1, left=0.7))
     true = in_frame(match, 0, match.robots[:, 1])
     assert true[:, 3].min() > 1.7
     found = tracks_of(match, False)[:, 0]
     error = state(found) - true
     assert np.median(np.hypot(error[:, 0], error[:, 1])) < 0.06
     assert np.median(np.hypot(error[:, 2], error[:, 3])) < 0.5
-
-
-def test_mh06_without_a_filter_players_have_no_velocity() -> None:
-    """MH06: switched off."""
-    match = with_players({1: (2.0, -2.0)}, 1, 1, memory={"filter": "none"})
-    run(match, 1.0, asking(match, 1, left=0.7))
-    found = tracks_of(match, False)[:, 0]
+    found = tracks_of(bare, False)[:, 0]
     assert found["present"].all() and not found["vx"].any() and not found["vy"].any()
 
 
 def test_mh06_two_that_pass_each_other_keep_their_tracks() -> None:
-    """MH06: the nearest pair of reading and prediction belongs together, so that tracks do not change hands."""
     match = with_players({1: (3.0, -2.0), 2: (3.7, 2.0)}, 1, 2, matches=20)
     actions = asking(match, 1, left=0.7) + asking(match, 2, left=-0.7)
     for step in range(95):  # they are in one line of sight after 1.3 s
@@ -96,7 +84,6 @@ def find_pair(percepts, tracks, filters, readings, gate, found):  # type: ignore
 
 
 def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
-    """MH06: whatever their order, and only pairs within the gate."""
     percepts, tracks, filters = np.zeros(1, OMNI_PERCEPT), np.zeros(3, TRACK), np.zeros(3, FILTER)
     readings, found = np.zeros(2, READING), np.zeros(2, np.int64)
     percepts["players"]["teammate"][0, :2] = tracks["present"][:2] = 1  # the third slot is empty
@@ -111,10 +98,8 @@ def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
 
 
 def test_players_at_rest_stay_at_rest_for_a_robot_that_drives_and_turns() -> None:
-    match = with_players({1: (1.0, 2.5), 2: (2.0, -2.0)}, 2, 1)
-    put(match, 0, -3.0, 0.0)
-    begin(match)
-    run(match, 1.0, asking(match, 0, 0.6, 0.0, 0.15))
+    match = with_players({0: (-3.0, 0.0), 1: (1.0, 2.5), 2: (2.0, -2.0)}, 2, 1)
+    play(match, 1.0, asking(match, 0, 0.6, 0.0, 0.15))
     for found, r in ((tracks_of(match, True)[:, 0], 1), (tracks_of(match, False)[:, 0], 2)):
         error = state(found) - in_frame(match, 0, match.robots[:, r])
         assert np.median(np.hypot(error[:, 0], error[:, 1])) < 0.06
@@ -123,31 +108,28 @@ def test_players_at_rest_stay_at_rest_for_a_robot_that_drives_and_turns() -> Non
 
 def test_who_is_not_seen_coasts_fades_and_is_forgotten() -> None:
     match = with_players({1: (2.0, 1.0)}, 1, 1)
-    run(match, 0.4)
+    play(match, 0.4)
     match.batch.senses.sensors["player_miss"] = 1.0
-    run(match, 0.5)
+    play(match, 0.5)
     found = tracks_of(match, False)[:, 0]
     assert found["present"].all()
     assert found["confidence"] == pytest.approx(100.0 - 0.5 * match.league.memory.fading, abs=1.0)
     assert found["age"] == pytest.approx(0.5, abs=0.03)
-    run(match, match.league.memory.ghost_time)
+    play(match, match.league.memory.ghost_time)
     assert not tracks_of(match, False)["present"].any()
     empty = tracks_of(match, False)[0, 0]
     assert empty["number"] == -1 and empty["confidence"] == empty["x"] == empty["distance"] == 0.0
 
 
-def test_markers_keep_teams_apart_even_side_by_side() -> None:
+def test_markers_keep_teams_apart_even_side_by_side_and_the_nearest_keep_the_slots() -> None:
     match = with_players({1: (2.0, 0.3), 2: (2.0, -0.3)}, 2, 1)
-    run(match, 0.5)
+    play(match, 0.5)
     mates, others = tracks_of(match, True), tracks_of(match, False)
     assert (mates["present"].sum(axis=1) == 1).all() and (others["present"].sum(axis=1) == 1).all()
     assert (mates["y"][:, 0] > 0.15).all() and (others["y"][:, 0] < -0.15).all()
-
-
-def test_the_nearest_keep_the_slots() -> None:
     places = {r: (1.0 + 0.6 * r, 3.0 * np.sin(1.7 * r)) for r in range(1, 9)}
     match = with_players(places, 1, 8)
-    run(match, 0.5)
+    play(match, 0.5)
     found = tracks_of(match, False)
     count = match.league.slots.opponents
     assert found["present"].all() and found.shape[1] == count
@@ -157,12 +139,11 @@ def test_the_nearest_keep_the_slots() -> None:
 
 def test_a_player_that_jumps_within_the_gate_is_believed_after_readings_in_a_row() -> None:
     match = with_players({1: (2.0, 0.0)}, 1, 1)
-    run(match, 0.4)
-    put(match, 1, 2.0, 0.8)
-    match.rebuild()
-    run(match, 0.04)
+    play(match, 0.4)
+    place(match, robots={1: (2.0, 0.8)})
+    play(match, 0.04)
     assert (tracks_of(match, False)["y"][:, 0] < 0.2).all()  # one reading, a frame late
-    run(match, 0.02)
+    play(match, 0.02)
     found = tracks_of(match, False)
     assert (found["y"][:, 0] > 0.6).all() and (found["present"].sum(axis=1) == 1).all()
 
@@ -174,17 +155,14 @@ def test_any_number_of_slots_will_do(slots: Slots) -> None:
     set_phase(match, 0)
     scatter(match, np.random.default_rng(4))
     begin(match)
-    run(match, 0.3)
+    play(match, 0.3)
     assert match.tracks.shape[2] == slots.teammates + slots.opponents
     assert all(np.isfinite(match.tracks[name]).all() for name in TRACK.names)
     assert match.tracks["present"].sum(axis=2).mean() > 2.5
 
 
-def test_the_memory_of_a_robot_is_small() -> None:
-    assert OMNI_MEMORY.itemsize - OMNI_MEMORY["pose"].itemsize <= 768
-
-
-def test_standing_in_a_crowd_breaks_nothing() -> None:
+def test_the_memory_of_a_robot_is_small_and_standing_in_a_crowd_breaks_nothing() -> None:
+    assert OMNI_MEMORY.itemsize - OMNI_MEMORY["pose"].itemsize <= 768 and BALL_MEMORY.itemsize <= 128
     match = thinking(2, 11, 11)
     for r in range(22):
         put(match, r, 0.0, 0.0)

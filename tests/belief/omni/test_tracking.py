@@ -1,7 +1,5 @@
 """The filters of the tracking: the textbook's Kalman filter, a line fitted to readings, one thing followed by them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -53,13 +51,11 @@ def follow(readings, motions, thing, filter, late, agility, slowing, constants, 
 
 @compiled
 def move_reading(sighting, motions, frame, frames):
-    """Return where a sighting lies now."""
     return reading_of(sighting[0], motions, frame, frames)
 
 
 @compiled
 def deviation(distance, sensors):
-    """Return the sd of a reading."""
     return reading_sd(distance, sensors[0])
 
 
@@ -113,9 +109,8 @@ def test_mh06_the_filter_is_the_textbooks_kalman_filter() -> None:
             full = full - np.outer(gain, H @ full)
             expected.append(gain)
         assert gains == pytest.approx(np.array(expected), rel=2e-3)
-        assert [P[name][0] for name in ("xx", "xv", "vv")] == pytest.approx(
-            [full[0, 0], full[0, 1], full[1, 1]], rel=1e-3
-        )
+        entries = [P[name][0] for name in ("xx", "xv", "vv")]
+        assert entries == pytest.approx([full[0, 0], full[0, 1], full[1, 1]], rel=1e-3)
 
 
 def test_mh06_the_line_fit_is_that_of_least_squares() -> None:
@@ -130,29 +125,22 @@ def test_mh06_the_line_fit_is_that_of_least_squares() -> None:
 
 
 @pytest.mark.parametrize("name", ["kalman", "least-squares"])
-def test_mh06_filters_smooth_places_and_find_velocities(name: str) -> None:
-    """MH06: better than single readings, and with a velocity, which a single reading does not have."""
+def test_mh06_filters_smooth_places_find_velocities_and_know_how_old_a_reading_is(name: str) -> None:
     places = rolling(400, (5.0, -3.0), (-0.8, 0.9))
     readings = noisy(places)
     found, raw = track(readings, filter=name), track(readings, filter="none")
-    settled = slice(50, None)
-    error = np.hypot(*(found[settled, :2] - places[settled]).T)
-    assert error.mean() < 0.75 * np.hypot(*(raw[settled, :2] - places[settled]).T).mean()
-    speeds = found[settled, 2:] - np.array([-0.8, 0.9])
+    error, raw_error = (np.hypot(*(one[50:, :2] - places[50:]).T).mean() for one in (found, raw))
+    assert error < 0.75 * raw_error
+    speeds = found[50:, 2:] - np.array([-0.8, 0.9])
     assert abs(speeds.mean(axis=0)).max() < 0.1 and speeds.std(axis=0).max() < 0.6
     assert not raw[:, 2:].any() and np.array_equal(raw[:, :2], readings)
-
-
-@pytest.mark.parametrize("name", ["kalman", "least-squares"])
-def test_an_old_reading_shows_where_a_thing_was(name: str) -> None:
     places = rolling(200, (6.0, -3.0), (-2.0, 2.0))
     late = np.vstack([places[:3], places[:-3]])  # three frames old
-    aware, unaware = track(late, late=0.06, filter=name), track(late, late=0.0, filter=name)
-    assert np.hypot(*(aware[-1, :2] - places[-1])) < 1e-3
-    assert np.hypot(*(unaware[-1, :2] - places[-1])) == pytest.approx(0.06 * np.hypot(2.0, 2.0), rel=0.05)
+    aware, unaware = (np.hypot(*(track(late, late=age, filter=name)[-1, :2] - places[-1])) for age in (0.06, 0.0))
+    assert aware < 1e-3 and unaware == pytest.approx(0.06 * np.hypot(2.0, 2.0), rel=0.05)
 
 
-def test_a_thing_that_is_not_seen_rolls_on_and_slows_down() -> None:
+def test_a_thing_that_is_not_seen_rolls_on_and_slows_down_and_nothing_fails_at_distance_0_or_after_hours() -> None:
     readings = np.full((200, 2), np.nan)
     readings[:50] = rolling(50, (1.0, 0.5), (1.0, 0.0))
     found = track(readings, slowing=0.4)
@@ -160,6 +148,13 @@ def test_a_thing_that_is_not_seen_rolls_on_and_slows_down() -> None:
     assert np.hypot(*found[99, 2:]) == pytest.approx(speed - 0.4, abs=1e-6)
     assert found[-1, 2:] == pytest.approx([0.0, 0.0], abs=1e-12)
     assert found[-1, 0] - found[49, 0] == pytest.approx(speed**2 / (2.0 * 0.4), rel=0.02)
+    readings = np.full((2000, 2), np.nan)
+    readings[0] = readings[1] = readings[-1] = 0.0
+    for name in ("kalman", "least-squares", "none"):
+        assert np.isfinite(track(readings, filter=name, late=0.06)).all()
+    P, gains = np.zeros(1, COVARIANCE), np.zeros((1, 2))
+    covariance_after(P, 1, 3600.0, 4.0, 0.0, 0.0, 1e-4, gains)
+    assert np.isfinite(gains).all()
 
 
 def test_a_picture_is_moved_by_the_odometry_since_its_exposure() -> None:
@@ -189,25 +184,12 @@ def test_a_filter_is_as_sure_as_it_is_right() -> None:
     assert 0.5 < np.mean(ratios) < 1.5
 
 
-def test_nothing_of_a_filter_fails_at_distance_zero_or_after_hours() -> None:
-    readings = np.full((2000, 2), np.nan)
-    readings[0] = readings[1] = readings[-1] = 0.0
-    for name in ("kalman", "least-squares", "none"):
-        assert np.isfinite(track(readings, filter=name, late=0.06)).all()
-    P, gains = np.zeros(1, COVARIANCE), np.zeros((1, 2))
-    covariance_after(P, 1, 3600.0, 4.0, 0.0, 0.0, 1e-4, gains)
-    assert np.isfinite(gains).all()
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"particles": 0}, "particles must be 1 to 65536, got 0"),
-        ({"surprise_count": 0}, "surprise_count must be 1 to 100, got 0"),
-        ({"window": 1.0}, "window must be 2 to 100, got 1"),
-        ({"filter": "median"}, "filter must be one of kalman, least-squares, none"),
-    ],
-)
-def test_memories_that_cannot_be_are_refused(change: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        LEAGUE.memory.changed(change)
+def test_memories_that_cannot_be_are_refused() -> None:
+    for message, change in (
+        ("particles must be 1 to 65536, got 0", {"particles": 0}),
+        ("surprise_count must be 1 to 100, got 0", {"surprise_count": 0}),
+        ("window must be 2 to 100, got 1", {"window": 1.0}),
+        ("filter must be one of kalman, least-squares, none", {"filter": "median"}),
+    ):
+        with pytest.raises(ValueError, match=message):
+            LEAGUE.memory.changed(change)

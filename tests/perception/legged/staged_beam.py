@@ -1,7 +1,5 @@
 """Scenes before the infrared ranger: a robot on the centre spot, its beam, and what is put in its way."""
 
-from __future__ import annotations
-
 from math import cos, sin
 from typing import Any
 

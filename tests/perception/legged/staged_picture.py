@@ -7,8 +7,6 @@ percepts = scene.look()          with noise, all robots look
 cast_ball(scene, m, finer=4)     (visible, whole) masks of the ball's pixels, by casting a ray through each
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -116,8 +114,7 @@ class Scene:
         """Return the area (M,) [px] of all pieces of a kind."""
         pieces, found = self.draw()
         shown = np.arange(PIECES) < found[:, kind, None]
-        area: np.ndarray = (pieces["area"][:, kind] * shown).sum(axis=1)
-        return area
+        return (pieces["area"][:, kind] * shown).sum(axis=1)
 
     def look(self, frames: int = 1) -> np.ndarray:
         """Let all robots take some pictures; return their percepts (M, R) of the last."""

@@ -1,7 +1,5 @@
 """The tables from sizes to ranges are those of the pinhole, and give back where things are."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import pi
 
@@ -40,12 +38,16 @@ def test_ms09_the_range_of_a_ball_is_that_of_the_pinhole() -> None:
             assert TABLES[name][0, size] == pytest.approx(range_, rel=0.01)
 
 
-def test_ms09_one_pixel_is_five_or_ten_centimetres_in_some_cases() -> None:
+def test_ms09_one_pixel_is_five_or_ten_centimetres_in_some_cases_and_ms33_the_front_view_errs_to_the_near_side():
     ranges = TABLES["ball_width"][0, 4:30]
     steps = -np.diff(ranges)
     middles = 0.5 * (ranges[1:] + ranges[:-1])
     assert np.interp(0.05, steps[::-1], middles[::-1]) == pytest.approx(0.58, abs=0.06)  # "5 or 10 cm in some cases"
     assert np.interp(0.10, steps[::-1], middles[::-1]) == pytest.approx(0.82, abs=0.08)
+    far = TABLES["player_front"][0] > 0.45  # [m] nearer by, the chest is much nearer than the flank
+    assert (TABLES["player_front"][0, far] < TABLES["player_side"][0, far]).all()
+    assert TABLES["player_front"][0, 5] == pytest.approx(0.105 + 0.055 * FOCAL_Y / 5.0, rel=0.02)
+    assert TABLES["player_side"][0, 5] == pytest.approx(0.0775 + 0.06 * FOCAL_Y / 5.0, rel=0.02)
 
 
 def test_ms09_a_noiseless_ball_is_where_the_table_says() -> None:
@@ -73,37 +75,26 @@ def test_ms33_a_noiseless_player_is_where_the_table_of_its_view_says(view: str, 
     compare(f"player_{view}_all", np.array([row["high"].max() - row["low"].min() for row in rows]), ranges)
 
 
-def test_ms33_the_front_view_errs_to_the_near_side() -> None:
-    far = TABLES["player_front"][0] > 0.45  # [m] nearer by, the chest is much nearer than the flank
-    assert (TABLES["player_front"][0, far] < TABLES["player_side"][0, far]).all()
-    assert TABLES["player_front"][0, 5] == pytest.approx(0.105 + 0.055 * FOCAL_Y / 5.0, rel=0.02)
-    assert TABLES["player_side"][0, 5] == pytest.approx(0.0775 + 0.06 * FOCAL_Y / 5.0, rel=0.02)
+@pytest.mark.parametrize("layer", ["44x36", "88x72", "176x144"])
+@pytest.mark.parametrize("jersey", [0.7, 1.3])
+def test_ranges_never_grow_with_the_size(layer: str, jersey: float) -> None:
+    tables = changed(resolution=layer, jersey=jersey)
+    for name in CALIBRATION.names or ():
+        table = tables[name][0]
+        assert np.isfinite(table).all() and (table > 0.0).all() and (np.diff(table) <= 0.0).all(), name
 
 
-def test_ranges_never_grow_with_the_size() -> None:
-    for layer in ("44x36", "88x72", "176x144"):
-        for jersey in (0.7, 1.3):
-            sensors = LEAGUE.sensors.changed({"resolution": layer, "jersey": jersey})
-            tables = calibrate(replace(LEAGUE, sensors=sensors))
-            for name in CALIBRATION.names or ():
-                table = tables[name][0]
-                assert np.isfinite(table).all() and (table > 0.0).all() and (np.diff(table) <= 0.0).all(), name
+def changed(**settings: object) -> np.ndarray:
+    """Return the tables of the league with other settings of its sensors."""
+    return calibrate(replace(LEAGUE, sensors=LEAGUE.sensors.changed(settings)))
 
 
-def test_twice_the_pixels_are_twice_the_size() -> None:
-    fine = calibrate(replace(LEAGUE, sensors=LEAGUE.sensors.changed({"resolution": "176x144"})))
+def test_a_league_is_calibrated_once_with_the_sizes_of_its_pixels_and_of_its_jersey() -> None:
+    fine, large = changed(resolution="176x144"), changed(jersey=1.3)
     for name in CALIBRATION.names or ():
         assert fine[name][0, 8:60:2] == pytest.approx(TABLES[name][0, 4:30], rel=0.01), name
-
-
-def test_a_larger_jersey_of_the_same_size_is_farther_away() -> None:
-    large = calibrate(replace(LEAGUE, sensors=LEAGUE.sensors.changed({"jersey": 1.3})))
     for name in ("player_front", "player_side"):
         assert (large[name][0, 3:20] > 1.1 * TABLES[name][0, 3:20]).all()
     assert (large["ball_width"] == TABLES["ball_width"]).all()
-
-
-def test_a_league_is_calibrated_once() -> None:
     assert calibrate(LEAGUE) is calibrate(LEAGUE)
-    blank = calibrate(replace(LEAGUE, sensors=LEAGUE.sensors.changed({"jersey": 0.0})))
-    assert np.isfinite(blank["player_front"]).all()  # there is nothing to calibrate by
+    assert np.isfinite(changed(jersey=0.0)["player_front"]).all()  # there is nothing to calibrate by

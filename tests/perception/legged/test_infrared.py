@@ -1,36 +1,31 @@
 """The infrared ranger measures what its beam meets first, and knows what it cannot measure."""
 
-from __future__ import annotations
-
 from math import asin, cos, inf, pi, sin, sqrt
 
 import numpy as np
 import pytest
 
-from soccer_env import Match
 from soccer_env.leagues.constants import constants_of
 from soccer_env.perception.legged.infrared import beam_direction
 from tests.perception.legged.staged_beam import LEAGUE, Place, aim_at, measure_all, trace_all
-from tests.scenes.staging import LEGGED, scatter
-from tests.scenes.symmetry import Records, mirrored, swapped_rows, turned
+from tests.scenes.symmetry import Records
 
 RADIUS = LEAGUE.ball.radius
 
 
-# What the beam meets
+def way_to(place: Place, x: float, y: float, z: float) -> float:
+    """Return how far a point [m] is from the camera."""
+    return float(np.linalg.norm(place.camera() - np.array([x, y, z])))
 
 
-def test_a_level_beam_meets_the_goal_or_flies_over_the_boards() -> None:
+def test_a_level_beam_meets_the_goal_or_flies_over_the_boards_and_one_that_points_down_meets_the_carpet() -> None:
     place = Place()
-    camera_x = place.camera()[0]
-    assert place.path() == pytest.approx(1.8 - camera_x, abs=1e-12)  # the back of the goal
+    assert place.path() == pytest.approx(1.8 - place.camera()[0], abs=1e-12)  # the back of the goal
+    place.put(0, 1.2, 0.0, 0.0, 0.7)  # through the mouth at x = 1.5 m, to the side at y = 0.3 m
+    assert place.path() == pytest.approx((0.3 - place.camera()[1]) / sin(0.7))
     place.put(0, 0.0, 0.6)
     assert place.path() == inf  # the boards are lower than the camera
-
-
-def test_a_beam_that_points_down_meets_the_carpet() -> None:
     for tilt in (-0.3, -0.8, -1.3):
-        place = Place()
         place.put(0, 0.0, 0.0, 0.7, 0.4, tilt)
         assert place.path() == pytest.approx(place.camera()[2] / sin(-tilt), rel=1e-12)
 
@@ -42,39 +37,28 @@ def test_the_path_to_a_ball_at_the_beam_ends_on_its_surface(distance: float, bea
     x, y = distance * cos(bearing), distance * sin(bearing)
     place.balls["x"], place.balls["y"] = x, y
     aim_at(place, x, y, RADIUS)
-    to_centre = float(np.linalg.norm(place.camera() - np.array([x, y, RADIUS])))
+    to_centre = way_to(place, x, y, RADIUS)
     assert place.path() == pytest.approx(to_centre - RADIUS, rel=1e-12)
 
 
-def test_a_beam_misses_the_ball_when_it_points_past_its_edge() -> None:
+def test_a_beam_misses_the_ball_past_its_edge_and_meets_boards_at_their_height_and_not_above() -> None:
     place = Place()
     place.balls["x"], place.balls["y"] = 0.6, 0.0
     aim_at(place, 0.6, 0.0, RADIUS)
-    away = float(np.linalg.norm(place.camera() - np.array([0.6, 0.0, RADIUS])))
+    away = way_to(place, 0.6, 0.0, RADIUS)
     edge = asin(RADIUS / away)
     assert place.path(lateral=0.99 * edge) < away
     assert place.path(lateral=1.01 * edge) > away  # the carpet behind it
     assert place.path(vertical=1.02 * edge) > away
-
-
-def test_the_beam_meets_boards_at_their_height_and_not_above() -> None:
     place = Place()
     place.put(0, 0.0, 0.6, pi / 2)
     aim_at(place, 0.0, 1.0, 0.09)
-    assert place.path() == pytest.approx(float(np.linalg.norm(place.camera() - np.array([0.0, 1.0, 0.09]))))
+    assert place.path() == pytest.approx(way_to(place, 0.0, 1.0, 0.09))
     aim_at(place, 0.0, 1.0, 0.11)
     assert place.path() == pytest.approx(place.camera()[2] / sin(-place.robots["tilt"][0, 0]))  # carpet, outside
     place.put(0, 1.0, 0.7, 0.0)
     aim_at(place, 1.5, 0.7, 0.05)  # beside the goal
-    assert place.path() == pytest.approx(float(np.linalg.norm(place.camera() - np.array([1.5, 0.7, 0.05]))))
-
-
-def test_a_goal_is_a_hole_in_the_boards_with_a_back_and_sides() -> None:
-    place = Place()
-    place.put(0, 1.2, 0.0)
-    assert place.path() == pytest.approx(1.8 - place.camera()[0])
-    place.put(0, 1.2, 0.0, 0.0, 0.7)  # through the mouth at x = 1.5 m, to the side at y = 0.3 m
-    assert place.path() == pytest.approx((0.3 - place.camera()[1]) / sin(0.7))
+    assert place.path() == pytest.approx(way_to(place, 1.5, 0.7, 0.05))
 
 
 def test_a_beam_meets_trunk_head_and_legs_of_a_robot_and_passes_between_the_legs() -> None:
@@ -82,13 +66,9 @@ def test_a_beam_meets_trunk_head_and_legs_of_a_robot_and_passes_between_the_legs
     rump = body.tip_radius - body.hind_x
     place = Place()
     place.put(1, 0.6, 0.0)  # seen from behind
-    for target, expected in (
-        ((0.6 - rump, 0.0, 0.10), "trunk"),
-        ((0.6 + body.hind_x, body.hind_y, 0.02), "leg"),
-    ):
+    for target, part in (((0.6 - rump, 0.0, 0.10), "trunk"), ((0.6 + body.hind_x, body.hind_y, 0.02), "leg")):
         aim_at(place, *target)
-        to_target = float(np.linalg.norm(place.camera() - np.array(target)))
-        assert place.path() == pytest.approx(to_target, abs=0.025), expected
+        assert place.path() == pytest.approx(way_to(place, *target), abs=0.025), part
     aim_at(place, 0.6 - rump, 0.0, 0.03)
     camera = place.camera()
     assert place.path() == pytest.approx(camera[2] / sin(-place.robots["tilt"][0, 0]))  # the carpet under its trunk
@@ -100,15 +80,11 @@ def test_a_beam_meets_trunk_head_and_legs_of_a_robot_and_passes_between_the_legs
     assert place.path() > 1.0
 
 
-def test_a_robot_beside_the_beam_or_behind_is_not_met() -> None:
+def test_the_nearest_of_several_robots_is_met_and_none_beside_the_beam_or_behind() -> None:
     place = Place(robots=4)
     for r, (x, y) in enumerate(((0.6, 0.30), (0.6, -0.30), (-0.5, 0.0)), start=1):
         place.put(r, x, y, 1.0)
     assert place.path() == pytest.approx(1.8 - place.camera()[0])
-
-
-def test_the_nearest_of_several_robots_is_met() -> None:
-    place = Place(robots=4)
     for r, x in enumerate((1.1, 0.5, 0.8), start=1):
         place.put(r, x, 0.0, pi / 2)
     aim_at(place, 0.5 - 0.0775, 0.0, 0.12)
@@ -133,11 +109,7 @@ def test_a_robot_out_of_the_way_changes_nothing() -> None:
     assert 0.02 < (near < bare).mean() < 0.5
 
 
-# What it reads
-
-
 def test_ms05_readings_outside_the_window_are_discarded() -> None:
-    """MS05: 10 to 90 cm."""
     away = np.array([0.02, 0.08, 0.099, 0.101, 0.4, 0.8, 0.899, 0.901, 1.3])
     place = Place(9)
     place.robots["x"][:, 0] = 1.8 - place.camera()[0] - away  # ahead of a goal's back
@@ -153,15 +125,8 @@ def test_the_error_of_a_reading_grows_as_the_law_says(distance: float) -> None:
     place.robots["x"][:, 0] = 1.8 - Place().camera()[0] - distance
     found = place.readings()[:, 0]
     expected = sqrt(0.004**2 + (0.018 * (distance / 0.4) ** 3) ** 2)
-    assert (found > 0.0).all()
-    assert found.std() == pytest.approx(expected, rel=0.05)
+    assert (found > 0.0).all() and found.std() == pytest.approx(expected, rel=0.05)
     assert found.mean() == pytest.approx(distance, abs=0.1 * expected)
-
-
-def test_what_is_far_outside_the_window_never_reads_as_near() -> None:
-    place = Place(4000, infrared_noise=0.004, infrared_growth=0.018)
-    place.robots["x"][:, 0] = -0.3  # the goal's back is 2 m away
-    assert not place.readings()[:, 0].any()
 
 
 def test_the_beam_strays_by_the_pointing_noise() -> None:
@@ -203,31 +168,17 @@ def test_with_its_head_at_the_ball_a_robot_measures_ball_or_carpet_and_no_phanto
     assert measured[to_ball > 0.1].mean() > 0.95
 
 
-def test_a_robot_that_is_out_measures_nothing() -> None:
-    place = Place()
+def test_who_is_out_measures_nothing_nothing_far_reads_as_near_and_all_in_one_place_break_nothing() -> None:
+    place, far = Place(), Place(4000, infrared_noise=0.004, infrared_growth=0.018)
     place.put(0, 0.0, 0.0, 0.0, 0.0, -0.8)
     assert place.readings()[0, 0] > 0.0
     place.robots["active"][:, 0] = 0
     assert place.readings()[0, 0] == 0.0
-
-
-def test_robots_and_ball_in_one_place_break_nothing() -> None:
+    far.robots["x"][:, 0] = -0.3  # the goal's back is 2 m away
+    assert not far.readings()[:, 0].any()
     place = Place(2, robots=6)
     place.robots["x"], place.balls["x"], place.robots["tilt"][1] = 0.0, 0.0, -1.4
     assert np.isfinite(place.readings()).all()
-
-
-# Symmetry
-
-
-def scattered() -> Match:
-    """Return matches with everybody somewhere, heads turned."""
-    match = Match(LEGGED, home=3, away=3, matches=200, seed=2)
-    rng = np.random.default_rng(9)
-    scatter(match, rng, 0.6)
-    match.robots["pan"] = rng.uniform(-1.5, 1.5, match.robots.shape)
-    match.robots["tilt"] = rng.uniform(-1.0, 0.1, match.robots.shape)
-    return match
 
 
 def read(records: Records) -> np.ndarray:
@@ -236,16 +187,3 @@ def read(records: Records) -> np.ndarray:
     sensors = LEAGUE.sensors.record()
     measure_all(records.matches, records.balls, records.robots, constants_of(LEAGUE), sensors, found)
     return found
-
-
-def test_a_mirror_changes_no_reading() -> None:
-    match = scattered()
-    found, image = read(Records.of(match)), read(mirrored(Records.of(match)))
-    assert (found > 0.0).mean() > 0.3
-    assert image == pytest.approx(found, abs=1e-12)
-
-
-def test_a_half_turn_with_the_teams_swapped_changes_no_reading() -> None:
-    match = scattered()
-    found, image = read(Records.of(match)), read(turned(Records.of(match)))
-    assert image == pytest.approx(swapped_rows(found), abs=1e-9)

@@ -1,24 +1,20 @@
 """What the touch sensors of a legged robot feel: at head, chin, back and feet, and nowhere else."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
 from soccer_env import Match
-from tests.scenes.staging import LEGGED, asking, put, put_ball, stage, stand
+from soccer_env.leagues import find_league
+from tests.scenes.staging import LEGGED, asking, place, play, stage, stand
 
 SWITCHES = ("head", "chin", "back", "feet")
 
 
 def feeling(**settings: object) -> Match:
     """Return a match of two legged robots far apart, the ball in the pocket of robot 0."""
-    match = stage(LEGGED, 1, 1, 1, observe="percepts", **settings)
-    put(match, 0, 0.0, 0.0)
-    put(match, 1, 1.0, 0.5)
-    put_ball(match, match.league.body.front + match.league.ball.radius, 0.0)
-    match.rebuild()
-    return match
+    league = find_league(LEGGED)
+    pocket = (league.body.front + league.ball.radius, 0.0)
+    return stage(LEGGED, ball=pocket, robots={0: (0.0, 0.0), 1: (1.0, 0.5)}, observe="percepts", **settings)
 
 
 def felt(match: Match, r: int = 0) -> tuple[int, ...]:
@@ -29,8 +25,7 @@ def felt(match: Match, r: int = 0) -> tuple[int, ...]:
 def test_ms06_a_collision_presses_no_touch_sensor() -> None:
     """MS06: who runs into another robot, and who has the ball between its paws, feel no more than one alone."""
     match = feeling()
-    put(match, 1, -0.4, 0.0)
-    match.rebuild()
+    place(match, robots={1: (-0.4, 0.0)})
     actions = asking(match, 1, forward=1.0)
     collided, touched, pressed = False, False, set()
     for _ in range(64):
@@ -46,8 +41,7 @@ def test_ms06_paws_feel_the_ground_and_not_what_stands_before_them() -> None:
     match = feeling()
     match.step(stand(match))
     assert felt(match)[3] == 4
-    for _ in range(12):
-        match.step(asking(match, forward=1.0))
+    play(match, actions=asking(match, forward=1.0), steps=12)
     assert felt(match)[3] == 2
     match.robots["fallen"][0, 0] = 1.0
     match.step(stand(match))

@@ -1,13 +1,11 @@
 """Scenes before the mirror camera: a robot in the middle, things put round it, one look."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
 
 from soccer_env import Match
-from tests.scenes.staging import MIDDLE, put, put_ball, stage
+from tests.scenes.staging import MIDDLE, stage
 
 NOW = {"camera_delay": 0}
 SHARP = {"pixel_noise": 0.0, **NOW}  # nothing but whole pixels
@@ -18,11 +16,11 @@ SURE = {  # what can be seen is seen
 }
 
 
-def watching(matches: int = 1, home: int = 1, away: int = 1, sensors: Any = None, **settings: Any) -> Match:
+def watching(matches: int = 1, home: int = 1, away: int = 1, *, sensors: Any = None, robots: Any = None,
+             ball: Any = (-4.0, -3.0), **settings: Any) -> Match:  # fmt: skip
     """Return matches in which robot 0 stands on the centre spot and looks at +x, the others are off, the ball aside."""
-    match = stage(MIDDLE, matches, home, away, observe="percepts", sensors={**NOW, **(sensors or {})}, **settings)
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, -4.0, -3.0)
+    seen, robots = {**NOW, **(sensors or {})}, {0: (0.0, 0.0), **(robots or {})}
+    match = stage(MIDDLE, matches, home, away, ball=ball, robots=robots, observe="percepts", sensors=seen, **settings)
     match.robots["placed"] = 0
     return match
 
@@ -34,8 +32,7 @@ def look(match: Match, frames: int = 1) -> np.ndarray:
     for frame in range(frames):
         match.matches["step"] = frame
         match.batch.senses.sense(0, match.count)
-    percepts: np.ndarray = match.percepts[:, 0]
-    return percepts
+    return match.percepts[:, 0]
 
 
 def gather(match: Match, frames: int) -> np.ndarray:
@@ -49,8 +46,7 @@ def gather(match: Match, frames: int) -> np.ndarray:
 
 def around(count: int) -> np.ndarray:
     """Return bearings [rad] in all directions, none of them special."""
-    bearings: np.ndarray = (np.arange(count) + 0.37) / count * 2.0 * np.pi - np.pi
-    return bearings
+    return (np.arange(count) + 0.37) / count * 2.0 * np.pi - np.pi
 
 
 def apart(one: Any, other: Any) -> Any:

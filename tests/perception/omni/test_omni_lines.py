@@ -1,6 +1,4 @@
-"""White lines of the pitch: what a robot knows of them, and the first one that it sees in each direction."""
-
-from __future__ import annotations
+"""White lines, other robots and goals in the picture of the mirror camera."""
 
 from dataclasses import replace
 
@@ -10,7 +8,8 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
 from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
-from tests.perception.omni.staged_omni import NOW, SHARP, SURE, gather, look, watching
+from soccer_env.records.percepts import OTHERS
+from tests.perception.omni.staged_omni import NOW, SHARP, SURE, apart, gather, look, watching
 from tests.scenes.staging import MIDDLE, put
 
 LEAGUE = find_league(MIDDLE)
@@ -18,21 +17,18 @@ PITCH = LEAGUE.pitch
 S = LEAGUE.sensors.record().view(np.recarray)[0]
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "distance"),
-    [
-        (0.3, 3.0, 0.3),  # halfway line
-        (0.0, 0.0, 0.0),  # the halfway line runs through the centre spot
-        (0.7, 0.0, 0.3),  # centre circle
-        (3.0, 3.8, 0.2),  # touchline
-        (-5.9, 3.5, 0.1),  # goal line
-        (-6.5, -4.5, np.hypot(0.5, 0.5)),  # beyond the corner
-        (4.4, 1.0, 0.1),  # penalty area, 1.5 x 5 m
-        (-5.2, 2.6, 0.1),  # its side
-        (5.6, -1.0, 0.1),  # goal area, 0.5 x 3 m
-        (5.75, 1.52, 0.02),  # its side
-    ],
-)
+@pytest.mark.parametrize(("x", "y", "distance"), [
+    (0.3, 3.0, 0.3),  # halfway line
+    (0.0, 0.0, 0.0),  # the halfway line runs through the centre spot
+    (0.7, 0.0, 0.3),  # centre circle
+    (3.0, 3.8, 0.2),  # touchline
+    (-5.9, 3.5, 0.1),  # goal line
+    (-6.5, -4.5, np.hypot(0.5, 0.5)),  # beyond the corner
+    (4.4, 1.0, 0.1),  # penalty area, 1.5 x 5 m
+    (-5.2, 2.6, 0.1),  # its side
+    (5.6, -1.0, 0.1),  # goal area, 0.5 x 3 m
+    (5.75, 1.52, 0.02),  # its side
+])  # fmt: skip
 def test_the_lines_run_where_the_rules_of_2006_draw_them(x: float, y: float, distance: float) -> None:
     for sign_x, sign_y in ((1, 1), (-1, 1), (1, -1), (-1, -1)):
         found = nearest_line(PITCH, np.array(sign_x * x), np.array(sign_y * y))
@@ -68,7 +64,6 @@ def march(x: float, y: float, angle: float) -> float:
 
 
 def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
-    """MH02: directions run from straight ahead to the left; a whole pixel limits the distance."""
     match = watching(40, sensors={**SURE, **SHARP})
     rng = np.random.default_rng(1)
     x, y, heading = rng.uniform(-6.3, 6.3, 40), rng.uniform(-4.3, 4.3, 40), rng.uniform(-np.pi, np.pi, 40)
@@ -83,7 +78,7 @@ def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
     assert not lines[:, count:].any()
 
 
-def test_lines_are_missed_and_misjudged_like_all_things() -> None:
+def test_lines_are_missed_and_misjudged_like_all_things_and_none_is_seen_through_a_robot() -> None:
     match = watching(20, sensors=NOW)
     put(match, 0, 2.0, 2.0, 0.0)
     found = gather(match, 200)["lines"][..., 6]  # the touchline to the left
@@ -94,9 +89,6 @@ def test_lines_are_missed_and_misjudged_like_all_things() -> None:
         np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_per_pixel(mirror_of(S), 2.0)[0], rel=0.1
     )
     assert abs(error.mean()) < 0.2 * error.std()
-
-
-def test_no_line_is_seen_through_a_robot() -> None:
     match = watching(sensors={**SURE, **SHARP})
     put(match, 0, 2.0, 2.0, 0.0)
     assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
@@ -114,3 +106,62 @@ def test_there_may_be_1_to_32_directions(count: int) -> None:
     put(match, 0, 2.0, 2.0, np.pi / 2)
     lines = look(match)["lines"][0]
     assert lines[0] == pytest.approx(2.0, abs=0.03) and not lines[count:].any()
+
+
+def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> None:
+    match = watching(200, 2, 3, sensors=SURE)
+    for r, (x, y) in {1: (2.0, 1.0), 2: (-1.0, 0.5), 3: (0.5, -3.0), 4: (-4.0, -1.0)}.items():
+        put(match, r, x, y)
+    for turned, heading in ((1.0, 0.0), (-1.0, 2.0)):
+        match.matches["home_direction"] = turned  # the jersey is the same in both halves
+        put(match, 0, 0.0, 0.0, heading)
+        players = look(match)["players"]
+        assert players["seen"].sum(axis=1).tolist() == [4] * 200 and players.shape[1] == OTHERS
+        assert (np.diff(players["distance"][:, :4], axis=1) >= 0.0).all()
+        assert players["teammate"][:, :4].tolist() == [[0, 1, 0, 0]] * 200
+        expected = [np.arctan2(0.5, -1.0), np.arctan2(1.0, 2.0), np.arctan2(-3.0, 0.5), np.arctan2(-1.0, -4.0)]
+        assert abs(apart(players["bearing"][:, :4], np.array(expected) - heading)).max() < 0.03
+
+
+def test_a_robot_behind_a_robot_is_not_seen_and_robots_that_are_off_neither_see_nor_are_seen() -> None:
+    match = watching(50, 2, 1, sensors=SURE)
+    put(match, 1, 2.0, 0.0)
+    put(match, 2, 4.0, 0.0)
+    players = look(match)["players"]
+    assert players["seen"].sum(axis=1).max() == 1 and (players["teammate"][:, 0] == 1).all()
+    put(match, 2, 4.0, 1.0)
+    assert look(match)["players"]["seen"].sum() == 100
+    match = watching(20, 1, 1, sensors={**SURE, "false_balls": 1.0})
+    assert look(match)["players"]["seen"].sum() == 0
+    match.robots["active"][:, 0] = 0
+    percepts = look(match)
+    assert percepts["ball"]["seen"].sum() == percepts["own_goal"]["seen"].sum() == 0 and not percepts["lines"].any()
+
+
+@pytest.mark.parametrize("direction", [1.0, -1.0])
+def test_goals_are_named_from_the_own_side(direction: float) -> None:
+    match = watching(100, sensors=SURE)
+    match.matches["home_direction"] = direction
+    put(match, 0, 1.0, 2.0, 0.5)
+    percepts = look(match)
+    for name, end in (("own_goal", -6.0 * direction), ("opponent_goal", 6.0 * direction)):
+        goal = percepts[name]
+        assert (goal["seen"] == 1).all()
+        assert goal["distance"].mean() == pytest.approx(np.hypot(end - 1.0, -2.0), rel=0.01)
+        posts = [np.arctan2(y - 2.0, end - 1.0) - 0.5 for y in (-1.0, 1.0)]
+        middle = posts[0] + 0.5 * apart(posts[1], posts[0])  # of what is seen
+        assert abs(apart(goal["bearing"], middle)).max() < 0.02
+
+
+def test_a_goal_is_seen_over_robots_unless_they_are_near() -> None:
+    match = watching(200, 1, 1, sensors=SURE)
+    goal = look(match)["opponent_goal"]
+    assert goal["seen"].all() and abs(goal["bearing"].mean()) < 0.002
+    put(match, 1, 3.0, 0.0)
+    goal = look(match)["opponent_goal"]
+    assert goal["seen"].all()
+    put(match, 1, 0.5, 0.0)  # heads of 0.8 m at 0.5 m: the view from 0.75 m passes over a goal of 1 m at 6 m
+    assert not look(match)["opponent_goal"]["seen"].any()
+    put(match, 1, 0.8, 0.15)  # its left is hidden: the middle of the rest lies to the right
+    goal = look(match)["opponent_goal"]
+    assert (goal["bearing"][goal["seen"] == 1] < -0.03).all() and goal["seen"].any()

@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.types import Phase
 from tests.scenes.fouls import NOSES, asks, court, face, fouls, rows
-from tests.scenes.staging import LEGGED, deepest_overlaps, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, deepest_overlaps, place, play, put, put_ball, stage, stand
 
 RULE = "pushing=True,pardon=True"
 STEP = 1.0 / 16.0
@@ -55,26 +55,30 @@ def test_it_is_parked_for_30_s_and_comes_back_at_the_halfway_line_away_from_the_
     assert robot["x"] == 0.0 and robot["active"] == 1 and robot["placed"] == 1 and robot["penalty"] == 0.0
     edge = match.league.pitch.width / 2 - abs(robot["y"])
     assert np.sign(robot["y"]) == side and 0.15 < edge < 0.21
-    assert robot["heading"] == pytest.approx(-side * pi / 2)
-    assert robot["vx"] == robot["vy"] == 0.0
+    assert robot["heading"] == pytest.approx(-side * pi / 2) and robot["vx"] == robot["vy"] == 0.0
 
 
-def test_out_it_does_not_move_touch_or_push_and_its_clock_is_told():
+def test_out_it_does_not_move_touch_or_push_and_where_somebody_stands_it_comes_back_beside():
     match, actions = penalised()
     for _ in range(40):
         match.step(actions)
         assert match.robots["x"][0, 1] == PARKED + 2.0 and match.robots["vx"][0, 1] == 0.0
         assert match.robot_events["touch"][0, 1] == match.robot_events["collision"][0, 1] == 0
     assert match.robots["penalty"][0, 1] == 27.5
+    match, other = soon_back(), soon_back(4)
+    line = match.league.pitch.width / 2 - 0.2
+    place(match, robots={5: (0.0, line, 0.0), 4: (1.0, 0.0, 0.0), 2: (-0.35, line, 0.0)})
+    assert back_after(match, stand(match)) == 2 * STEP
+    assert -1.0 < match.robots["x"][0, 1] < -0.5 and match.robots["y"][0, 1] > 0.7
+    assert deepest_overlaps(match)["robot robot"] == 0.0
+    place(other, ball=(0.0, -0.001), robots={1: (0.0, line, 0.0)})
+    assert back_after(other, stand(other), 4) == 2 * STEP and other.robots["x"][0, 4] > 0.25
 
 
-@pytest.mark.parametrize(
-    ("r", "ball", "hand", "side"),
-    [
-        (1, -0.9, 1.0, 1.0), (1, 0.9, 1.0, -1.0), (4, -0.9, 1.0, 1.0), (4, 0.9, 1.0, -1.0),
-        (1, 0.0, 1.0, 1.0), (4, 0.0, 1.0, -1.0), (1, 0.0, -1.0, -1.0), (4, 0.0, -1.0, 1.0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("r", "ball", "hand", "side"), [
+    (1, -0.9, 1.0, 1.0), (1, 0.9, 1.0, -1.0), (4, -0.9, 1.0, 1.0), (4, 0.9, 1.0, -1.0), (1, 0.0, 1.0, 1.0),
+    (4, 0.0, 1.0, -1.0), (1, 0.0, -1.0, -1.0), (4, 0.0, -1.0, 1.0),
+])  # fmt: skip
 def test_it_comes_back_away_from_the_ball_and_if_that_lies_in_the_middle_on_its_left(r, ball, hand, side):
     match = soon_back(r)
     match.matches["handedness"] = hand
@@ -85,37 +89,17 @@ def test_it_comes_back_away_from_the_ball_and_if_that_lies_in_the_middle_on_its_
     assert robot["x"] == 0.0 and np.sign(robot["y"]) == side and robot["heading"] == pytest.approx(-side * pi / 2)
 
 
-def test_where_somebody_stands_it_comes_back_beside_towards_its_own_goal():
-    match = soon_back()
-    place = match.league.pitch.width / 2 - 0.2
-    put(match, 5, 0.0, place, 0.0)
-    put(match, 4, 1.0, 0.0, 0.0)
-    put(match, 2, -0.35, place, 0.0)
-    match.rebuild()
-    assert back_after(match, stand(match)) == 2 * STEP
-    assert -1.0 < match.robots["x"][0, 1] < -0.5 and match.robots["y"][0, 1] > 0.7
-    assert deepest_overlaps(match)["robot robot"] == 0.0
-    match = soon_back(4)
-    put_ball(match, 0.0, -0.001)
-    put(match, 1, 0.0, place, 0.0)
-    match.rebuild()
-    assert back_after(match, stand(match), 4) == 2 * STEP and match.robots["x"][0, 4] > 0.25
-
-
 @pytest.mark.parametrize(("ball", "near", "far"), [(0.9, 0.0, 0.0), (0.0, -0.35, -0.2)])
 def test_with_no_room_on_that_side_it_comes_back_on_the_other_clear_of_the_ball(ball, near, far):
     match = stage(LEGGED, 1, 11, 11, rules=f"simple:dropped_ball=False,{RULE}")
-    place = match.league.pitch.width / 2 - 0.2
-    for index, r in enumerate((1, 2, 3, 4, 5, 6)):
-        put(match, r, -1.3 + 0.25 * index, place, 0.0)
-    put_ball(match, ball, -0.8)
     match.robots["penalty"][0, 8] = 0.1
-    match.rebuild()
+    line = match.league.pitch.width / 2 - 0.2
+    place(match, ball=(ball, -0.8), robots={1 + index: (-1.3 + 0.25 * index, line, 0.0) for index in range(6)})
     assert back_after(match, stand(match), 8, 1.0) == 0.125
     assert match.robots["y"][0, 8] < -0.7 and near <= match.robots["x"][0, 8] <= far
 
 
-def test_a_kick_off_ends_penalties_and_the_robot_takes_part():
+def test_kick_off_and_half_time_end_penalties_a_dropped_ball_does_not_nor_anything_without_pardon():
     match, actions = penalised()
     put_ball(match, 1.53, 0.0, 0.5)
     match.rebuild()
@@ -127,9 +111,6 @@ def test_a_kick_off_ends_penalties_and_the_robot_takes_part():
     assert match.robot_events["returned"][0, 1] == 1 and robot["active"] == 1 and robot["penalty"] == 0.0
     assert -1.5 < robot["x"] < 0.0 and robot["placed"] == 1
     assert deepest_overlaps(match)["robot robot"] == 0.0
-
-
-def test_half_time_ends_penalties_too_and_a_dropped_ball_does_not():
     match, actions = penalised()
     match.matches["half_length"] = match.matches["clock"] + 1.0
     assert back_after(match, actions, seconds=2.0) == 1.0 and match.matches["home_direction"][0] == -1.0
@@ -139,9 +120,6 @@ def test_half_time_ends_penalties_too_and_a_dropped_ball_does_not():
     match.matches["still_clock"] = match.league.rules.stuck_time - STEP
     assert back_after(match, stand(match), seconds=STEP) is None and match.events["restart"][0] == Phase.DROP_BALL
     assert back_after(match, stand(match), seconds=29.0) is None
-
-
-def test_without_pardon_the_clock_runs_on_through_a_kick_off():
     match, actions = penalised(rules="pushing=True")
     match.matches["half_length"] = match.matches["clock"] + 1.0
     assert back_after(match, stand(match), seconds=1.0) is None and match.events["half_time"][0] == 1
@@ -149,36 +127,18 @@ def test_without_pardon_the_clock_runs_on_through_a_kick_off():
     assert back_after(match, stand(match)) == 29.0
 
 
-def test_a_whole_team_may_be_out_and_come_back():
+def test_a_whole_team_may_be_out_and_come_back_and_padding_never_comes_on():
     match = court(RULE)
     match.robots["penalty"][0, 3:] = [5.0, 5.0, 6.0]
-    put(match, 0, -1.2, 0.0)
-    match.rebuild()
+    place(match, robots={0: (-1.2, 0.0)})
     fouls(match, stand(match), 4.9)
     assert match.robots["active"][0, 3:].sum() == 0
     fouls(match, stand(match), 1.2)
     assert match.robots["active"][0, 3:].sum() == 3 and deepest_overlaps(match)["robot robot"] == 0.0
-
-
-def test_padding_never_comes_on():
-    match = Match(LEGGED, home=2, away=2, max_players=4, seed=3, rules="league")
-    match.robots["penalty"][0, 1] = 0.5
-    match.robots["active"][0, 1] = 0
-    fouls(match, np.zeros((1, 8, 4)), 2.0)
-    assert match.robots["active"][0].tolist() == [1, 1, 0, 0, 1, 1, 0, 0]
-
-
-def test_a_match_saved_in_mid_penalty_goes_on_alike():
-    match, actions = penalised()
-    for _ in range(50):
-        match.step(actions)
-    saved = match.save()
-    hashes = []
-    for _ in range(2):
-        match.load(saved)
-        second = back_after(match, actions)
-        hashes.append((second, match.state_hash()))
-    assert hashes[0] == hashes[1] and hashes[0][0] is not None
+    padded = Match(LEGGED, home=2, away=2, max_players=4, seed=3, rules="league")
+    padded.robots["penalty"][0, 1], padded.robots["active"][0, 1] = 0.5, 0
+    fouls(padded, np.zeros((1, 8, 4)), 2.0)
+    assert padded.robots["active"][0].tolist() == [1, 1, 0, 0, 1, 1, 0, 0]
 
 
 @pytest.mark.parametrize("kick_clock", [0.3, -0.3])
@@ -193,7 +153,23 @@ def test_a_robot_that_is_taken_out_while_it_kicks_forgets_the_kick(kick_clock):
     assert match.robots["kick_clock"][0, 1] == 0.0 and match.robots["active"][0, 1] == 0
 
 
-def test_legs_that_were_caught_come_free():
+def test_a_match_saved_in_mid_penalty_goes_on_alike_and_so_do_both_backends():
+    (match, actions), (other, _) = penalised(backend="c"), penalised(backend="batch")
+    play(match, actions=actions, steps=50)
+    saved, hashes = match.save(), []
+    for _ in range(2):
+        match.load(saved)
+        hashes.append((back_after(match, actions), match.state_hash()))
+    assert hashes[0] == hashes[1] and hashes[0][0] is not None
+    play(other, actions=actions, steps=50)
+    other.save()
+    assert (back_after(other, actions), other.state_hash()) == hashes[0]
+
+
+def test_removal_time_zero_puts_it_back_at_once_and_legs_that_were_caught_come_free():
+    match, _ = penalised(rules=f"{RULE},removal_time=0")
+    assert match.robots["active"][0, 1] == 1 and match.robots["x"][0, 1] == 0.0
+    assert match.robot_events["returned"][0, 1] == 1
     match = court(RULE)
     put(match, 1, 0.3, 0.4, 0.0)
     put(match, 4, 0.3 + NOSES - 0.05, 0.4 + 0.05, pi)  # a paw between the other's forepaws
@@ -206,18 +182,3 @@ def test_legs_that_were_caught_come_free():
     assert rows(found) == [1] and (match.robots["caught_by"] == 0).all()
     fouls(match, stand(match), 1.0)
     assert abs(match.robots["x"][0, 4] - 0.3 - NOSES) < 0.1 and abs(match.robots["vx"][0, 4]) < 0.05
-
-
-def test_both_backends_agree():
-    hashes = set()
-    for backend in ("c", "batch"):
-        match, actions = penalised(backend=backend)
-        assert back_after(match, actions) == 30.0
-        hashes.add(match.state_hash())
-    assert len(hashes) == 1
-
-
-def test_removal_time_zero_puts_it_back_at_once():
-    match, _ = penalised(rules=f"{RULE},removal_time=0")
-    assert match.robots["active"][0, 1] == 1 and match.robots["x"][0, 1] == 0.0
-    assert match.robot_events["returned"][0, 1] == 1

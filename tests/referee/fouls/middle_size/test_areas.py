@@ -1,33 +1,29 @@
-"""Who may not stay in the areas before the goals, and for how long."""
+"""Who may not stay in the areas before the goals, and for how long; cards."""
 
 import pytest
 
+from soccer_env.referee.fouls.middle_size.cards import OUT, YELLOW, book
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
+from tests.scenes.staging import asking, each_step, play
 
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
 GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA
 
 
 @each_team
-@pytest.mark.parametrize(
-    ("index", "x", "y", "foul"),
-    [
-        (1, -5.51, 0.0, GOAL_AREA),  # a field player in its own goal area, 0.5 x 3 m
-        (1, -5.49, 0.0, 0),
-        (1, -5.6, 1.49, GOAL_AREA),
-        (1, -5.6, 1.51, 0),
-        (0, -5.8, 0.0, 0),  # its goalkeeper
-        (1, 5.51, 0.0, GOAL_AREA),  # an attacker
-        (1, 5.49, 0.0, 0),
-        (0, 5.6, 0.0, GOAL_AREA),  # a goalkeeper that attacks
-    ],
-)
+@pytest.mark.parametrize(("index", "x", "y", "foul"), [
+    (1, -5.51, 0.0, GOAL_AREA),  # a field player in its own goal area, 0.5 x 3 m
+    (1, -5.49, 0.0, 0), (1, -5.6, 1.49, GOAL_AREA), (1, -5.6, 1.51, 0),
+    (0, -5.8, 0.0, 0),  # its goalkeeper
+    (1, 5.51, 0.0, GOAL_AREA),  # an attacker
+    (1, 5.49, 0.0, 0),
+    (0, 5.6, 0.0, GOAL_AREA),  # a goalkeeper that attacks
+])  # fmt: skip
 def test_only_the_goalkeeper_stays_in_a_goal_area(index, x, y, foul, team):
     referee = Referee(team=team)
     referee.put(index, x, y)
-    assert not any(referee.wait(9.98))
-    assert referee.look() == foul
+    assert not any(referee.wait(9.98)) and referee.look() == foul
     if foul:
         assert referee.record["phase"] == Phase.FREE_KICK and referee.record["restart_team"] == 1 - team
         assert abs(referee.record["restart_x"]) == 5.5
@@ -50,8 +46,7 @@ def test_one_field_player_is_in_its_own_penalty_area_beside_the_goalkeeper(secon
     referee.put(0, -5.8, 0.0)
     referee.put(1, -5.0, 0.0)
     referee.put(2, *second)
-    assert not any(referee.wait(9.98))
-    assert referee.look() == foul
+    assert not any(referee.wait(9.98)) and referee.look() == foul
 
 
 @pytest.mark.parametrize(("ball", "guilty"), [(-1.0, 2), (2.0, 1)])
@@ -64,19 +59,22 @@ def test_the_one_nearest_to_the_ball_may_stay_and_the_other_is_guilty(ball, guil
     assert referee.deeds["foul"].tolist() == [PENALTY_AREA if row == guilty else 0 for row in range(6)]
 
 
-@pytest.mark.parametrize(("index", "x"), [(0, -4.6), (4, 5.0)])
-def test_a_goalkeeper_and_an_opponent_in_its_own_area_crowd_nobody_though_nearer_to_the_ball(index, x):
+@pytest.mark.parametrize(("first", "second", "ball"), [
+    ((1, -5.0, 0.0), (0, -4.6, 0.0), (-4.6, 1.0)), ((1, -5.0, 0.0), (4, 5.0, 0.0), (5.0, 1.0)),
+    ((1, 5.0, 0.0), (2, 5.0, 1.0), (0.0, 0.0)),
+])  # fmt: skip
+def test_a_goalkeeper_and_an_opponent_in_its_own_area_crowd_nobody_and_opponents_may_stay_there(first, second, ball):
     referee = Referee()
-    referee.put(1, -5.0, 0.0)
-    referee.put(index, x, 0.0)
-    referee.ball["x"], referee.ball["y"] = x, 1.0
+    referee.put(*first)
+    referee.put(*second)
+    referee.ball["x"], referee.ball["y"] = ball
     assert not any(referee.wait(11.0))
 
 
-def test_opponents_may_stay_in_a_penalty_area():
+def test_clocks_stand_still_at_restarts():
     referee = Referee()
-    referee.put(1, 5.0, 0.0)
-    referee.put(2, 5.0, 1.0)
+    referee.put(1, 5.6, 0.0)
+    referee.restart(Phase.THROW_IN, 0.0, 4.0)
     assert not any(referee.wait(11.0))
 
 
@@ -90,8 +88,39 @@ def test_each_can_be_switched_off(rule):
     assert fouls == ({PENALTY_AREA} if rule == "goal_area" else {GOAL_AREA})
 
 
-def test_clocks_stand_still_at_restarts():
+def cards(referee, hard):
+    """Return the cards and what `book` says, for fouls of robot 1 one after the other."""
+    shown = []
+    for one in hard:
+        referee.deeds["card"] = 0
+        out = book(referee.robots, referee.deeds, referee.rows[1], one, referee.k)
+        shown.append((int(referee.deeds["card"][referee.rows[1]]), bool(out)))
+    return shown
+
+
+@pytest.mark.parametrize("team", [HOME, AWAY])
+def test_every_third_foul_is_a_yellow_card_and_the_sixth_the_end(team):
+    referee = Referee(team=team)
+    assert cards(referee, [False] * 6) == [(0, False)] * 2 + [(YELLOW, False)] + [(0, False)] * 2 + [(OUT, True)]
+    robot = referee.robots[referee.rows[1]]
+    assert robot["active"] == 0 and robot["banned"] == 1 and robot["penalty"] == 0.0
+
+
+def test_a_hard_foul_is_a_yellow_card_at_once_who_is_sent_off_stays_away_and_cards_can_be_switched_off():
     referee = Referee()
-    referee.put(1, 5.6, 0.0)
-    referee.restart(Phase.THROW_IN, 0.0, 4.0)
-    assert not any(referee.wait(11.0))
+    assert cards(referee, [True, True]) == [(YELLOW, False), (OUT, True)]
+    referee.match.rebuild()
+    play(referee.match, actions=asking(referee.match, referee.rows[1], 1.0), steps=150)
+    assert referee.robots["active"].tolist() == [1, 0, 1, 1, 1, 1]
+    assert cards(Referee(timed_cards=True), [True] * 4) == [(YELLOW, False), (OUT, True)] * 2
+    referee = Referee(cards=False)
+    assert cards(referee, [True] * 4) == [(0, False)] * 4 and referee.robots["fouls"].max() == 0
+
+
+def test_the_timed_variant_lets_it_come_back_after_its_time():
+    referee = Referee(timed_cards=True, card_time=1.0)
+    cards(referee, [True, True])
+    assert referee.robots["banned"].max() == 0 and referee.robots["penalty"][1] == 1.0
+    referee.match.rebuild()
+    assert each_step(referee.match, lambda: referee.robots["active"][1], steps=60).tolist().index(1) == 49
+    assert abs(referee.robots["x"][1]) < 0.5 and abs(referee.robots["y"][1]) > 3.0

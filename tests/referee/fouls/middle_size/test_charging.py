@@ -1,13 +1,14 @@
-"""Who drives into an opponent off the ball, or into a goalkeeper, commits a foul; who stands never does."""
+"""Who drives into an opponent off the ball, or into a goalkeeper; and how much of the ball may lie within a robot."""
 
 from math import pi
 
 import pytest
 
 from soccer_env.match.staging import put_ball
+from soccer_env.referee.fouls.middle_size.handling import share_within
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
-from tests.scenes.staging import asking
+from tests.scenes.staging import asking, each_step
 
 CONTACT = 0.448  # [m] between robots, the tips of one at the back of the other
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
@@ -39,7 +40,7 @@ def test_a_hard_blow_is_a_foul_at_once_and_who_drives_away_softens_it(speed, awa
     assert (referee.look(collides=(1, 4)) == Foul.CHARGING) == bool(foul)
 
 
-def test_who_is_in_contact_already_strikes_no_hard_blow_by_driving_faster():
+def test_who_is_in_contact_already_strikes_no_hard_blow_and_each_is_judged_by_its_own_speed():
     referee = behind(1.0)
     assert referee.look(collides=(1, 4)) == 0
     referee.put(1, 1.0, 0.0, 0.0, 2.5)
@@ -48,6 +49,10 @@ def test_who_is_in_contact_already_strikes_no_hard_blow_by_driving_faster():
     assert referee.look(collides=(1, 4)) == 0
     referee.wait(0.04)
     assert referee.look(collides=(1, 4)) == Foul.CHARGING
+    referee = behind(0.0)
+    referee.put(4, 1.0 + CONTACT - 0.005, 0.0, pi, 1.0)
+    fouls = referee.wait(3.0, collides=(1, 4))
+    assert Foul.CHARGING in fouls and referee.robots["charging"][referee.rows[1]] == 0.0
 
 
 @pytest.mark.parametrize(("gap", "foul"), [(-0.005, Foul.CHARGING), (0.015, 0)])
@@ -58,14 +63,7 @@ def test_who_touches_only_others_charges_nobody_however_near(gap, foul):
     assert referee.look(collides=(1, 2, 4)) == foul
 
 
-def test_a_robot_that_stands_is_never_guilty_and_of_two_that_drive_each_is_judged_by_its_own_speed():
-    referee = behind(0.0)
-    referee.put(4, 1.0 + CONTACT - 0.005, 0.0, pi, 1.0)
-    fouls = referee.wait(3.0, collides=(1, 4))
-    assert Foul.CHARGING in fouls and referee.robots["charging"][referee.rows[1]] == 0.0
-
-
-def test_the_robot_nearest_to_the_ball_may_fight_for_it():
+def test_the_robot_nearest_to_the_ball_may_fight_for_it_and_who_runs_into_another_is_seen_by_a_whole_step():
     referee = behind(2.5)
     put_ball(referee.match, 1.0, 0.59)
     assert not any(referee.wait(3.0, collides=(1, 4)))
@@ -74,17 +72,19 @@ def test_the_robot_nearest_to_the_ball_may_fight_for_it():
     referee = behind(2.5)
     put_ball(referee.match, 1.0, 0.61)
     assert referee.look(collides=(1, 4)) == Foul.CHARGING
+    referee = behind(0.0)
+    referee.put(1, 0.0, 0.0, 0.0, 2.6)
+    referee.match.rebuild()
+    actions = asking(referee.match, referee.rows[1], 1.0)
+    assert Foul.CHARGING in each_step(referee.match, lambda: referee.events["foul"], 0.0, actions, 25)
 
 
-def test_time_out_of_contact_is_taken_off():
+def test_time_out_of_contact_is_taken_off_and_mates_may_push_each_other():
     referee = behind(1.0)
     for _ in range(3):
         assert not any(referee.wait(1.5, collides=(1, 4)))
         referee.wait(1.5)
     assert referee.robots["charging"][referee.rows[1]] == 0.0
-
-
-def test_mates_may_push_each_other():
     referee = behind(2.5)
     referee.put(4, 4.0, 0.0)
     referee.put(2, 1.0 + CONTACT - 0.005, 0.0)
@@ -107,30 +107,84 @@ def test_driving_into_the_goalkeeper_in_its_goal_area_is_a_foul_at_once_even_for
     assert referee.look(collides=(1, 3)) == foul
 
 
-def test_a_goal_in_the_same_step_is_annulled():
+def test_a_goal_in_the_same_step_is_annulled_an_attacker_that_stands_is_not_guilty_and_both_can_be_off():
     referee = before_keeper(5.7)
     put_ball(referee.match, 6.2, 0.5)
     assert referee.look(collides=(1, 3)) == Foul.KEEPER_CHARGE and referee.events["annulled"] == 1
     assert referee.record["phase"] == Phase.FREE_KICK and referee.record["restart_team"] == AWAY
-
-
-def test_an_attacker_that_stands_is_not_guilty_of_a_keeper_that_drives_into_it():
     referee = before_keeper(5.6, speed=0.0)
     referee.put(3, 5.6, 0.0, pi, 2.0)
     assert not any(foul == Foul.KEEPER_CHARGE for foul in referee.wait(2.0, collides=(1, 3)))
-
-
-def test_both_can_be_switched_off():
     assert before_keeper(5.7, keeper_charge=False).look(collides=(1, 3)) == 0
     assert not any(behind(2.5, charging=False).wait(3.0, collides=(1, 4)))
 
 
-def test_a_robot_that_runs_into_another_is_seen_by_a_whole_step():
-    referee = behind(0.0)
-    referee.put(1, 0.0, 0.0, 0.0, 2.6)
-    referee.match.rebuild()
-    fouls = []
-    for _ in range(25):
-        referee.match.step(asking(referee.match, referee.rows[1], 1.0))
-        fouls.append(int(referee.events["foul"]))
-    assert Foul.CHARGING in fouls
+HULL, DIAMETER = 0.235, 0.22  # [m] the line that touches the tips of the guide; the ball
+
+
+@pytest.mark.parametrize("share", [0.0, 0.25, 1.0 / 3.0, 0.5])
+def test_the_share_of_the_ball_within_the_hull_follows_from_where_it_lies(share):
+    assert share_within(Referee().k, HULL + DIAMETER * (0.5 - share), 0.1) == pytest.approx(share, abs=1e-9)
+
+
+def test_at_the_kicker_the_ball_lies_within_by_a_quarter_and_outside_beside_the_guide_or_behind_the_robot():
+    k = Referee().k
+    assert share_within(k, 0.18 + 0.11, 0.0) == pytest.approx(0.055 / 0.22)
+    assert share_within(k, 0.2, 0.151) == share_within(k, 0.2, -0.151) == share_within(k, -0.3, 0.0) == 0.0
+
+
+def held(share, team=HOME, **changes):
+    """Return a referee before whom robot 1 has a share of the ball within its hull."""
+    referee = Referee(team=team, **changes)
+    referee.put(1, 0.0, 0.0)
+    put_ball(referee.match, HULL + DIAMETER * (0.5 - share), 0.0)
+    return referee
+
+
+@each_team
+@pytest.mark.parametrize(("share", "foul"), [(0.33, 0), (0.34, Foul.HANDLING)])
+def test_more_than_a_third_for_longer_than_a_stop_takes_is_a_foul(share, foul, team):
+    fouls = held(share, team).wait(0.48) + [held(share, team).look()]
+    assert not any(fouls)
+    assert held(share, team).wait(0.5)[-1] == foul
+
+
+def test_who_lets_the_ball_out_begins_anew_and_handling_can_be_switched_off():
+    referee = held(0.5)
+    for _ in range(2):
+        put_ball(referee.match, HULL, 0.0)
+        assert not any(referee.wait(0.4))
+        put_ball(referee.match, HULL + DIAMETER * 0.3, 0.0)
+        assert referee.look() == 0
+    assert not any(held(0.5, handling=False).wait(2.0)) and not any(with_ball(-1.0, handling=False).wait(2.0))
+
+
+def with_ball(forward, team=HOME, **changes):
+    """Return a referee before whom robot 1 goes with the ball at a speed [m/s]."""
+    referee = Referee(team=team, **changes)
+    robot = referee.put(1, 0.0, 0.0, 0.0, forward)
+    robot["has_ball"] = 1
+    put_ball(referee.match, 0.29, 0.0)
+    return referee
+
+
+@each_team
+@pytest.mark.parametrize(("seconds", "foul"), [(0.48, 0), (0.54, Foul.HANDLING)])
+def test_going_back_with_the_ball_for_more_than_half_a_metre_is_a_foul(seconds, foul, team):
+    fouls = with_ball(-1.0, team).wait(seconds)
+    assert (foul in fouls) and (foul != 0 or not any(fouls))
+
+
+def test_a_robot_that_loses_the_ball_begins_anew():
+    referee = with_ball(-1.0)
+    assert not any(referee.wait(0.4))
+    put_ball(referee.match, 2.0, 0.0)
+    referee.look()
+    put_ball(referee.match, 0.29, 0.0)
+    assert not any(referee.wait(0.4))
+
+
+@pytest.mark.parametrize(("on", "metres", "foul"), [(True, 2.9, 0), (True, 3.1, Foul.DRIBBLE), (False, 9.0, 0)])
+def test_dribbling_is_limited_to_three_metres_only_if_asked(on, metres, foul):
+    fouls = with_ball(1.0, dribble_limit=on).wait(metres)
+    assert (foul in fouls) and (foul != 0 or not any(fouls))

@@ -1,4 +1,4 @@
-"""A kernel made from what one player does reaches every player of its slice, with that player's own things."""
+"""A compiled team of a user: skills by their numbers, errors in one line, the chaser in a league of another family."""
 
 from dataclasses import replace
 from typing import Any
@@ -12,26 +12,7 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.skills import SIGHT, fitted, go, look, skill_settings
 from soccer_env.teams import CompiledTeam, make_team
-from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
-
-COUNT = np.dtype([("decisions", "i8")])
-SUM = np.dtype([("players", "i8")])
-LEAGUES = ("legged-2001", "middle-size-2006", "middle-size-2006-differential")
-
-
-@compiled
-def count(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
-    """Count the decisions, say in which order the player came, and which settings and number it has."""
-    memory.decisions += 1
-    scratch.players += 1
-    command.forward, command.left = settings.strength, scratch.players / 100.0
-    command.turn, command.kick = belief.situation.number / 100.0, -1.0
-
-
-@compiled
-def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
-    """Walk as fast as the strength says."""
-    command.forward = settings.strength
+from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_player
 
 
 @compiled
@@ -49,38 +30,6 @@ def add_words(belief, tracks, memory, noise, command, k, settings, scratch):  # 
 
 
 GOER, WORDS = per_player(go_to_middle, SIGHT), per_player(add_words)
-COUNTER, WALKER = per_player(count, SUM), per_blind_player(walk)
-
-
-def counters(*strengths: float) -> CompiledTeam:
-    return CompiledTeam("counters", COUNTER, COUNT, np.array([(one,) for one in strengths], STRENGTH))
-
-
-def test_every_player_decides_once_a_step_from_its_own_belief() -> None:
-    match = Match(home=3, away=2, matches=2, seed=1, controllers={"home": counters(0.5), "away": "still"})
-    for _ in range(4):
-        match.step()
-    assert match.squads[0].memory["decisions"].tolist() == [[4, 4, 4]] * 2
-    command = match.robots["command"][:, :3]
-    assert (command["turn"] * 100).round().tolist() == [[0, 1, 2]] * 2, "each has its own number"
-    assert (command["left"] * 100).round().tolist() == [[1, 2, 3], [4, 5, 6]], "and all the same record to work in"
-    assert (match.robots["command"]["turn"][:, 3:] == 0.0).all(), "others are left alone"
-
-
-@pytest.mark.parametrize(("league", "row"), list(zip(LEAGUES, range(3), strict=True)))
-def test_a_team_has_settings_for_each_kind_of_base_or_for_all(league: str, row: int) -> None:
-    for strengths, expected in (((0.1, 0.2, 0.3), (0.1, 0.2, 0.3)[row]), ((0.4,), 0.4)):
-        teams: dict[str, Any] = {"home": counters(*strengths), "away": "still"}
-        match = Match(league, home=1, away=1, seed=1, controllers=teams, senses="ideal")
-        match.step()
-        assert match.robots["command"]["forward"][0, 0] == expected
-
-
-def test_a_blind_player_plays_without_beliefs() -> None:
-    team = CompiledTeam("walkers", WALKER, NO_MEMORY, np.array([(0.25,)], STRENGTH), blind=True)
-    match = Match(home=2, away=2, matches=3, seed=1, controllers={"home": team, "away": team})
-    match.step()
-    assert (match.robots["command"]["forward"] == 0.25).all()
 
 
 def test_a_players_own_kernel_uses_skills_by_their_numbers() -> None:
