@@ -25,11 +25,7 @@ ALSO = {  # what names and imports do not tell: tests that are about a folder or
     "soccer_env/render": ("tests/render/test_golden_drawings.py",),
     "soccer_env/replay": ("tests/match/test_saving.py", "tests/match/test_hostile_replays.py", "tests/render"),
     "soccer_env/robot_kinds": ("tests/senses",),
-    "soccer_env/match/saving": (
-        "tests/match/test_saving.py",
-        "tests/match/test_branching.py",
-        "tests/api/test_saving_envs.py",
-    ),
+    "soccer_env/match/saving": ("tests/match/test_saving.py", "tests/api/test_saving_envs.py"),
     "soccer_env/scenes": ("tests/drills", "tests/match/test_staging.py"),
     "soccer_env/match/senses": ("tests/senses",),
     "soccer_env/match/arguments": ("tests/match/test_match_settings.py",),

@@ -6,10 +6,13 @@ stderr and exit code 2; SOCCER_ENV_TRACEBACK=1 shows where it came from.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+import signal
 import sys
-from collections.abc import Callable, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.guards.names import unknown
@@ -26,6 +29,7 @@ if TYPE_CHECKING:
     from soccer_env.train.ppo.settings import TrainSettings
     from soccer_env.train.ppo.training import TrainResult
 
+AGAIN = 0.05  # [s] after which a swallowed Ctrl-C is sent again
 WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
@@ -79,7 +83,8 @@ def help_text() -> str:
 def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
     """Run a command; turn what a user can get wrong into one line and an exit code."""
     try:
-        return command(words)
+        with swallowed_interrupts_again():
+            return command(words)
     except KeyboardInterrupt:
         print("stopped; finished matches are kept in --out, if it was given", file=sys.stderr)
         return STOPPED
@@ -91,6 +96,27 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
         if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
             raise
         return complain(reason_of(error))
+
+
+@contextlib.contextmanager
+def swallowed_interrupts_again() -> Iterator[None]:
+    """Send Ctrl-C once more where Python swallows it: destructors and callbacks of weak references cannot raise."""
+    timers: list[threading.Timer] = []
+    usual = sys.unraisablehook
+
+    def hook(unraisable: Any) -> None:
+        if not issubclass(unraisable.exc_type, KeyboardInterrupt):
+            return usual(unraisable)
+        timers.append(threading.Timer(AGAIN, signal.raise_signal, (signal.SIGINT,)))
+        timers[-1].start()
+
+    sys.unraisablehook = hook
+    try:
+        yield
+    finally:
+        sys.unraisablehook = usual
+        for timer in timers:
+            timer.cancel()
 
 
 def complain(message: str) -> int:

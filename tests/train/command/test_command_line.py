@@ -4,8 +4,11 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
+import weakref
 from pathlib import Path
 from typing import get_args
 
@@ -14,6 +17,7 @@ import pytest
 from soccer_env.teams import registry
 from soccer_env.train.command import command_line
 from soccer_env.train.command.command_line import main
+from soccer_env.train.command.exit_codes import STOPPED
 from soccer_env.train.command.listing import Table, What
 
 # not gymnasium and pettingzoo: importing the package registers its environments there
@@ -47,6 +51,25 @@ def test_help_names_every_command_that_is_built_and_compiles_nothing(
     assert all(f"  {name} " in text for name in command_line.SUMMARIES)
     assert all(kind in command_line.SUMMARIES["list"] for kind in get_args(What))
     assert main([]) == 2
+
+
+def test_a_ctrl_c_that_a_callback_swallows_comes_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Thing:
+        pass
+
+    def work(words: list[str]) -> int:
+        thing = Thing()
+        kept = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))
+        del thing
+        for _ in range(500):
+            time.sleep(0.01)
+        return 0 if kept() is None else 1
+
+    usual = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        assert command_line.guarded(work, []) == STOPPED
+    finally:
+        signal.signal(signal.SIGINT, usual)
 
 
 @pytest.mark.parametrize("name", command_line.SUMMARIES)
