@@ -13,14 +13,7 @@ from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import Placement, Pose
 from soccer_env.train.evaluate.replays.choice import Keep
-from soccer_env.train.written_settings import (
-    POSES,
-    SENSING,
-    CommandSettings,
-    command_with,
-    split_players,
-    split_senses,
-)
+from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_with, split_players, split_senses
 
 FULL = "full"  # minutes: the league's own length of a match
 ALL, PAIRS = "all", 5  # pairs to play again: every finished one; unless another number is asked for

@@ -28,8 +28,5 @@ if TYPE_CHECKING:
 __all__ = ["ReproduceSettings", "reproduce"]
 __getattr__, __dir__ = lazy_names(
     __name__,
-    {
-        "ReproduceSettings": "soccer_env.train.papers.settings",
-        "reproduce": "soccer_env.train.papers.reproduction",
-    },
+    {"ReproduceSettings": "soccer_env.train.papers.settings", "reproduce": "soccer_env.train.papers.reproduction"},
 )

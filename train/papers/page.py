@@ -6,15 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Any
 
-from soccer_env.train.papers.report import (
-    COLUMNS,
-    EXPLANATION,
-    finding_rows,
-    poses_of,
-    row,
-    rules_of,
-    with_interval,
-)
+from soccer_env.train.papers.report import COLUMNS, EXPLANATION, finding_rows, poses_of, row, rules_of, with_interval
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.verdicts import VERDICTS
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_intervals

@@ -75,10 +75,7 @@ def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
 
 
 def serve(
-    worker: subprocess.Popen[str],
-    head: str,
-    asked: queue.SimpleQueue[tuple[str, int]],
-    answers: queue.SimpleQueue[Any],
+    worker: subprocess.Popen[str], head: str, asked: queue.SimpleQueue[tuple[str, int]], answers: queue.SimpleQueue[Any]
 ) -> None:
     """Give a worker one claim after another until none is left, and hand on what it answers."""
     assert worker.stdin is not None and worker.stdout is not None

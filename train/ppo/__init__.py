@@ -26,8 +26,7 @@ if TYPE_CHECKING:
 
 __all__ = ["SoccerVecEnv", "TrainSettings", "train"]
 __getattr__, __dir__ = lazy_names(
-    __name__,
-    {"SoccerVecEnv": "soccer_env.train.ppo.vec_env", "TrainSettings": "soccer_env.train.ppo.settings"},
+    __name__, {"SoccerVecEnv": "soccer_env.train.ppo.vec_env", "TrainSettings": "soccer_env.train.ppo.settings"}
 )
 
 

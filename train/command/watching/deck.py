@@ -11,15 +11,7 @@ SMOOTH = 50.0  # [1/s] frames shown, at most
 IDLE = 30.0  # [1/s] looks at the keyboard while nothing moves
 JUMP = 5.0  # [s] that the arrows go
 SLOWEST, FASTEST = 1 / 16, 100.0
-OVERLAYS = {
-    "b": "belief",
-    "v": "sight",
-    "x": "field",
-    "w": "path",
-    "o": "roles",
-    "i": "infrared",
-    "t": "trail",
-}
+OVERLAYS = {"b": "belief", "v": "sight", "x": "field", "w": "path", "o": "roles", "i": "infrared", "t": "trail"}
 HELP = (
     "space: pause     , .: one step back, on",
     "left, right: 5 s back, on     home: to the start",

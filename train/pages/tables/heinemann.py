@@ -27,13 +27,7 @@ def measure() -> Path:
     return RUN
 
 
-PAGE = PaperPage(
-    folder=FOLDERS[HEINEMANN],
-    paper=HEINEMANN,
-    pictures={"H10": 1, "H20": 1},
-    measure=measure,
-    tables={},
-)
+PAGE = PaperPage(folder=FOLDERS[HEINEMANN], paper=HEINEMANN, pictures={"H10": 1, "H20": 1}, measure=measure, tables={})
 
 
 @plot

@@ -224,17 +224,9 @@ S08 = Claim(
     method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     criteria=(
         measured(
-            "cut in one dimension: median error",
-            lambda samples: abs(bias_of_cut(samples, 1)),
-            unit="%",
-            at_most=10.0,
+            "cut in one dimension: median error", lambda samples: abs(bias_of_cut(samples, 1)), unit="%", at_most=10.0
         ),
-        measured(
-            "cut in both: median error",
-            lambda samples: bias_of_cut(samples, 2),
-            unit="%",
-            at_least=30.0,
-        ),
+        measured("cut in both: median error", lambda samples: bias_of_cut(samples, 2), unit="%", at_least=30.0),
         reported("not cut: median error", lambda samples: bias_of_cut(samples, 0), unit="%"),
         reported(
             "cut in one dimension, by width alone: median error",

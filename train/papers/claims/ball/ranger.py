@@ -3,13 +3,7 @@
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.claims.ball.occlusion import (
-    CUT,
-    SCENES,
-    draw_scene,
-    hidden_parts,
-    watch_scene,
-)
+from soccer_env.train.papers.claims.ball.occlusion import CUT, SCENES, draw_scene, hidden_parts, watch_scene
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.values import known, mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported

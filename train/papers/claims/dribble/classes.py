@@ -11,15 +11,7 @@ from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import drill, put_at, send_mover, start_dribble
 from soccer_env.scenes.scene import Draw
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.claims.dribble.past import (
-    BODIES,
-    MATCHES,
-    MOVING,
-    RULES,
-    Plan,
-    clean,
-    play_both_ways,
-)
+from soccer_env.train.papers.claims.dribble.past import BODIES, MATCHES, MOVING, RULES, Plan, clean, play_both_ways
 from soccer_env.train.papers.drill_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 

@@ -11,15 +11,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import (
-    COUNTED,
-    LOST,
-    NO_SHOTS,
-    dribblers,
-    losses,
-    place_with_ball,
-    run,
-)
+from soccer_env.train.papers.dribble_runs import COUNTED, LOST, NO_SHOTS, dribblers, losses, place_with_ball, run
 from soccer_env.train.papers.staging import LEGGED, put, stage, standing
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 

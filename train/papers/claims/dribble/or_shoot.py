@@ -15,10 +15,7 @@ from soccer_env.types import AWAY, HOME
 
 MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
 SCENE = "dribble-past-three"  # three players who stand on the way to the goal
-STRATEGIES: dict[str, dict[str, Any]] = {
-    "dribble": {},
-    "orbit and shoot": {"avoidance": False},
-}
+STRATEGIES: dict[str, dict[str, Any]] = {"dribble": {}, "orbit and shoot": {"avoidance": False}}
 BLOCKERS = {"": "chaser", " still": "still", " alone": None}  # suffix of the samples: who plays the three; nobody
 MORE: dict[str, dict[str, Any]] = {
     "dribble, distances from the middle": FROM_MIDDLE,

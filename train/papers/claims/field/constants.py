@@ -114,9 +114,7 @@ S53 = Claim(
     criteria=(
         *(
             measured(
-                f"{who}: least sufficient {axis}, moving over standing",
-                partial(larger, who=who, axis=axis),
-                above=1.0,
+                f"{who}: least sufficient {axis}, moving over standing", partial(larger, who=who, axis=axis), above=1.0
             )
             for who in ("points", "robots")
             for axis in AXES

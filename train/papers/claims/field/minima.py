@@ -9,15 +9,7 @@ import numpy as np
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, bounced, hard_set
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import (
-    NOISE,
-    SCENES,
-    START,
-    draw_field,
-    gap_ahead,
-    run_points,
-    starts,
-)
+from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
 from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, filled, run_both_ways, run_robots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported

@@ -225,18 +225,13 @@ S57 = Claim(
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",
     criteria=(
         measured(
-            "changes of side without the rule over those with it (means)",
-            partial(fewer, seen=" noisy"),
-            at_least=5.0,
+            "changes of side without the rule over those with it (means)", partial(fewer, seen=" noisy"), at_least=5.0
         ),
         measured("runs with a change of side, with the rule", partial(bounced, name="rule noisy"), unit="%", above=5.0),
         reported("changes of side in a run with the rule (mean)", lambda s: mean(s["rule noisy"])),
         reported("without noise: changes without the rule (mean)", lambda s: mean(s["limit"])),
         reported("without noise: changes with it (mean)", lambda s: mean(s["rule"])),
-        reported(
-            "gap up to 20 degrees askew: without the rule over with it",
-            partial(fewer, seen=" noisy askew"),
-        ),
+        reported("gap up to 20 degrees askew: without the rule over with it", partial(fewer, seen=" noisy askew")),
         reported("harder set: without the rule over with it", partial(fewer, seen=" hard")),
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
         measured("robots: changes without the rule over those with it", partial(fewer, who="robots "), at_least=5.0),

@@ -11,19 +11,8 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.grouping import (
-    TILT,
-    ghosts_and_misses,
-    put_two_in_view,
-    seen_and_believed,
-)
-from soccer_env.train.papers.claims.players.seen import (
-    gaps_to,
-    matched,
-    put_facing,
-    slots_of,
-    watchers,
-)
+from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
+from soccer_env.train.papers.claims.players.seen import gaps_to, matched, put_facing, slots_of, watchers
 from soccer_env.train.papers.staging import begin, play, standing
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean

@@ -12,16 +12,7 @@ from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.stuck.runs import recover
-from soccer_env.train.papers.claims.stuck.sampled import (
-    HELD,
-    MATCHES,
-    MOST,
-    Moments,
-    Watch,
-    behaviours,
-    branch,
-    sample,
-)
+from soccer_env.train.papers.claims.stuck.sampled import HELD, MATCHES, MOST, Moments, Watch, behaviours, branch, sample
 from soccer_env.train.papers.staging import play, wrapped
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import AWAY, HOME, NO_TEAM

@@ -91,9 +91,7 @@ S22 = Claim(
         counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
         reported("ball at 20 to 35 cm: noticed within 5 s", partial(percent, "in near", "trials near"), unit="%"),
         reported(
-            "ball at 20 to 35 cm: noticed within 10 s",
-            partial(percent, "in near, late", "trials near, late"),
-            unit="%",
+            "ball at 20 to 35 cm: noticed within 10 s", partial(percent, "in near, late", "trials near, late"), unit="%"
         ),
         reported("ball at 35 to 60 cm: noticed within 5 s", partial(percent, "in middle", "trials middle"), unit="%"),
         reported("ball at 60 to 80 cm: noticed within 5 s", partial(percent, "in far", "trials far"), unit="%"),

@@ -133,10 +133,7 @@ S25 = Claim(
     f"rolls at {100 * ROLLS[0]:.0f} to {100 * ROLLS[1]:.0f} cm/s; each recovery there is a false alarm.",
     criteria=(
         measured(
-            "least rise of the delay from threshold to threshold",
-            lambda s: least_rise(delays(s)),
-            unit="s",
-            above=0.0,
+            "least rise of the delay from threshold to threshold", lambda s: least_rise(delays(s)), unit="s", above=0.0
         ),
         measured(
             "least fall of the false alarms in 100 approaches",
