@@ -67,7 +67,7 @@ def test_rows_are_chosen_by_words(script: Path, tmp_path: Path) -> None:
 
 def test_words_that_no_row_has_name_the_rows(script: Path, tmp_path: Path) -> None:
     settings = BenchSettings(quick=True, against=checkout(tmp_path / "same", "there"), rows="plat")
-    with pytest.raises(ValueError, match="no row contains 'plat': there are play; odd; load; new"):
+    with pytest.raises(ValueError, match="no row contains 'plat'; rows: play; odd; load; new"):
         against.run(settings, script)
 
 
