@@ -33,7 +33,7 @@ def controllers_of(scene: Scene, team: str) -> dict[str, str]:
 
 
 def cast_of(scene: Scene, sizes: tuple[int, int], home: str | None = None, away: str | None = None) -> Cast:
-    """Return the teams of a scene; a side without a name gets the chaser, or in a drill the opponent it is meant for."""
+    """Return the teams of a scene; a side without a name gets the chaser, or the team that the drill is meant for."""
     saves, drill = scene.success == SAVES, scene.success != "none"
     names = (home or (STILL if saves else PLAYS), away or (STILL if drill and not saves else PLAYS))
     if away is not None or not scene.opponents:
