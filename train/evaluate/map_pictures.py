@@ -23,7 +23,7 @@ MEASURES = ("length", "width", "goal_width", "goal_depth", "penalty_depth", "pen
 
 
 def export_maps(source: Path, out: Path) -> Path:
-    """Draw the maps of a result.json or a replay; ValueError for a file without maps, ImportError without matplotlib."""
+    """Draw the maps of a result.json or replay; ValueError for a file without maps, ImportError without matplotlib."""
     if not can_draw():
         raise ImportError('maps need matplotlib: pip install "soccer_env[plot]"')
     maps = of_result(source) if source.suffix.lower() == ".json" else of_replay(source)

@@ -2,7 +2,7 @@
 
     result = recheck("runs/match", pairs=5)
 
-Results are text that anybody can edit. A match follows from its seed, so anybody can check a result by playing it again.
+Results are text that anybody can edit; but a match follows from its seed, so anybody can check it by playing it again.
 Nothing is written, and no code that the folder names is run.
 """
 
