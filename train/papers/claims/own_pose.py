@@ -138,12 +138,7 @@ H27 = Claim(
     f"of the own pose from {SETTLE:g} s on for {SECONDS:g} s. Then each is carried {CARRIED:g} m or more and told "
     f"nothing: recovered if within {LONGEST:g} s it is right to {LOST:g} m and 20 degrees for {HELD:g} s.",
     criteria=(
-        measured(
-            "median error of the place",
-            lambda samples: 100 * median(samples["place"]),
-            unit="cm",
-            below=100 * COUNTED_ON,
-        ),
+        measured("median error of the place", lambda s: 100 * median(s["place"]), unit="cm", below=100 * COUNTED_ON),
         measured(
             "error of the place in 95 % of the time",
             lambda samples: 100 * quantile(samples["place"], 0.95),

@@ -94,9 +94,7 @@ S66 = Claim(
             at_least=0.4,
             at_most=0.6,
         ),
-        measured(
-            "deviation of the velocity, the same", lambda samples: ratio(samples, "velocity"), at_least=0.4, at_most=0.6
-        ),
+        measured("deviation of the velocity, the same", lambda s: ratio(s, "velocity"), at_least=0.4, at_most=0.6),
         reported("range, ranger included", lambda samples: ratio(samples, "range", " rules")),
         reported("velocity, ranger included", lambda samples: ratio(samples, "velocity", " rules")),
         reported("range at 88x72", lambda samples: 100 * rms(samples["range 88x72"]), unit="cm"),

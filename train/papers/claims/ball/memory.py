@@ -162,9 +162,7 @@ S12 = Claim(
             lambda samples: ratio(samples, "place rotation", "place full"),
             at_least=3.0,
         ),
-        reported(
-            "no update: median error of the place", lambda samples: 100 * median(samples["place none"]), unit="cm"
-        ),
+        reported("no update: median error of the place", lambda s: 100 * median(s["place none"]), unit="cm"),
         reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
     ),
     rules=STAGED,
@@ -206,11 +204,7 @@ S14 = Claim(
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     criteria=(
-        measured(
-            "median error without the update over that with it",
-            lambda samples: ratio(samples, "off", "on"),
-            at_most=0.5,
-        ),
+        measured("median error without the update over that with it", lambda s: ratio(s, "off", "on"), at_most=0.5),
         reported("without the update", lambda samples: 100 * median(samples["off"]), unit="cm"),
         reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
     ),

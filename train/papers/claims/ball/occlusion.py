@@ -223,16 +223,10 @@ S08 = Claim(
     statement="The closer of height and width estimates guards against obstruction, unless in both dimensions.",
     method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     criteria=(
-        measured(
-            "cut in one dimension: median error", lambda samples: abs(bias_of_cut(samples, 1)), unit="%", at_most=10.0
-        ),
+        measured("cut in one dimension: median error", lambda s: abs(bias_of_cut(s, 1)), unit="%", at_most=10.0),
         measured("cut in both: median error", lambda samples: bias_of_cut(samples, 2), unit="%", at_least=30.0),
         reported("not cut: median error", lambda samples: bias_of_cut(samples, 0), unit="%"),
-        reported(
-            "cut in one dimension, by width alone: median error",
-            lambda samples: bias_of_cut(samples, 1, "width"),
-            unit="%",
-        ),
+        reported("cut in one dimension, by width alone: median error", lambda s: bias_of_cut(s, 1, "width"), unit="%"),
     ),
     rules=STAGED,
     measure=by_dimension,

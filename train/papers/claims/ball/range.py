@@ -95,12 +95,7 @@ S05 = Claim(
             unit="%",
             at_most=10.0,
         ),
-        measured(
-            "median bearing error",
-            lambda samples: np.degrees(median(np.abs(samples["bearing"]))),
-            unit="deg",
-            at_most=2.0,
-        ),
+        measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
     rules=STAGED,
     measure=old_system,

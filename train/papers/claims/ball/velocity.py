@@ -170,9 +170,7 @@ S18 = Claim(
         reported("walking: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 1)),
         reported("walking: rms error at 0.08 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 0)),
         reported("walking: rms error at 0.67 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 3)),
-        reported(
-            "standing: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "standing", 1)
-        ),
+        reported("standing: rms error at 0.17 s over that at 0.33 s", lambda s: error_over(s, "standing", 1)),
         reported(
             "walking, by raw positions: 0.17 s over 0.33 s",
             lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9),
@@ -206,9 +204,7 @@ S20 = Claim(
     ),
     rules=STAGED,
     measure=readings_at_60,
-    without=Without(
-        "sensors.dither = 0: blobs without flicker", lambda batch: readings_at_60(batch, sensors={"dither": 0.0})
-    ),
+    without=Without("sensors.dither = 0: blobs without flicker", lambda b: readings_at_60(b, sensors={"dither": 0.0})),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
     seconds=0.8,
     batches=32,

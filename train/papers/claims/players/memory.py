@@ -142,12 +142,7 @@ S35 = Claim(
     method=f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
     "players; the worst of them counts.",
     criteria=(
-        measured(
-            "U/d: two slots or more, at the least",
-            lambda samples: min(by_misses(samples, FIRST)),
-            unit="%",
-            at_least=80.0,
-        ),
+        measured("U/d: two slots or more, at the least", lambda s: min(by_misses(s, FIRST)), unit="%", at_least=80.0),
         measured(
             "U/(d^3 angle): two slots or more, at the most",
             lambda samples: max(by_misses(samples, FINAL)),
@@ -161,9 +156,7 @@ S35 = Claim(
         reported(
             "U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"), unit="%"
         ),
-        reported(
-            "U/(d^3 angle), one sticker on a side, 5 % missed", lambda samples: share(samples, "one sticker"), unit="%"
-        ),
+        reported("U/(d^3 angle), one sticker on a side, 5 % missed", lambda s: share(s, "one sticker"), unit="%"),
         reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: share(samples, "grouped"), unit="%"),
         reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
         reported("the same, nothing missed", lambda s: 100 * rms(s["range, nothing"]), unit="%"),
@@ -189,11 +182,7 @@ S36 = Claim(
         reported("U/d^3", lambda samples: share(samples, "U/d^3"), unit="%"),
         reported("U/(d angle)", lambda samples: share(samples, "U/(d a)"), unit="%"),
         reported("U/d", lambda samples: share(samples, "U/d"), unit="%"),
-        reported(
-            "the angle takes away, of U/d^3",
-            lambda samples: share(samples, "U/d^3") - share(samples, "U/(d^3 a)"),
-            unit="%",
-        ),
+        reported("the angle takes away, of U/d^3", lambda s: share(s, "U/d^3") - share(s, "U/(d^3 a)"), unit="%"),
     ),
     rules=STAGED,
     measure=compare_likelihoods,

@@ -138,11 +138,7 @@ S32 = Claim(
             lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9),
             at_least=1.8,
         ),
-        measured(
-            "range error, new over old",
-            lambda samples: error(samples, "new") / max(error(samples, "old"), 1e-9),
-            below=1.0,
-        ),
+        measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
         *(
             reported(f"players tracked of the five others, {name}", partial(recall, name=name), unit="%")
             for name in VARIANTS
