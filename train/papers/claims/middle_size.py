@@ -120,42 +120,24 @@ H26 = Claim(
     "that a picture shows and range error of the ball in bins of the light's change, against the same frames under "
     "constant light.",
     criteria=(
-        measured(
-            "adapting table: share seen in the worst light, of constant light",
-            lambda samples: 100 * float(np.nanmin(over_best(samples, "adaptive", shares))),
-            unit="%",
-            at_least=90.0,
-        ),
-        measured(
-            "adapting table: range error in the worst light, of constant light",
-            lambda samples: 100 * float(np.nanmax(over_best(samples, "adaptive", errors))),
-            unit="%",
-            at_most=110.0,
-        ),
-        measured(
-            f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
-            lambda samples: 100 * seen_in_changed_light(samples, "fixed"),
-            unit="%",
-            at_most=50.0,
-        ),
-        reported(
-            f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-            lambda samples: 100 * float(over_best(samples, "fixed", shares)[1]),
-            unit="%",
-        ),
-        reported(
-            f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-            lambda samples: 100 * float(over_best(samples, "fixed", errors)[1]),
-            unit="%",
-        ),
+        measured("adapting table: share seen in the worst light, of constant light",
+                 lambda samples: 100 * float(np.nanmin(over_best(samples, "adaptive", shares))), unit="%",
+                 at_least=90.0),
+        measured("adapting table: range error in the worst light, of constant light",
+                 lambda samples: 100 * float(np.nanmax(over_best(samples, "adaptive", errors))), unit="%",
+                 at_most=110.0),
+        measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
+                 lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
+        reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+                 lambda samples: 100 * float(over_best(samples, "fixed", shares)[1]), unit="%"),
+        reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+                 lambda samples: 100 * float(over_best(samples, "fixed", errors)[1]), unit="%"),
         reported("range error under constant light", lambda samples: 100 * rms(errors(samples, "constant")), unit="cm"),
     ),
     rules=STAGED,
     measure=compare_tables,
-    without=Without(
-        "the own pose, by which the table knows what a pixel must show: here no white line tells it",
-        lambda batch: compare_tables(batch, line_miss=1.0),
-    ),
+    without=Without("the own pose, by which the table knows what a pixel must show: here no white line tells it",
+                    lambda batch: compare_tables(batch, line_miss=1.0)),
     figures=light_figures,
     ingredients=(
         "sensors.table_width and the laws of perception/omni/lighting.py",
@@ -168,6 +150,6 @@ H26 = Claim(
     "of its algorithm: its speed and reach are assumed. Where light changes fastest the table lags by "
     "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion "
     "hangs on that.",
-)
+)  # fmt: skip
 
 CLAIMS = (H26,)

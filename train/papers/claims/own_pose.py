@@ -139,12 +139,8 @@ H27 = Claim(
     f"nothing: recovered if within {LONGEST:g} s it is right to {LOST:g} m and 20 degrees for {HELD:g} s.",
     criteria=(
         measured("median error of the place", lambda s: 100 * median(s["place"]), unit="cm", below=100 * COUNTED_ON),
-        measured(
-            "error of the place in 95 % of the time",
-            lambda samples: 100 * quantile(samples["place"], 0.95),
-            unit="cm",
-            below=100 * NEAR,
-        ),
+        measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
+                 unit="cm", below=100 * NEAR),
         counted("recovered after being carried", "recovered", "one", at_least=95.0),
         reported("median error of the heading", lambda samples: median(samples["heading"]), unit="deg"),
         reported("median time to recover", lambda samples: median(samples["time"]), unit="s"),
@@ -156,6 +152,6 @@ H27 = Claim(
     figures=pose_figures,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
     pose="particles",
-)
+)  # fmt: skip
 
 CLAIMS = (H27,)

@@ -88,12 +88,8 @@ S66 = Claim(
     "radial velocity from zero, frames that show the ball, same seeds; ranges by size, the ranger's rule off, because "
     "no camera mends what the ranger does. About half: 0.4 to 0.6.",
     criteria=(
-        measured(
-            "deviation of the range at 176x144 over that at 88x72",
-            lambda samples: ratio(samples, "range"),
-            at_least=0.4,
-            at_most=0.6,
-        ),
+        measured("deviation of the range at 176x144 over that at 88x72", lambda samples: ratio(samples, "range"),
+                 at_least=0.4, at_most=0.6),
         measured("deviation of the velocity, the same", lambda s: ratio(s, "velocity"), at_least=0.4, at_most=0.6),
         reported("range, ranger included", lambda samples: ratio(samples, "range", " rules")),
         reported("velocity, ranger included", lambda samples: ratio(samples, "velocity", " rules")),
@@ -111,6 +107,6 @@ S66 = Claim(
     ingredients=("sensors.dither", "pixels of half the size"),
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
     "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",
-)
+)  # fmt: skip
 
 CLAIMS = (S66,)

@@ -128,22 +128,17 @@ S17 = Claim(
     method=f"{HOW} Raw estimates, along the line of sight and across it, in bins of "
     f"{', '.join(f'{100 * edge:.0f}' for edge in BINS)} cm; the bin where they differ least counts.",
     criteria=(
-        measured(
-            "deviation of the range over that across, from 60 cm on",
-            lambda samples: float(np.min(radial_over_tangential(samples))),
-            at_least=3.0,
-        ),
+        measured("deviation of the range over that across, from 60 cm on",
+                 lambda samples: float(np.min(radial_over_tangential(samples))), at_least=3.0),
     ),
     rules=STAGED,
     measure=look_at_still_balls,
-    without=Without(
-        "a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
-        lambda batch: look_at_still_balls(batch, radius=LARGE),
-    ),
+    without=Without("a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
+                    lambda batch: look_at_still_balls(batch, radius=LARGE)),
     figures=filter_figure,
     ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),
     seconds=0.5,
     batches=32,
-)
+)  # fmt: skip
 
 CLAIMS = (S16, S17)

@@ -167,21 +167,12 @@ S19 = Claim(
     "sight before it, with the rule and without. Beside it the same in play, where a robot follows at 50 cm a ball "
     "that three chasers have, and which mostly creeps.",
     criteria=(
-        measured(
-            "without the rule: error after long gaps over that without",
-            lambda samples: long_over_none(samples, "kicked off"),
-            above=1.0,
-        ),
-        measured(
-            "with the rule: error after long gaps over that without",
-            lambda samples: long_over_none(samples, "kicked on"),
-            at_most=1.25,
-        ),
-        reported(
-            "without the rule, least rise from bin to bin of the gap",
-            lambda samples: least_rise(by_gap(samples, "kicked off")),
-            unit="cm/s",
-        ),
+        measured("without the rule: error after long gaps over that without",
+                 lambda samples: long_over_none(samples, "kicked off"), above=1.0),
+        measured("with the rule: error after long gaps over that without",
+                 lambda samples: long_over_none(samples, "kicked on"), at_most=1.25),
+        reported("without the rule, least rise from bin to bin of the gap",
+                 lambda samples: least_rise(by_gap(samples, "kicked off")), unit="cm/s"),
         reported("without the rule, no gap", lambda samples: by_gap(samples, "kicked off")[0], unit="cm/s"),
         reported("in play, without the rule: the first ratio", lambda samples: long_over_none(samples, "play off")),
         reported("in play, with the rule: the second ratio", lambda samples: long_over_none(samples, "play on")),
@@ -195,6 +186,6 @@ S19 = Claim(
     "too. Neither cause was tested.",
     seconds=1.5,
     batches=24,
-)
+)  # fmt: skip
 
 CLAIMS = (S19,)

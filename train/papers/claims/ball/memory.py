@@ -145,23 +145,12 @@ S12 = Claim(
     method=f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
     f"{WAY:g} m on an arc of 0 to 90 degrees; error of the believed place at the end, same seeds for each memory.",
     criteria=(
-        measured(
-            "full update: median error of the place",
-            lambda samples: 100 * median(samples["place full"]),
-            unit="cm",
-            at_most=15.0,
-        ),
-        measured(
-            "full update: median error of the bearing",
-            lambda samples: median(samples["bearing full"]),
-            unit="deg",
-            at_most=10.0,
-        ),
-        measured(
-            "rotation only: error over that of the full update",
-            lambda samples: ratio(samples, "place rotation", "place full"),
-            at_least=3.0,
-        ),
+        measured("full update: median error of the place", lambda samples: 100 * median(samples["place full"]),
+                 unit="cm", at_most=15.0),
+        measured("full update: median error of the bearing", lambda samples: median(samples["bearing full"]),
+                 unit="deg", at_most=10.0),
+        measured("rotation only: error over that of the full update",
+                 lambda samples: ratio(samples, "place rotation", "place full"), at_least=3.0),
         reported("no update: median error of the place", lambda s: 100 * median(s["place none"]), unit="cm"),
         reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
     ),
@@ -169,7 +158,7 @@ S12 = Claim(
     measure=compare_updates,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
     seconds=1.5,
-)
+)  # fmt: skip
 
 S13 = Claim(
     id="S13",
@@ -178,24 +167,18 @@ S13 = Claim(
     method=f"As S12, but the unseen ball rolls off at 0 to {FASTEST:g} m/s in any direction; error after "
     f"{', '.join(f'{time:g}' for time in TIMES)} s against the way that the ball has made.",
     criteria=(
-        measured(
-            "least rise of the median error with the ball's way",
-            lambda samples: least_rise(error_by_way(samples)),
-            unit="cm",
-            above=0.0,
-        ),
+        measured("least rise of the median error with the ball's way",
+                 lambda samples: least_rise(error_by_way(samples)), unit="cm", above=0.0),
     ),
     rules=STAGED,
     measure=lambda batch: ball_rolls(batch, seen=False),
-    without=Without(
-        "a memory that leaves an unseen ball where it was: here it stays in sight",
-        lambda batch: ball_rolls(batch, seen=True),
-    ),
+    without=Without("a memory that leaves an unseen ball where it was: here it stays in sight",
+                    lambda batch: ball_rolls(batch, seen=True)),
     figures=way_figure,
     ingredients=("memory.odometry = full",),
     seconds=0.5,
     batches=64,
-)
+)  # fmt: skip
 
 S14 = Claim(
     id="S14",

@@ -199,12 +199,8 @@ S07 = Claim(
     method=f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
     f"({', '.join(f'{100 * edge:.0f}' for edge in HIDDEN)} % and more).",
     criteria=(
-        measured(
-            "least rise of the median error from bin to bin",
-            lambda samples: least_rise(bias_by_share(samples)),
-            unit="%",
-            above=0.0,
-        ),
+        measured("least rise of the median error from bin to bin", lambda samples: least_rise(bias_by_share(samples)),
+                 unit="%", above=0.0),
         measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
     rules=STAGED,
@@ -215,7 +211,7 @@ S07 = Claim(
     ),
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
-)
+)  # fmt: skip
 
 S08 = Claim(
     id="S08",

@@ -89,12 +89,8 @@ S05 = Claim(
     method=f"{MATCHES} standing robots a batch track an unobstructed ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm from "
     "the camera, along the ground, for 1 s; raw estimate against truth, frames that show it.",
     criteria=(
-        measured(
-            "median range error over the distance",
-            lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]),
-            unit="%",
-            at_most=10.0,
-        ),
+        measured("median range error over the distance",
+                 lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]), unit="%", at_most=10.0),
         measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
     rules=STAGED,
@@ -102,7 +98,7 @@ S05 = Claim(
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
     seconds=0.7,
-)
+)  # fmt: skip
 
 
 def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
@@ -179,29 +175,22 @@ S06 = Claim(
     method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger "
     "(by size in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     criteria=(
-        measured(
-            "range from which infrared is the worse one",
-            crossing,
-            unit="cm",
-            at_least=100 * CROSSING[0],
-            at_most=100 * CROSSING[1],
-        ),
+        measured("range from which infrared is the worse one", crossing, unit="cm", at_least=100 * CROSSING[0],
+                 at_most=100 * CROSSING[1]),
         measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
     rules=STAGED,
     measure=size_and_infrared,
     figures=crossing_figure,
-    without=Without(
-        "sensors.infrared_growth = 0: a ranger as good far away as near",
-        lambda b: size_and_infrared(b, infrared_growth=0.0),
-    ),
+    without=Without("sensors.infrared_growth = 0: a ranger as good far away as near",
+                    lambda b: size_and_infrared(b, infrared_growth=0.0)),
     ingredients=(
         "sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
         "sensors.dither",
     ),
     seconds=2.5,
     batches=32,
-)
+)  # fmt: skip
 
 S15 = Claim(
     id="S15",
@@ -209,13 +198,8 @@ S15 = Claim(
     statement="A single pixel can change the ball's distance by 5 or 10 cm.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     criteria=tuple(
-        exact(
-            f"range at which a pixel is worth {100 * step:.0f} cm",
-            partial(range_of_step, step=step),
-            unit="cm",
-            at_least=100 * low,
-            at_most=100 * high,
-        )
+        exact(f"range at which a pixel is worth {100 * step:.0f} cm", partial(range_of_step, step=step), unit="cm",
+              at_least=100 * low, at_most=100 * high)
         for step, low, high in STEPS
     ),
     rules=NO_MATCH,
@@ -225,6 +209,6 @@ S15 = Claim(
     ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
     seconds=0.5,
     batches=1,
-)
+)  # fmt: skip
 
 CLAIMS = (S05, S06, S15)

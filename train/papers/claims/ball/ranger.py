@@ -52,23 +52,18 @@ S09 = Claim(
         measured("mean error with the rule over that without", error_ratio, at_most=0.5),
         counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
         reported("the first ratio in all frames of these balls", lambda samples: error_ratio(samples, "all ")),
-        reported(
-            f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both",
-            lambda samples: error_ratio(samples, "mild "),
-        ),
+        reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both",
+                 lambda samples: error_ratio(samples, "mild ")),
         reported("mean error without the rule", lambda samples: 100 * mean(samples["off"]), unit="cm"),
         reported("the same in all frames of these balls", lambda samples: 100 * mean(samples["all off"]), unit="cm"),
-        reported(
-            "frames in which the ranger reads something more than 10 cm before the ball",
-            lambda samples: 100 * mean(samples["short off"]),
-            unit="%",
-        ),
+        reported("frames in which the ranger reads something more than 10 cm before the ball",
+                 lambda samples: 100 * mean(samples["short off"]), unit="%"),
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
     rules=STAGED,
     measure=with_and_without_infrared,
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
-)
+)  # fmt: skip
 
 CLAIMS = (S09,)

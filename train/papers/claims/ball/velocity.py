@@ -160,26 +160,17 @@ S18 = Claim(
     "and as many stand so far from one; error of the believed radial velocity (filtered positions) for four intervals "
     f"between readings ({', '.join(f'{interval:g}' for interval in INTERVALS)} s), same seeds.",
     criteria=(
-        measured(
-            "walking: least fall of the rms error from interval to interval",
-            lambda samples: least_fall(samples, "walking"),
-            unit="cm/s",
-            above=0.0,
-        ),
+        measured("walking: least fall of the rms error from interval to interval",
+                 lambda samples: least_fall(samples, "walking"), unit="cm/s", above=0.0),
         measured("standing: the same", lambda samples: least_fall(samples, "standing"), unit="cm/s", above=0.0),
         reported("walking: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 1)),
         reported("walking: rms error at 0.08 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 0)),
         reported("walking: rms error at 0.67 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 3)),
         reported("standing: rms error at 0.17 s over that at 0.33 s", lambda s: error_over(s, "standing", 1)),
-        reported(
-            "walking, by raw positions: 0.17 s over 0.33 s",
-            lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9),
-        ),
-        reported(
-            "walking: rms error at 0.17 s, against a real movement of 12 cm/s",
-            lambda samples: interval_errors(samples, "walking")[1],
-            unit="cm/s",
-        ),
+        reported("walking, by raw positions: 0.17 s over 0.33 s",
+                 lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9)),
+        reported("walking: rms error at 0.17 s, against a real movement of 12 cm/s",
+                 lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
     rules=STAGED,
@@ -189,7 +180,7 @@ S18 = Claim(
     note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
     "a part of their error.",
     seconds=3.0,
-)
+)  # fmt: skip
 
 S20 = Claim(
     id="S20",

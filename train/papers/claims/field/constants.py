@@ -113,18 +113,14 @@ S53 = Claim(
     f"{NEARLY:.0f} points of its best.",
     criteria=(
         *(
-            measured(
-                f"{who}: least sufficient {axis}, moving over standing", partial(larger, who=who, axis=axis), above=1.0
-            )
+            measured(f"{who}: least sufficient {axis}, moving over standing", partial(larger, who=who, axis=axis),
+                     above=1.0)
             for who in ("points", "robots")
             for axis in AXES
         ),
         *(
-            reported(
-                f"{who}: least sufficient {axis}, {kind}",
-                partial(least_sufficient, who=who, kind=kind, axis=axis),
-                unit="m",
-            )
+            reported(f"{who}: least sufficient {axis}, {kind}",
+                     partial(least_sufficient, who=who, kind=kind, axis=axis), unit="m")
             for who in ("points", "robots")
             for axis in AXES
             for kind in KINDS
@@ -145,7 +141,7 @@ S53 = Claim(
     least=2,
     batches=5,
     figures=line_figures,
-)
+)  # fmt: skip
 
 
 def tuned_in_points(batch: Batch) -> Samples:
@@ -199,30 +195,17 @@ S65 = Claim(
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
     criteria=(
-        reported(
-            "clean passes, points less robots, constants of the points", partial(dropped, name="tuned"), unit="pp"
-        ),
+        reported("clean passes, points less robots, constants of the points", partial(dropped, name="tuned"),
+                 unit="pp"),
         reported("the same with the paper's constants", partial(dropped, name="paper"), unit="pp"),
-        reported(
-            "tuned past standing players alone: the same there",
-            partial(dropped, name="short", kinds=KINDS[:1]),
-            unit="pp",
-        ),
-        reported(
-            "distances from the middle: constants of the points",
-            partial(dropped, name="tuned", who="middle robots"),
-            unit="pp",
-        ),
-        reported(
-            "distances from the middle: the paper's constants",
-            partial(dropped, name="paper", who="middle robots"),
-            unit="pp",
-        ),
-        reported(
-            "distances from the middle: tuned past standing players alone",
-            partial(dropped, name="short", who="middle robots", kinds=KINDS[:1]),
-            unit="pp",
-        ),
+        reported("tuned past standing players alone: the same there", partial(dropped, name="short", kinds=KINDS[:1]),
+                 unit="pp"),
+        reported("distances from the middle: constants of the points",
+                 partial(dropped, name="tuned", who="middle robots"), unit="pp"),
+        reported("distances from the middle: the paper's constants",
+                 partial(dropped, name="paper", who="middle robots"), unit="pp"),
+        reported("distances from the middle: tuned past standing players alone",
+                 partial(dropped, name="short", who="middle robots", kinds=KINDS[:1]), unit="pp"),
         reported("k2 tuned past standing players alone", lambda s: mean(s["short gain"]), unit="m"),
         reported("x0 tuned past standing players alone", lambda s: mean(s["short range"]), unit="m"),
         reported("k2 tuned with points", lambda s: mean(s["gain"]), unit="m"),
@@ -242,6 +225,6 @@ S65 = Claim(
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
     "than the paper's; tuned past standing players alone they get by with weak ones.",
-)
+)  # fmt: skip
 
 CLAIMS = (S53, S65)

@@ -89,18 +89,10 @@ S44 = Claim(
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
     criteria=(
-        measured(
-            "least fall of the first reaction's distance with the exponent",
-            lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()),
-            unit="cm",
-            above=0.0,
-        ),
-        measured(
-            "greatest turn rises with the exponent (least rise of the median)",
-            lambda samples: float(np.diff(of_exponents(samples, "peak", DEGREES)).min()),
-            unit="deg",
-            above=0.0,
-        ),
+        measured("least fall of the first reaction's distance with the exponent",
+                 lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()), unit="cm", above=0.0),
+        measured("greatest turn rises with the exponent (least rise of the median)",
+                 lambda samples: float(np.diff(of_exponents(samples, "peak", DEGREES)).min()), unit="deg", above=0.0),
         *(
             reported(f"exponent {n}: first reaction", partial(of_exponent, n=n, name="onset", scale=100.0), unit="cm")
             for n in EXPONENTS
@@ -116,7 +108,7 @@ S44 = Claim(
     batches=8,
     figures=exponent_figures,
     ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
-)
+)  # fmt: skip
 
 
 def reactions(batch: Batch, **play: Any) -> Samples:
@@ -145,9 +137,8 @@ S46 = Claim(
     method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
     criteria=(
-        measured(
-            "unit force: greatest difference", lambda s: float(difference(s, "unit").max()), unit="deg", at_most=1e-6
-        ),
+        measured("unit force: greatest difference", lambda s: float(difference(s, "unit").max()), unit="deg",
+                 at_most=1e-6),
         reported("proportional force: mean difference", lambda s: mean(difference(s, "proportional")), unit="deg"),
         reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
         reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
@@ -156,11 +147,9 @@ S46 = Claim(
     measure=reactions,
     seconds=0.5,
     batches=4,
-    without=Without(
-        "a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
-        partial(reactions, goal_force="proportional"),
-    ),
-)
+    without=Without("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
+                    partial(reactions, goal_force="proportional")),
+)  # fmt: skip
 
 
 def with_and_without_cosine(batch: Batch) -> Samples:
@@ -204,35 +193,24 @@ S47 = Claim(
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
     criteria=(
         measured("deviation is less by (medians)", lambda s: saved(s, "deviation"), unit="%", at_least=20.0),
-        measured(
-            "collisions with the factor less those without",
-            lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])),
-            unit="pp",
-            at_most=FEW_MORE,
-        ),
+        measured("collisions with the factor less those without",
+                 lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
         reported("deviation with the factor", lambda s: 100 * median(s["deviation with"]), unit="cm"),
         reported("deviation without", lambda s: 100 * median(s["deviation without"]), unit="cm"),
-        measured(
-            "robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%", at_least=20.0
-        ),
+        measured("robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%",
+                 at_least=20.0),
         reported("robots: clean with the factor", lambda s: 100 * mean(s["robots clean with"]), unit="%"),
         reported("robots: clean without", lambda s: 100 * mean(s["robots clean without"]), unit="%"),
-        reported(
-            "robots, distances from the middle: deviation is less by",
-            lambda s: saved(s, "middle robots deviation"),
-            unit="%",
-        ),
-        reported(
-            "extra length of the path is less by",
-            lambda s: 100 * (median(s["length without"]) - median(s["length with"])),
-            unit="cm",
-        ),
+        reported("robots, distances from the middle: deviation is less by",
+                 lambda s: saved(s, "middle robots deviation"), unit="%"),
+        reported("extra length of the path is less by",
+                 lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),
     rules=STAGED,
     measure=with_and_without_cosine,
     seconds=4.0,
     batches=6,
     figures=cosine_figures,
-)
+)  # fmt: skip
 
 CLAIMS = (S44, S46, S47)

@@ -86,15 +86,10 @@ S54 = Claim(
     f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
     f"{SECONDS:.0f} s (robots).",
     criteria=(
-        measured(
-            "points without limits that stall or retreat",
-            partial(share, who="points", limit="off"),
-            unit="%",
-            above=SOMETIMES,
-        ),
-        measured(
-            "robots that do so: without limits less with them", partial(more, who="robots"), unit="pp", above=SOMETIMES
-        ),
+        measured("points without limits that stall or retreat", partial(share, who="points", limit="off"), unit="%",
+                 above=SOMETIMES),
+        measured("robots that do so: without limits less with them", partial(more, who="robots"), unit="pp",
+                 above=SOMETIMES),
         reported("points with the limits", partial(share, who="points", limit="on"), unit="%"),
         *(
             reported(f"{who} without limits, {scene}", partial(share, who=who, limit="off", scenes=(scene,)), unit="%")
@@ -102,14 +97,12 @@ S54 = Claim(
             for scene in ("head-on", "gap")
         ),
         *(
-            reported(
-                f"robots with the limits, {scene}", partial(share, who="robots", limit="on", scenes=(scene,)), unit="%"
-            )
+            reported(f"robots with the limits, {scene}", partial(share, who="robots", limit="on", scenes=(scene,)),
+                     unit="%")
             for scene in ("head-on", "gap")
         ),
-        reported(
-            "robots, distances from the middle: the same difference", partial(more, who="middle robots"), unit="pp"
-        ),
+        reported("robots, distances from the middle: the same difference", partial(more, who="middle robots"),
+                 unit="pp"),
     ),
     rules=STAGED,
     measure=before_minima,
@@ -118,7 +111,7 @@ S54 = Claim(
     figures=minimum_figures,
     note="Robots that lose the ball, or touch a player, stall or go back as well: that is what they do with "
     "the limits.",
-)
+)  # fmt: skip
 
 
 def hard_runs(batch: Batch) -> Samples:
@@ -162,16 +155,10 @@ S68 = Claim(
         reported("robots that see all (ideal senses) (mean)", lambda s: mean(s["robots that see all"])),
         reported("robots that pass and touch nobody", lambda s: 100 * mean(s["clean all rules"]), unit="%"),
         reported("the same of decisive ones", lambda s: 100 * mean(s["clean decisive"]), unit="%"),
-        reported(
-            "robots, distances from the middle: runs with a change of side",
-            partial(bounced, name="middle robots all rules"),
-            unit="%",
-        ),
-        reported(
-            "robots, distances from the middle: that pass and touch nobody",
-            lambda s: 100 * mean(s["middle clean all rules"]),
-            unit="%",
-        ),
+        reported("robots, distances from the middle: runs with a change of side",
+                 partial(bounced, name="middle robots all rules"), unit="%"),
+        reported("robots, distances from the middle: that pass and touch nobody",
+                 lambda s: 100 * mean(s["middle clean all rules"]), unit="%"),
     ),
     rules=STAGED,
     measure=hard_runs,
@@ -181,7 +168,7 @@ S68 = Claim(
     note="Most changes of robots come from what they see: with ideal senses there are few. Decisive points "
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",
-)
+)  # fmt: skip
 
 
 CLAIMS = (S54, S68)

@@ -101,22 +101,15 @@ S58 = Claim(
     f"last for {', '.join(map(str, PATIENCE))} decisions before it is made; beside it the side is kept beyond smaller "
     "angles than 135 degrees.",
     criteria=(
-        measured(
-            f"collisions at {PATIENCE[-1]} decisions less those at 0",
-            lambda s: rise(s, "patience", PATIENCE),
-            unit="pp",
-            above=0.0,
-        ),
+        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", lambda s: rise(s, "patience", PATIENCE),
+                 unit="pp", above=0.0),
         *(reported(f"collisions at {n} decisions", partial(of_patience, n=n), unit="%") for n in PATIENCE),
         *(
             reported(f"{title}: rise", partial(rise, name="patience", values=PATIENCE, scenes=(key,)), unit="pp")
             for key, title in MOVERS.items()
         ),
-        reported(
-            "side kept beyond 0 degrees less beyond 135",
-            partial(rise, name="keep_side_angle", values=ANGLES),
-            unit="pp",
-        ),
+        reported("side kept beyond 0 degrees less beyond 135", partial(rise, name="keep_side_angle", values=ANGLES),
+                 unit="pp"),
     ),
     rules=NO_MATCH,
     measure=met,
@@ -125,6 +118,6 @@ S58 = Claim(
     figures=stubborn_figures,
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
-)
+)  # fmt: skip
 
 CLAIMS = (S58,)

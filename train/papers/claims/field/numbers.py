@@ -49,18 +49,15 @@ S48 = Claim(
     method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
     criteria=(
         exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
-        reported(
-            "players that exert none as seen from the robot's middle, and some as seen from its camera",
-            lambda s: 100.0 * mean(s["middles"] > 1e-12),
-            unit="%",
-        ),
+        reported("players that exert none as seen from the robot's middle, and some as seen from its camera",
+                 lambda s: 100.0 * mean(s["middles"] > 1e-12), unit="%"),
     ),
     rules=NO_MATCH,
     measure=forces_aside,
     batches=1,
     seconds=0.1,
     without=Without("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
-)
+)  # fmt: skip
 
 
 def unit_distance(batch: Batch, **play: Any) -> Samples:

@@ -67,18 +67,15 @@ S45 = Claim(
         reported("jitter without", lambda s: mean(s["noise and blobs without"]), unit="deg"),
         reported("less by, noise alone", partial(less_jitter, seen="noise"), unit="%"),
         reported("less by, false blobs alone", partial(less_jitter, seen="blobs"), unit="%"),
-        reported(
-            "less by, against the same k2 without the cut-off",
-            partial(less_jitter, seen="noise and blobs", other="unmatched"),
-            unit="%",
-        ),
+        reported("less by, against the same k2 without the cut-off",
+                 partial(less_jitter, seen="noise and blobs", other="unmatched"), unit="%"),
     ),
     rules=NO_MATCH,
     measure=far_players,
     seconds=0.8,
     batches=8,
     ingredients=("how often blobs are false, and where they seem to be: 0.5 to 2.5 m",),
-)
+)  # fmt: skip
 
 
 def crowds(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:

@@ -183,11 +183,8 @@ H08 = Claim(
         exact("canonical: fewer cycles away", partial(worst, name="old away", take=min), above=10.0),
         reported(f"random crossings with a gap below {100 * NEAR:.0f} cm and 10 cycles away", dramatic, unit="%"),
         reported("random crossings with 10 cycles away", lambda s: 100 * mean(s["old away"] > 10), unit="%"),
-        reported(
-            f"random crossings with a gap below {100 * NEAR:.0f} cm",
-            lambda s: 100 * mean(s["old gap"] < NEAR),
-            unit="%",
-        ),
+        reported(f"random crossings with a gap below {100 * NEAR:.0f} cm", lambda s: 100 * mean(s["old gap"] < NEAR),
+                 unit="%"),
     ),
     rules=NO_MATCH,
     measure=with_random,
@@ -196,7 +193,7 @@ H08 = Claim(
     figures=snapshots,
     ingredients=ASSUMED,
     note=f"{LOOKED_AT} The canonical scenes were chosen because a sketch showed the paper's picture there.",
-)
+)  # fmt: skip
 
 H09 = Claim(
     id="H09",
@@ -228,11 +225,8 @@ H10 = Claim(
     method=f"{SCENE_TEXT}; both planners in the same scenes.",
     criteria=(
         measured("fewer collisions in 100 crossings", lambda s: 100 * less(s, "hit"), at_least=0.0),
-        measured(
-            f"fewer gaps below {100 * NEAR:.0f} cm in 100 crossings",
-            lambda s: 100 * mean((s["old gap"] < NEAR).astype(float) - (s["new gap"] < NEAR)),
-            above=0.0,
-        ),
+        measured(f"fewer gaps below {100 * NEAR:.0f} cm in 100 crossings",
+                 lambda s: 100 * mean((s["old gap"] < NEAR).astype(float) - (s["new gap"] < NEAR)), above=0.0),
         measured("less turn", partial(less, name="turn"), unit="deg", above=0.0),
         measured("less time", partial(less, name="time"), unit="s", above=0.0),
         reported("collisions of the conventional planner", lambda s: 100 * mean(s["old hit"]), unit="%"),
@@ -247,7 +241,7 @@ H10 = Claim(
     batches=12,
     figures=gap_figure,
     ingredients=ASSUMED,
-)
+)  # fmt: skip
 
 H11 = Claim(
     id="H11",

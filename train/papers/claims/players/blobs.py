@@ -113,28 +113,15 @@ S39 = Claim(
     "head sticker; scatter of the believed over the true range in each run; that ratio in frames with a trunk alone "
     "over frames with trunk and head (for these 30 % of the stickers are missed, so that there are enough).",
     criteria=(
-        measured(
-            "combined: range without the head over that with it",
-            lambda samples: worst_jump(samples, "combined"),
-            at_least=1.5,
-            at_most=2.5,
-        ),
-        measured(
-            "largest blob: the same, in the worst jersey",
-            lambda samples: float(jumps(samples, "largest").max()),
-            at_most=1.2,
-        ),
-        measured(
-            "scatter of the largest blob's range over that of the combined",
-            lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9),
-            below=1.0,
-        ),
+        measured("combined: range without the head over that with it", lambda samples: worst_jump(samples, "combined"),
+                 at_least=1.5, at_most=2.5),
+        measured("largest blob: the same, in the worst jersey", lambda samples: float(jumps(samples, "largest").max()),
+                 at_most=1.2),
+        measured("scatter of the largest blob's range over that of the combined",
+                 lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9), below=1.0),
         *(
-            reported(
-                f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-                partial(headless, j=j, i=len(BINS) - 2),
-                unit="%",
-            )
+            reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
+                     partial(headless, j=j, i=len(BINS) - 2), unit="%")
             for j, jersey in enumerate(JERSEYS)
         ),
         reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),
@@ -147,6 +134,6 @@ S39 = Claim(
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "
     "straight on, nearer by if not; the field is 3 m long.",
-)
+)  # fmt: skip
 
 CLAIMS = (S39,)

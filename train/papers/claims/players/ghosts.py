@@ -102,12 +102,8 @@ S34 = Claim(
     f"slots that stand for them (at most {100 * KNOWN:.0f} cm), less that without the event, over the {AFTER:g} s "
     "after it, for each ghost and for each miss.",
     criteria=(
-        measured(
-            "added error for a ghost less that for a miss",
-            lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])),
-            unit="cm",
-            above=0.0,
-        ),
+        measured("added error for a ghost less that for a miss",
+                 lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])), unit="cm", above=0.0),
         reported("added error for a ghost", lambda samples: 100 * mean(samples["ghost"]), unit="cm"),
         reported("added error for a miss", lambda samples: 100 * mean(samples["miss"]), unit="cm"),
         reported("error without either", lambda samples: 100 * mean(samples["plain"]), unit="cm"),
@@ -119,6 +115,6 @@ S34 = Claim(
     seconds=5.0,
     figures=ghost_figure,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
-)
+)  # fmt: skip
 
 CLAIMS = (S34,)

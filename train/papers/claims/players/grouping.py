@@ -145,18 +145,11 @@ S33 = Claim(
     "their view, from any side; a ghost is a slot filled in a frame beyond one for each opponent that shows a blob, a "
     "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
-        measured(
-            "ghosts at a factor of 3, in the worst jersey",
-            lambda samples: float(share(samples, "ghosts", CHOSEN, "filled").max()),
-            unit="%",
-            at_most=FEW,
-        ),
-        measured(
-            "missed less ghosts at a factor of 3, in the worst jersey",
-            lambda samples: float((share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN)).min()),
-            unit="%",
-            above=0.0,
-        ),
+        measured("ghosts at a factor of 3, in the worst jersey",
+                 lambda samples: float(share(samples, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
+        measured("missed less ghosts at a factor of 3, in the worst jersey",
+                 lambda samples: float((share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN)).min()),
+                 unit="%", above=0.0),
         measured(
             "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
             "jersey",
@@ -165,19 +158,13 @@ S33 = Claim(
             below=0.0,
         ),
         *(
-            reported(
-                f"the same, stickers {jersey:g} times as large",
-                partial(of_jersey, value=above_the_best, jersey=jersey),
-                unit="%",
-            )
+            reported(f"the same, stickers {jersey:g} times as large",
+                     partial(of_jersey, value=above_the_best, jersey=jersey), unit="%")
             for jersey in JERSEYS
         ),
         *(
-            reported(
-                f"ghosts and misses at {factor:g}, stickers of their own size",
-                partial(of_jersey, value=partial(wrong, factor=factor), jersey=1.0),
-                unit="%",
-            )
+            reported(f"ghosts and misses at {factor:g}, stickers of their own size",
+                     partial(of_jersey, value=partial(wrong, factor=factor), jersey=1.0), unit="%")
             for factor in FACTORS
         ),
     ),
@@ -188,7 +175,7 @@ S33 = Claim(
     ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
     note="Which factor is best follows from the jersey: stickers of shoulder and hip are 12 cm apart, 2.8 sizes of the "
     "smallest ones, 2 of those of their own size, 1.5 of the largest.",
-)
+)  # fmt: skip
 
 
 def keep_one(batch: Batch, alike: bool = False) -> Samples:
@@ -241,20 +228,17 @@ S72 = Claim(
     f"place is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance).",
     criteria=(
         counted("the nearer one is kept", "nearer", "merged", at_least=95.0),
-        reported(
-            f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
-            lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
-            unit="%",
-        ),
+        reported(f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
+                 lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
+                 unit="%"),
     ),
     rules=STAGED,
     measure=keep_one,
     batches=24,
     seconds=2.0,
-    without=Without(
-        "a nearer player's blobs are larger, and blobs are sorted by size; here both are as far", two_alike
-    ),
+    without=Without("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
+                    two_alike),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
-)
+)  # fmt: skip
 
 CLAIMS = (S33, S72)

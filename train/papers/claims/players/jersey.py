@@ -154,16 +154,10 @@ S37 = Claim(
     method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
     criteria=(
-        measured(
-            "player: variation of the width over the height's",
-            lambda samples: width_over_height(samples, "all "),
-            at_least=3.0,
-        ),
-        measured(
-            "largest sticker: height head-on over that from the side",
-            lambda samples: float(front_over_side(samples).max()),
-            below=1.0,
-        ),
+        measured("player: variation of the width over the height's", lambda samples: width_over_height(samples, "all "),
+                 at_least=3.0),
+        measured("largest sticker: height head-on over that from the side",
+                 lambda samples: float(front_over_side(samples).max()), below=1.0),
         reported("largest sticker: variation of width over that of height", width_over_height),
         reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     ),
@@ -176,7 +170,7 @@ S37 = Claim(
     note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
     "so that the head is missing and the player is a fifth lower. With one sticker on each side of the trunk it varies "
     "5.3 times as much in width.",
-)
+)  # fmt: skip
 
 S38 = Claim(
     id="S38",
@@ -185,18 +179,11 @@ S38 = Claim(
     method=f"{HOW}; relative error of the range by a table made head-on, and by one made from the side, without the "
     "ranger; all sectors but the head-on one; the worst jersey counts.",
     criteria=(
-        measured(
-            "head-on table: mean error in the other views",
-            lambda samples: float(bias(samples, "front", ASIDE).max()),
-            unit="%",
-            at_most=0.0,
-        ),
-        measured(
-            "head-on table less side table, mean error in all views",
-            lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()),
-            unit="%",
-            below=0.0,
-        ),
+        measured("head-on table: mean error in the other views",
+                 lambda samples: float(bias(samples, "front", ASIDE).max()), unit="%", at_most=0.0),
+        measured("head-on table less side table, mean error in all views",
+                 lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()), unit="%",
+                 below=0.0),
         reported("head-on table: mean error head-on", lambda s: float(bias(s, "front", FRONT).mean()), unit="%"),
         reported("head-on table: mean error from the side", lambda s: float(bias(s, "front", SIDES).mean()), unit="%"),
         reported("side table: mean error head-on", lambda s: float(bias(s, "side", FRONT).mean()), unit="%"),
@@ -208,6 +195,6 @@ S38 = Claim(
     without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
     figures=over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
-)
+)  # fmt: skip
 
 CLAIMS = (S37, S38)

@@ -143,19 +143,14 @@ S35 = Claim(
     "players; the worst of them counts.",
     criteria=(
         measured("U/d: two slots or more, at the least", lambda s: min(by_misses(s, FIRST)), unit="%", at_least=80.0),
-        measured(
-            "U/(d^3 angle): two slots or more, at the most",
-            lambda samples: max(by_misses(samples, FINAL)),
-            unit="%",
-            at_most=10.0,
-        ),
+        measured("U/(d^3 angle): two slots or more, at the most", lambda samples: max(by_misses(samples, FINAL)),
+                 unit="%", at_most=10.0),
         *(
             reported(f"U/(d^3 angle), missed: {missed}", partial(share, name=f"{FINAL}, {missed}"), unit="%")
             for missed in MISSES
         ),
-        reported(
-            "U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"), unit="%"
-        ),
+        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"),
+                 unit="%"),
         reported("U/(d^3 angle), one sticker on a side, 5 % missed", lambda s: share(s, "one sticker"), unit="%"),
         reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: share(samples, "grouped"), unit="%"),
         reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
@@ -169,7 +164,7 @@ S35 = Claim(
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
     "player seems half as far again, and may go into another slot.",
-)
+)  # fmt: skip
 
 
 S36 = Claim(

@@ -139,45 +139,25 @@ S70 = Claim(
     f"{100 * FARTHEST:.0f} cm away, who walks on, turning at random; error of the place that it believes against the "
     f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it.",
     criteria=(
-        measured(
-            "median error of movers seen from beyond 1 m less that from within, least of the speeds",
-            lambda samples: min(beyond_less_within(samples, speed) for speed in SPEEDS[1:]),
-            unit="cm",
-            above=0.0,
-        ),
-        measured(
-            "least rise of the median error with the speed",
-            lambda samples: least_rise(by_speed(samples)),
-            unit="cm",
-            above=0.0,
-        ),
+        measured("median error of movers seen from beyond 1 m less that from within, least of the speeds",
+                 lambda samples: min(beyond_less_within(samples, speed) for speed in SPEEDS[1:]), unit="cm", above=0.0),
+        measured("least rise of the median error with the speed", lambda samples: least_rise(by_speed(samples)),
+                 unit="cm", above=0.0),
         reported("at top speed, seen from within 1 m", lambda s: at_speed(s, SPEEDS[-1], False), unit="cm"),
         reported("at top speed, seen from beyond 1 m", lambda s: at_speed(s, SPEEDS[-1], True), unit="cm"),
         reported("of players that stand, beyond 1 m: the sensors' part", lambda s: at_speed(s, 0.0, True), unit="cm"),
-        reported(
-            "past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]), unit="%"
-        ),
-        measured(
-            "past a far mover untouched, with the cut-off less without",
-            lambda s: gain(s, "clean"),
-            unit="pp",
-            at_least=0.0,
-        ),
+        reported("past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]),
+                 unit="%"),
+        measured("past a far mover untouched, with the cut-off less without", lambda s: gain(s, "clean"), unit="pp",
+                 at_least=0.0),
         reported("past it, touched or not, with the cut-off less without", lambda s: gain(s, "past"), unit="pp"),
-        reported(
-            "untouched, less with the same k2 and no cut-off", lambda s: gain(s, "clean", "", "unmatched"), unit="pp"
-        ),
-        reported(
-            "distances from the middle: untouched, with the cut-off",
-            lambda s: 100.0 * mean(s["middle with clean"]),
-            unit="%",
-        ),
+        reported("untouched, less with the same k2 and no cut-off", lambda s: gain(s, "clean", "", "unmatched"),
+                 unit="pp"),
+        reported("distances from the middle: untouched, with the cut-off",
+                 lambda s: 100.0 * mean(s["middle with clean"]), unit="%"),
         reported("distances from the middle: with less without", lambda s: gain(s, "clean", "middle "), unit="pp"),
-        reported(
-            "distances from the middle: less with the same k2",
-            lambda s: gain(s, "clean", "middle ", "unmatched"),
-            unit="pp",
-        ),
+        reported("distances from the middle: less with the same k2", lambda s: gain(s, "clean", "middle ", "unmatched"),
+                 unit="pp"),
     ),
     rules=STAGED,
     measure=leave_and_pass,
@@ -188,6 +168,6 @@ S70 = Claim(
     note="The cut-off is judged by the team without shots that dribbles past the mover of a drill, who walks in at "
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "
     "weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
-)
+)  # fmt: skip
 
 CLAIMS = (S70,)

@@ -133,11 +133,8 @@ S32 = Claim(
     f"sweeping, for {SECONDS:g} s; a player is tracked if a slot of its team lies within {100 * NEAR:.0f} cm; range "
     "error of the nearest player of each team in frames that both systems see, same seeds.",
     criteria=(
-        measured(
-            "players tracked, new over old",
-            lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9),
-            at_least=1.8,
-        ),
+        measured("players tracked, new over old",
+                 lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
         measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
         *(
             reported(f"players tracked of the five others, {name}", partial(recall, name=name), unit="%")
@@ -152,6 +149,6 @@ S32 = Claim(
     ingredients=("memory.slots", "the way the head sweeps"),
     note="The table of the old system is not told; the first one of the paper's own calibrations, from the side by all "
     "blobs, stands for it, so that the second criterion compares the new system with its own first version.",
-)
+)  # fmt: skip
 
 CLAIMS = (S32,)

@@ -91,12 +91,8 @@ S69 = Claim(
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
     criteria=(
-        measured(
-            "share of head-on views less the next third's",
-            lambda samples: lead_of_front(samples["sensors"]),
-            unit="%",
-            above=0.0,
-        ),
+        measured("share of head-on views less the next third's", lambda samples: lead_of_front(samples["sensors"]),
+                 unit="%", above=0.0),
         *(reported(f"share {name}", partial(share_of, third=i), unit="%") for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: lead_of_front(s["ideal"]), unit="%"),
     ),
@@ -105,6 +101,6 @@ S69 = Claim(
     seconds=4.0,
     figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
-)
+)  # fmt: skip
 
 CLAIMS = (S69,)

@@ -127,21 +127,14 @@ S24 = Claim(
             reported(f"false alarms in play: {name}", partial(share_of, cause=i), unit="%")
             for i, name in enumerate(CAUSES)
         ),
-        reported(
-            "receding or turning in free approaches",
-            lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0),
-            unit="%",
-        ),
+        reported("receding or turning in free approaches",
+                 lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0), unit="%"),
         reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
         reported("false alarms in play, in all", lambda s: float(s["alarms"].sum())),
-        reported(
-            "recoveries that are false alarms",
-            lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0),
-            unit="%",
-        ),
-        reported(
-            "staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(), unit="%"
-        ),
+        reported("recoveries that are false alarms",
+                 lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0), unit="%"),
+        reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(),
+                 unit="%"),
     ),
     rules=PLAYED_AND_STAGED,
     measure=causes,
@@ -149,6 +142,6 @@ S24 = Claim(
     seconds=4.5,
     batches=12,
     least=4,
-)
+)  # fmt: skip
 
 CLAIMS = (S24,)

@@ -61,12 +61,8 @@ S01 = Claim(
     f"{100 * NEAR:.0f} cm of the ball; approaches to the ball in which the robot touches another.",
     criteria=(
         measured("contact episodes a minute and match", lambda s: mean(s["episodes"]) * 60.0 / SECONDS, at_least=1.0),
-        measured(
-            "time with three robots and more near the ball",
-            lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
-            unit="%",
-            at_least=10.0,
-        ),
+        measured("time with three robots and more near the ball", lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
+                 unit="%", at_least=10.0),
         counted("approaches in which the robot touches another", "met", "approaches", at_least=20.0),
         reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
     ),
@@ -75,7 +71,7 @@ S01 = Claim(
     ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
     seconds=4.0,
     batches=8,
-)
+)  # fmt: skip
 
 
 def deadlocks(batch: Batch, recovery: bool) -> Samples:
@@ -132,16 +128,10 @@ S03 = Claim(
         counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
         reported("the same wherever the ball is then", lambda s: percent("without", "held", s), unit="%"),
         reported("pairs that come to be held", lambda s: percent("held", "one", s), unit="%"),
-        reported(
-            "median time until one has the ball (20: nobody)",
-            lambda s: median(np.minimum(s["until"], DEADLOCK)),
-            unit="s",
-        ),
-        reported(
-            "held pairs without the ball 20 s later, with recovery",
-            lambda s: percent("without on", "held on", s),
-            unit="%",
-        ),
+        reported("median time until one has the ball (20: nobody)", lambda s: median(np.minimum(s["until"], DEADLOCK)),
+                 unit="s"),
+        reported("held pairs without the ball 20 s later, with recovery", lambda s: percent("without on", "held on", s),
+                 unit="%"),
         reported("robots held in play, not free 20 s later", lambda s: percent("play bound", "play", s), unit="%"),
         reported("the same where the ball lay still", lambda s: percent("lay bound", "lay", s), unit="%"),
     ),
@@ -154,6 +144,6 @@ S03 = Claim(
     "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
     seconds=4.0,
     batches=12,
-)
+)  # fmt: skip
 
 CLAIMS = (S01, S03)

@@ -132,19 +132,12 @@ S25 = Claim(
     f"35 to 80 cm, and {2 * TRIES} approaches to a ball 40 to 90 cm away in any direction, half of them to one that "
     f"rolls at {100 * ROLLS[0]:.0f} to {100 * ROLLS[1]:.0f} cm/s; each recovery there is a false alarm.",
     criteria=(
-        measured(
-            "least rise of the delay from threshold to threshold", lambda s: least_rise(delays(s)), unit="s", above=0.0
-        ),
-        measured(
-            "least fall of the false alarms in 100 approaches",
-            lambda s: least_rise([-v for v in falses(s)]),
-            at_least=0.0,
-        ),
-        measured(
-            "false alarms in 100 approaches: least threshold less greatest",
-            lambda s: falses(s)[0] - falses(s)[-1],
-            above=0.0,
-        ),
+        measured("least rise of the delay from threshold to threshold", lambda s: least_rise(delays(s)), unit="s",
+                 above=0.0),
+        measured("least fall of the false alarms in 100 approaches", lambda s: least_rise([-v for v in falses(s)]),
+                 at_least=0.0),
+        measured("false alarms in 100 approaches: least threshold less greatest",
+                 lambda s: falses(s)[0] - falses(s)[-1], above=0.0),
         reported("least threshold: delay", lambda s: delays(s)[0], unit="s"),
         reported("greatest threshold: delay", lambda s: delays(s)[-1], unit="s"),
     ),
@@ -154,6 +147,6 @@ S25 = Claim(
     ingredients=("the second counter stays at 8 s",),
     seconds=4.0,
     batches=6,
-)
+)  # fmt: skip
 
 CLAIMS = (S23, S25)

@@ -135,20 +135,13 @@ S27 = Claim(
         counted("cleared the obstacle: at least 50 %", "clear", "aside", at_least=50.0),
         counted("cleared the obstacle: at most 95 %", "clear", "aside", at_most=95.0),
         measured("change of the misalignment until the robot has the ball", change, unit="deg", below=0.0),
-        measured(
-            "misalignment when it has the ball, less that with a random side",
-            lambda s: mean(s["at ball"] - s["at ball either"]),
-            unit="deg",
-            below=0.0,
-        ),
+        measured("misalignment when it has the ball, less that with a random side",
+                 lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
         reported("cleared with a random side", partial(percent, "clear either", "aside either"), unit="%"),
         reported("the same change with a random side", lambda s: change(s, " either"), unit="deg"),
         reported("change of the misalignment by the recovery alone", partial(change, until="after"), unit="deg"),
-        reported(
-            "misalignment right after it, less that with a random side",
-            lambda s: mean(s["after"]) - mean(s["after either"]),
-            unit="deg",
-        ),
+        reported("misalignment right after it, less that with a random side",
+                 lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
         reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
     ),
     rules=PLAYED_AND_STAGED,
@@ -159,7 +152,7 @@ S27 = Claim(
     seconds=3.0,
     batches=12,
     least=4,
-)
+)  # fmt: skip
 
 
 def attempts(batch: Batch) -> Samples:
@@ -225,29 +218,22 @@ S29 = Claim(
         measured("cases that take more than one try, until it has the ball", several, unit="%", at_least=5.0),
         measured("free within 10 s: recovering less pushing on", gain, unit="pp", above=0.0),
         reported("free within 10 s, pushing on", partial(within, name="freed off", seconds=FREE, flags={}), unit="%"),
-        reported(
-            "when they notice by themselves: free within 10 s, less pushing on", partial(gain, word="on"), unit="pp"
-        ),
-        reported(
-            "noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
-            partial(gain, word="quick"),
-            unit="pp",
-        ),
+        reported("when they notice by themselves: free within 10 s, less pushing on", partial(gain, word="on"),
+                 unit="pp"),
+        reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
+                 partial(gain, word="quick"), unit="pp"),
         reported("the same: ball got, less pushing on", partial(gain, name="got", word="quick"), unit="pp"),
         *(
             reported(f"{title}: free within 10 s, recovering less pushing on", partial(gain, flags=flags), unit="pp")
             for title, flags in SITUATIONS.items()
         ),
         *(
-            reported(
-                f"{title}: ball got, recovering less pushing on", partial(gain, name="got", flags=flags), unit="pp"
-            )
+            reported(f"{title}: ball got, recovering less pushing on", partial(gain, name="got", flags=flags),
+                     unit="pp")
             for title, flags in {"all": {}, **SITUATIONS}.items()
         ),
-        reported(
-            "goals in 100, recovering less pushing on",
-            lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"])),
-        ),
+        reported("goals in 100, recovering less pushing on",
+                 lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     ),
     rules=PLAYED_AND_STAGED,
     measure=attempts,
@@ -260,6 +246,6 @@ S29 = Claim(
     seconds=3.0,
     batches=12,
     least=4,
-)
+)  # fmt: skip
 
 CLAIMS = (S26, S27, S29)

@@ -62,12 +62,9 @@ S28 = Claim(
     "and the drill itself, the ball behind the robot.",
     criteria=(
         counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
-        measured(
-            "those that recover: got the ball, rotation less sidesteps",
-            lambda s: percent("recovered rotate", "recovers", s) - percent("recovered sidestep", "recovers", s),
-            unit="pp",
-            above=0.0,
-        ),
+        measured("those that recover: got the ball, rotation less sidesteps",
+                 lambda s: percent("recovered rotate", "recovers", s) - percent("recovered sidestep", "recovers", s),
+                 unit="pp", above=0.0),
         reported("got the ball, all", lambda s: 100.0 * mean(s["aside rotate"]), unit="%"),
         reported("got the ball without any recovery", lambda s: 100.0 * mean(s["aside none"]), unit="%"),
         reported("robots that recovered at all", lambda s: 100.0 * mean(s["aside tries"] > 0), unit="%"),
@@ -83,6 +80,6 @@ S28 = Claim(
     "searches for it and turns against the board; no counter runs in a search, and recovery never begins.",
     seconds=4.0,
     batches=10,
-)
+)  # fmt: skip
 
 CLAIMS = (S28,)

@@ -121,22 +121,13 @@ S02 = Claim(
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     criteria=(
         measured("held in play: success with recovery less without", gain, unit="pp", at_least=20.0),
-        measured(
-            f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
-            lambda s: mean_time(s, "on") - mean_time(s, "off"),
-            unit="s",
-            below=0.0,
-        ),
-        measured(
-            "stuck balls a minute of play, with less without",
-            lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY,
-            below=0.0,
-        ),
+        measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
+                 lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
+        measured("stuck balls a minute of play, with less without",
+                 lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY, below=0.0),
         reported("held in play: success without", partial(success, word="off"), unit="%"),
-        reported(
-            "held in play: goals in 100, with less without",
-            lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"])),
-        ),
+        reported("held in play: goals in 100, with less without",
+                 lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
         *(
             reported(f"success, {name}, recovery {word}", partial(success, word=word, task=name), unit="%")
             for name in TASKS
@@ -157,6 +148,6 @@ S02 = Claim(
     seconds=5.0,
     batches=6,
     least=2,  # few robots are held in a batch
-)
+)  # fmt: skip
 
 CLAIMS = (S02,)
