@@ -1,4 +1,4 @@
-"""The ball that is remembered while it is not seen, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
+"""The memory of an unseen ball, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -26,7 +26,7 @@ DRIBBLE, PUSHED = 0.07, 5.0  # [m/s] 3.5 cm per half-second step, [s]: S14
 
 
 def misplaced(match: Match) -> np.ndarray:
-    """Return how far the believed ball is from the true one (M,) [m]."""
+    """Return the distance between the believed and the true ball (M,) [m]."""
     true, bearing = ball_from(match)
     ball = match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
@@ -61,9 +61,9 @@ def walk_unseeing(batch: Batch, odometry: str) -> Samples:
     true, bearing = ball_from(match)
     ball = match.beliefs["ball"][:, 0]
     off = np.abs(wrapped(ball["bearing"] - bearing))
-    found = {"place": misplaced(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
+    samples = {"place": misplaced(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
     match.close()
-    return found
+    return samples
 
 
 def compare_updates(batch: Batch) -> Samples:
@@ -104,7 +104,7 @@ def error_by_way(samples: Samples) -> list[float]:
 
 
 def push_unseen(batch: Batch, update: bool, turn: float) -> np.ndarray:
-    """Dribble a ball that is seen no more, turning by so much in [-1, 1]; return the error of its memory (M,) [m]."""
+    """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its memory (M,) [m]."""
     rng = batch.rng()
     memory = {"odometry_while_dribbling": update}
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
@@ -134,7 +134,7 @@ def way_figure(samples: Samples) -> Sequence[Figure]:
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:
-    """Return the median of one error over that of another."""
+    """Return the ratio of the medians of two errors."""
     return median(samples[above]) / max(median(samples[below]), 1e-9)
 
 
