@@ -26,31 +26,31 @@ from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 EXPONENTS = (1, 2, 3)
-FEW_MORE = 2.0  # [pp] of runs that collide more with the factor: no extra collisions
-REACTS = np.radians(5.0)  # [rad] off the goal's direction from which the robot has begun to go round, assumed
+FEW_MORE = 2.0  # [pp] more collisions with the factor that still count as no extra collisions
+REACTS = np.radians(5.0)  # [rad] off the goal's direction at which a robot has begun to go round a player, assumed
 DEGREES = 180.0 / np.pi
 NEAR_GOAL, FAR_GOAL = 0.8, 2.5  # [m]
-GOAL_X = 1.6  # [m] of the point that a dribbler makes for
+GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 
 def matched_exponents(batch: Batch) -> Samples:
-    """Return onset [m], peak and mean turn [rad], clearance [m] (scenes, exponents), equal forces at 444 mm."""
+    """Return onset [m], peak turn [rad] and clearance [m] (scenes, exponents), for equal forces at 444 mm."""
     rng = batch.rng()
     start, crowd = starts(rng), one_ahead(rng, 0.0, 0.25)
-    found: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
+    columns: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
     for exponent in EXPONENTS:
         runs = run_points(rng, start, crowd, exponent=exponent, player_gain=matched_gain(exponent))
         away = np.linalg.norm(runs.others[:-1, :, 0] - runs.path[:-1], axis=-1)
         reacts = np.abs(runs.off) > REACTS
         first = reacts.argmax(axis=0)
-        found["onset"].append(np.where(reacts.any(axis=0), away[first, np.arange(SCENES)], np.nan))
-        found["peak"].append(np.nanmax(np.abs(runs.turns), axis=0))
-        found["clearance"].append(runs.clearance)
-    return {name: np.stack(values, axis=1) for name, values in found.items()}
+        columns["onset"].append(np.where(reacts.any(axis=0), away[first, np.arange(SCENES)], np.nan))
+        columns["peak"].append(np.nanmax(np.abs(runs.turns), axis=0))
+        columns["clearance"].append(runs.clearance)
+    return {name: np.stack(values, axis=1) for name, values in columns.items()}
 
 
 def matched_gain(exponent: int) -> float:
-    """Return the gain [m^n] with which a player's force is 1 at 444 mm, whatever the exponent."""
+    """Return the gain [m^n] for which a player's force is 1 at 444 mm."""
     return 0.8 * UNIT ** (exponent - 1)
 
 
@@ -112,7 +112,7 @@ S44 = Claim(
 
 
 def reactions(batch: Batch, **play: Any) -> Samples:
-    """Return how far off the goal robots go [degrees] past a player at the same place, near the goal and far away."""
+    """Return deviations from the goal's direction [degrees] past a player in one relative place, near and far."""
     rng, samples = batch.rng(), {}
     distance, bearing = rng.uniform(0.25, 0.7, SCENES), rng.uniform(-1.0, 1.0, SCENES)
     for name, away in (("near", NEAR_GOAL), ("far", FAR_GOAL)):
@@ -125,7 +125,7 @@ def reactions(batch: Batch, **play: Any) -> Samples:
 
 
 def difference(samples: Samples, kind: str) -> np.ndarray:
-    """Return how much reactions differ [degrees] (M,) between near the goal and far from it."""
+    """Return the difference of the reactions near the goal and far from it (M,) [degrees]."""
     values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
     return values
 
@@ -180,7 +180,7 @@ def cosine_figures(samples: Samples) -> Sequence[Figure]:
 
 
 def saved(samples: Samples, name: str) -> float:
-    """Return by which share [%] the factor lessens the median of a quantity."""
+    """Return the reduction of a quantity's median by the factor [%]."""
     return 100.0 * (1.0 - median(samples[f"{name} with"]) / median(samples[f"{name} without"]))
 
 

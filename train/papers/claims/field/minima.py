@@ -1,4 +1,4 @@
-"""Local minima and what is left of indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
+"""Local minima and remaining indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -15,10 +15,10 @@ from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 NO_LIMIT: dict[str, Any] = {"clamp": False, "body_clamp": False}
-STRAIGHT = 0.01  # [m] that a player right ahead stands off the way at most
-SOMETIMES = 10.0  # [%] of the runs, at least: "sometimes", assumed
-LEFT = 5.0  # [%] of the runs in which indecision remains, at least, assumed
-BACK = 0.07  # [m] farther from the goal than before: two steps, more than a body's sway
+STRAIGHT = 0.01  # [m] greatest distance from the way of a player "right ahead"
+SOMETIMES = 10.0  # [%] least share of runs for "sometimes", assumed
+LEFT = 5.0  # [%] least share of runs for "indecision remains", assumed
+BACK = 0.07  # [m] of retreat from the goal: two steps, more than a body's sway
 DECISIONS: dict[str, dict[str, Any]] = {"all rules": {}, "decisive": {"decisive": True}}
 LIMITS: dict[str, dict[str, Any]] = {"off": NO_LIMIT, "on": {}}
 
@@ -30,9 +30,9 @@ def right_ahead(rng: np.random.Generator) -> np.ndarray:
 
 
 def before_minima(batch: Batch) -> Samples:
-    """Return for head-on and gap scenes, limits off and on, what became of points and of robots (M,), a row for each.
+    """Return stalls and retreats (M,) of points and of robots, in head-on and gap scenes, with the limits off and on.
 
-    NaN where the full simulator, in which fewer scenes are played, has no value.
+    NaN in scenes that the full simulator did not play: it plays fewer.
     """
     rng, samples = batch.rng(), {}
     start = np.column_stack([np.full(SCENES, START), np.zeros(SCENES)])
@@ -50,8 +50,8 @@ def before_minima(batch: Batch) -> Samples:
 
 
 def trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
-    """Return 1 for each run that stalls or retreats, NaN for one that was not played."""
-    stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {what}"] for what in ("stalls", "retreats"))
+    """Return 1 for each run that stalls or retreats, NaN for runs not played."""
+    stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {kind}"] for kind in ("stalls", "retreats"))
     worse: np.ndarray = np.maximum(stalls, retreats)
     return worse
 
@@ -62,12 +62,12 @@ def share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head
 
 
 def more(samples: Samples, who: str) -> float:
-    """Return how many more runs [pp] stall or retreat without the limits."""
+    """Return the share of runs that stall or retreat without the limits minus the share with them [pp]."""
     return share(samples, who, "off") - share(samples, who, "on")
 
 
 def minimum_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the way that ends before a player right ahead."""
+    """Draw the path that ends before a player right ahead."""
     crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0]
@@ -115,7 +115,7 @@ S54 = Claim(
 
 
 def hard_runs(batch: Batch) -> Samples:
-    """Count flips (M,) in the harder set with all of the paper's rules, points and robots; and of decisive ones."""
+    """Count flips (M,) of points and robots in the harder set, with all of the paper's rules and when decisive."""
     rng, samples = batch.rng(), {}
     start, crowd = starts(rng, SCENES, 0.2), hard_set(rng)
     for name, play in DECISIONS.items():
@@ -129,7 +129,7 @@ def hard_runs(batch: Batch) -> Samples:
 
 
 def flips_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how often runs change sides."""
+    """Draw the distribution of changes of side."""
     count = np.arange(13)
     curves = []
     for name in ("points all rules", "points decisive", "robots all rules", "robots decisive"):
