@@ -1,4 +1,4 @@
-"""What the camera's finer layer would bring: steadier ranges and velocities.  [Sacks 2001, 5]"""
+"""The gain of the camera's finer layer: steadier ranges and velocities.  [Sacks 2001, 5]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -44,17 +44,17 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
 
 
 def compare_layers(batch: Batch, **fine: Any) -> Samples:
-    """Return the scatter with both layers; `fine` are sensor settings of the finer one. "... rules": all rules on."""
+    """Return the scatter with both layers; `fine`: sensor settings of the finer one; "... rules": all rules on."""
     samples: Samples = {}
     for layer, sensors in zip(LAYERS, ({}, fine), strict=True):
         for name, override in (("", False), (" rules", True)):
-            found = watch_still_balls(batch, layer, override, **sensors)
-            samples |= {f"{part} {layer}{name}": found[part] for part in ("range", "velocity")}
-    return samples | {"true": found["true"]}
+            runs = watch_still_balls(batch, layer, override, **sensors)
+            samples |= {f"{part} {layer}{name}": runs[part] for part in ("range", "velocity")}
+    return samples | {"true": runs["true"]}
 
 
 def as_much_flicker(batch: Batch) -> Samples:
-    """Return the same where edges flicker by as large an angle in both layers: by twice as many of the finer pixels."""
+    """Return `compare_layers` with an equal angle of flicker in both layers: twice as many of the finer pixels."""
     from soccer_env.leagues import find_league
     from soccer_env.train.papers.staging import LEGGED
 

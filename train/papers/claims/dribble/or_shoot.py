@@ -20,7 +20,7 @@ BLOCKERS = {
     "": "chaser",
     " still": "still",
     " alone": None,
-}  # suffix of the samples: the blockers' team; None: no blockers
+}  # suffix of the samples: team; None: no blockers
 MORE: dict[str, dict[str, Any]] = {
     "dribble, distances from the middle": FROM_MIDDLE,
     "dribble, no shots": {"shoots": False},

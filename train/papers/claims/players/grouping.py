@@ -1,7 +1,7 @@
-"""Which blobs are one player: how often one is missed or a ghost is seen, and who is missed.  [Sacks 2001, 4.1.1]
+"""Grouping blobs into players: missed players, ghosts, and which player is missed.  [Sacks 2001, 4.1.1]
 
-Sizes of stickers are guesses, so that the grouping factor is judged over jerseys of 0.7 to 1.3 times their size: the
-worst of them counts.
+Sizes of stickers are guesses, so the grouping factor is judged over jerseys of 0.7 to 1.3 times their size; the worst
+jersey counts.
 """
 
 from collections.abc import Callable, Sequence
@@ -35,7 +35,7 @@ WIDE = 0.35  # [rad] of their bearings: within the camera's view, less half a ro
 APART = 0.30  # [m] between bodies' middles
 TILT = -0.10  # [rad] of the head that looks over the field
 FOES = [1, 2]  # rows of the two opponents in view
-UNLIKE = 1.2  # [1] ratio of distances from which on one is clearly the farther, S72
+UNLIKE = 1.2  # [1] ratio of distances beyond which one player is clearly farther, S72
 ASIDE, RANGE = 0.10, 0.15  # [m], [1] by which the place of a slot errs, S72
 DRAWS = 50  # of places, until two do not touch
 FEW = 5.0  # [%] of the slots filled that may be ghosts
@@ -55,9 +55,9 @@ def put_two_in_view(match: Match, rng: np.random.Generator, alike: bool = False)
 
 
 def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
-    """Return whether each opponent in view shows a blob (M, 2), and how many slots this frame filled with it (M, 2).
+    """Return whether each opponent in view shows a blob (M, 2), and the slots that this frame filled with it (M, 2).
 
-    Blobs and slots are those of the opponent that is nearest aside.
+    Blobs and slots belong to the opponent that is nearest sideways.
     """
     mine, slots = owners(match, FOES), slots_of(match)
     away, true = from_camera(match, FOES)
@@ -68,7 +68,7 @@ def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return how many slots too many there are (M,), and how many players that show a blob have none (M,)."""
+    """Return the number of surplus slots (M,), and of players that show a blob and have no slot (M,)."""
     return np.maximum(filled - visible, 0).sum(axis=1), (visible & (filled == 0)).sum(axis=1)
 
 
@@ -92,8 +92,8 @@ def try_factors(batch: Batch) -> Samples:
     """Return the counts (M, jerseys) for every factor."""
     samples: Samples = {}
     for factor in FACTORS:
-        found = [count_errors(batch, factor, jersey) for jersey in JERSEYS]
-        samples |= {f"{name} {factor:g}": np.stack([one[name] for one in found], axis=1) for name in found[0]}
+        counts = [count_errors(batch, factor, jersey) for jersey in JERSEYS]
+        samples |= {f"{name} {factor:g}": np.stack([one[name] for one in counts], axis=1) for name in counts[0]}
     return samples
 
 
@@ -109,7 +109,7 @@ def wrong(samples: Samples, factor: float) -> np.ndarray:
 
 
 def above_the_best(samples: Samples) -> np.ndarray:
-    """Return the errors [%] at the factor of the paper less the fewest at another, of each jersey (jerseys,)."""
+    """Return the errors [%] at the paper's factor minus the fewest at another factor, of each jersey (jerseys,)."""
     others = np.stack([wrong(samples, factor) for factor in FACTORS if factor != CHOSEN])
     return np.asarray(wrong(samples, CHOSEN) - others.min(axis=0))
 
@@ -179,7 +179,7 @@ S33 = Claim(
 
 
 def keep_one(batch: Batch, alike: bool = False) -> Samples:
-    """Return, over frames with two opponents visible and one slot filled: how often the nearer was kept (M,)."""
+    """Count the frames (M,) with two opponents visible and one slot filled, and those that keep the nearer one."""
     match = watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin(match)
@@ -200,14 +200,14 @@ def keep_one(batch: Batch, alike: bool = False) -> Samples:
 
 
 def two_alike(batch: Batch) -> Samples:
-    """Return the same of two that stand equally far: sizes do not tell who is nearer, and one of them is, by hairs."""
+    """Return `keep_one` for two opponents at equal distances, whose sizes do not tell who is nearer."""
     return keep_one(batch, alike=True)
 
 
 def kept_one(match: Match) -> np.ndarray:
-    """Return which of the two opponents (M,) the slot filled in this frame stands for.
+    """Return the index of the opponent (M,) that the slot filled in this frame stands for.
 
-    The one whose place is nearer to the slot's, counted in what places err by: ASIDE, and RANGE of the distance.
+    It is the opponent whose place is nearer to the slot's, in units of the errors: ASIDE, and RANGE of the distance.
     """
     slots, rows = slots_of(match), np.arange(match.count)
     row = is_fresh(match, slots).argmax(axis=1)
