@@ -1,4 +1,4 @@
-"""When a robot that nothing stops believes that it is stuck: in staged approaches.  [Sacks 2001, 3.3]"""
+"""False alarms in staged approaches: a robot that nothing stops believes that it is stuck.  [Sacks 2001, 3.3]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -24,7 +24,7 @@ TRIES, TIME = 48, 20.0  # approaches of each kind a batch, [s] of each at most
 
 
 def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
-    """Let robots that nothing stops go to a ball anywhere round them; return who (M,) gave a false alarm.
+    """Let robots that nothing stops go to a ball anywhere round them; return the false alarms (M,).
 
     An alarm is a recovery that begins before the robot has the ball.
     """
@@ -56,7 +56,7 @@ def one_and_two(batch: Batch) -> Samples:
 
 
 def fewer(samples: Samples, name: str) -> float:
-    """Return how many times fewer alarms there are with two counters; half an alarm stands for none; NaN: no alarm."""
+    """Return the alarms with one counter over those with two, where half an alarm replaces none; NaN: no alarm."""
     one, two = samples[f"{name} 1"].sum(), samples[f"{name} 2"].sum()
     return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
 
@@ -115,7 +115,7 @@ def falses(samples: Samples) -> list[float]:
 
 
 def sweep_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw both against the threshold."""
+    """Draw delay and false alarms against the threshold."""
     delay = Curve("held robots", COUNTS, delays(samples))
     false = Curve("free robots", COUNTS, falses(samples))
     return (
