@@ -1,19 +1,19 @@
-"""Who plays a scene, and how many of each side: a match from the kick-off, or a drill as it is meant.
+"""The teams and team sizes of a scene: a match from the kick-off, or a drill against its own opponents.
 
-Drills name the opponents that they are meant for (`Scene.opponents`), one for each of away's last robots.
+A drill names its opponents (`Scene.opponents`), one for each of away's last robots.
 """
 
 from dataclasses import dataclass
 
 from soccer_env.scenes import Scene
 
-SAVES = "away saves"  # of a drill that away's goalkeeper has to do
-STILL, PLAYS = "still", "chaser"  # who has no part in a drill, and who plays where nobody is named
+SAVES = "away saves"  # success test of a drill for away's goalkeeper
+STILL, PLAYS = "still", "chaser"  # the team without a part in a drill, and the default team
 
 
 @dataclass(frozen=True)
 class Cast:
-    """Who plays: sizes of home and away, their teams in words, and the controllers of a Match."""
+    """Sizes of home and away, their teams in words, and the controllers of a Match."""
 
     sizes: tuple[int, int]
     names: tuple[str, str]
@@ -21,19 +21,19 @@ class Cast:
 
 
 def sizes_of(scene: Scene) -> tuple[int, int]:
-    """Return how many play at home and away in a drill."""
+    """Return the team sizes of home and away in a drill."""
     if scene.success == SAVES:
         return 1, 2  # a team of one has no goalkeeper
     return scene.players, max(len(scene.opponents), 1)
 
 
 def controllers_of(scene: Scene, team: str) -> dict[str, str]:
-    """Return who plays a drill for a team: away's goalkeeper a save, home's robot everything else."""
+    """Return the controllers for a team in a drill: it plays away in a drill of saves, home in all others."""
     return cast_of(scene, sizes_of(scene), *((None, team) if scene.success == SAVES else (team, None))).controllers
 
 
 def cast_of(scene: Scene, sizes: tuple[int, int], home: str | None = None, away: str | None = None) -> Cast:
-    """Return who plays a scene where a side is not named: chaser, or in a drill the one that it is meant for."""
+    """Return the teams of a scene; a side without a name gets the chaser, or the team that the drill is meant for."""
     saves, drill = scene.success == SAVES, scene.success != "none"
     names = (home or (STILL if saves else PLAYS), away or (STILL if drill and not saves else PLAYS))
     if away is not None or not scene.opponents:

@@ -21,7 +21,7 @@ def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
 
 
 def read_bounded(path: Path) -> bytes:
-    """Return the bytes of a file of results; ValueError if it is no regular file, or has more than LARGEST."""
+    """Return the bytes of a file of results; ValueError if it is no regular file, or larger than LARGEST."""
     try:
         return read_plain(path, LARGEST)
     except ValueError as error:
@@ -29,9 +29,9 @@ def read_bounded(path: Path) -> bytes:
 
 
 def read_lines(path: Path) -> list[dict[str, Any]]:
-    """Return the records of a file of JSON lines, cutting off a last line that a crash tore; [] without a file.
+    """Return the records of a file of JSON lines, and cut off a last line torn by a crash; [] without a file.
 
-    Any other line that is not JSON is a ValueError: the file was edited or the disk is broken.
+    ValueError for any other line that is not JSON: the file was edited or the disk is broken.
     """
     if not path.exists():
         return []
@@ -43,9 +43,9 @@ def read_lines(path: Path) -> list[dict[str, Any]]:
 
 
 def records_in(path: Path, content: bytes) -> tuple[list[dict[str, Any]], int]:
-    """Return the records of JSON lines, and the bytes that are whole ones; ValueError for a line that is none.
+    """Return the records of JSON lines, and the length of all complete lines [bytes].
 
-    But for the last, which a crash may have torn.
+    ValueError for a line without a record, except the last line, which a crash may have torn.
     """
     complete, records = 0, []
     lines = content.splitlines(keepends=True)

@@ -1,4 +1,4 @@
-"""How far a long piece of work is: a bar on stderr, or a plain line now and then where that is no terminal."""
+"""The progress of long work: a bar on stderr, or a plain line at intervals where stderr is no terminal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ EVERY = 15.0  # [s] between two plain lines, at least
 
 
 class Progress:
-    """A bar over an amount of work, or plain lines; use it as a context manager. Any thread may move it on."""
+    """A bar over an amount of work, or plain lines; use it as a context manager. Any thread may advance it."""
 
     def __init__(self, title: str, total: float) -> None:
         self._title = title
@@ -41,7 +41,7 @@ class Progress:
             self._bar.stop()
 
     def advance(self, amount: float) -> None:
-        """Move the bar on by an amount of work."""
+        """Advance the bar by an amount of work."""
         with self._lock:
             self._done += amount
             if self._bar is not None:
@@ -59,7 +59,7 @@ class Progress:
                 self._say()
 
     def _say(self) -> None:
-        """Print a line, if the last one is some time ago."""
+        """Print a line, if the last one is EVERY seconds old."""
         now = time.monotonic()
         if self._total <= 0 or now - self._said < EVERY:
             return

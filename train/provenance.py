@@ -1,4 +1,4 @@
-"""What a result was made with: versions, and hashes of the code and of the teams that played."""
+"""The provenance of a result: versions, and hashes of the code and of the teams."""
 
 import datetime
 import hashlib
@@ -23,14 +23,14 @@ UNKNOWN = "unknown"  # in place of the hash of a team whose state cannot be hash
 
 
 def of_modules(names: Iterable[str]) -> dict[str, str]:
-    """Return a hash of the code behind those of some names that are MODULE:NAME, by module."""
-    found = {MODULE_PATH.fullmatch(name.partition("@")[0]) for name in names}
-    modules = {path[1] for path in found if path is not None and path[1] in sys.modules}
+    """Return, by module, a hash of the code behind each name of the form MODULE:NAME."""
+    paths = {MODULE_PATH.fullmatch(name.partition("@")[0]) for name in names}
+    modules = {path[1] for path in paths if path is not None and path[1] in sys.modules}
     return {module: module_hash(module) for module in sorted(modules)}
 
 
 def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, str]:
-    """Return what must be the same for matches to be the same: versions, code, the two teams and the league."""
+    """Return the versions and hashes on which matches depend: code, the two teams and the league."""
     versions = {name: version_of(name) for name in LIBRARIES}
     hashes = {"code": module_hash("soccer_env.match.match"), "home_team": team_hash(home), "away_team": team_hash(away)}
     own = {} if LEAGUES.get(league.name) is league else {"league": digest(league.in_full())}
@@ -52,9 +52,9 @@ def module_hash(module: str) -> str:
 
 
 def team_hash(team: str | Team) -> str:
-    """Return a hash of what a team is: its code, and what it was made with; UNKNOWN if that cannot be told.
+    """Return a hash of a team: its code and its state; UNKNOWN if the state cannot be hashed.
 
-    A team object may have a text `fingerprint`, which then stands for everything that it keeps.
+    A team object may have a text `fingerprint`, which then replaces its state.
     """
     found = make_team(team)
     if isinstance(found, CompiledTeam):
@@ -75,7 +75,7 @@ def modules_of(function: Any) -> set[str]:
 
 
 def state_of(team: Any) -> str | None:
-    """Return a text of what an object keeps, None unless that is plain values and arrays alone."""
+    """Return the state of an object as text, None unless it consists of plain values and arrays alone."""
     try:
         return json.dumps(vars(team), sort_keys=True, default=as_text)
     except (TypeError, ValueError):  # an object of another kind, no attributes to look at, a circle
@@ -83,7 +83,7 @@ def state_of(team: Any) -> str | None:
 
 
 def as_text(value: Any) -> list[str]:
-    """Return what tells an array or a dtype from another; TypeError for anything else that is no plain value."""
+    """Return a text that identifies an array or a dtype; TypeError for anything else that is no plain value."""
     if isinstance(value, np.dtype):
         return [str(value)]
     if not isinstance(value, (np.ndarray, np.generic)) or value.dtype.hasobject:
@@ -92,7 +92,7 @@ def as_text(value: Any) -> list[str]:
 
 
 def check_told_apart(made: dict[str, str]) -> None:
-    """Raise ValueError if a folder of results could not tell a team from another, and take its results for its own."""
+    """Raise ValueError for a team without a hash, whose results a folder could confuse with another team's."""
     if UNKNOWN in made.values():
         raise ValueError(
             "a team keeps what cannot be compared with another run's: give the object an attribute `fingerprint`, a "
@@ -101,7 +101,7 @@ def check_told_apart(made: dict[str, str]) -> None:
 
 
 def made_now() -> dict[str, str]:
-    """Return the date and the commit of a result that is made now."""
+    """Return the present date and commit."""
     return {"date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(), "commit": commit()}
 
 
@@ -111,7 +111,7 @@ def digest(text: str) -> str:
 
 
 def settings_hash(conditions: dict[str, Any], made: dict[str, str]) -> str:
-    """Return the hash that every line of a result carries, so that lines of other settings are never mixed in."""
+    """Return the hash in every line of a result, which keeps lines of other settings out."""
     return digest(json.dumps([conditions, made], sort_keys=True))
 
 

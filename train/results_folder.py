@@ -1,12 +1,12 @@
-"""The folder of a run's results: whose it is, with which settings, what is finished, and files written whole.
+"""The folder of a run's results: its kind and settings, its finished parts, and files written whole.
 
-    settings.json    conditions: what decides the results; made_with: versions and hashes; about: all the rest
+    settings.json    conditions: settings that decide the results; made_with: versions and hashes; about: the rest
     NAME.jsonl       a line for each finished part, on disk before the next one begins (`files.py`)
     other files      written whole or not at all
 
-A run that was stopped goes on in its folder, and one that may grow is made larger. Other settings are refused, each
-difference named, and so is a folder that holds something else: only what a run of the same kind left is ever removed
-(`anew`) or written over.
+A stopped run resumes in its folder, and some kinds of runs can be made larger. Other settings are refused, with each
+difference named, and so is a folder with other contents: only files of a run of this kind are ever removed (`anew`) or
+overwritten.
 """
 
 import json
@@ -24,21 +24,21 @@ from soccer_env.train.provenance import settings_hash
 T = TypeVar("T")
 Self = TypeVar("Self", bound="ResultsFolder")
 SETTINGS, LOCK = "settings.json", ".lock"
-GROWN = "grown_from"  # in `about`: how large a run was before, that has grown
+GROWN = "grown_from"  # in `about`: the earlier sizes of a run that has grown
 NAMED = {int: "a whole number", str: "a text", dict: "a table"}  # kinds of fields
-ELSE = "give another folder, or --anew (anew=True)"  # what may be done about one that holds another run
+ELSE = "give another folder, or --anew (anew=True)"  # advice for a folder with another run
 PARTS = ("conditions", "made_with", "about")  # of settings.json
 
 
 @dataclass(frozen=True)
 class Kind:
-    """What one kind of run leaves in its folder."""
+    """The files of one kind of run in its folder."""
 
     what: str  # in messages: "an evaluation"
     marks: tuple[str, ...]  # conditions that all runs of this kind have, and no other kind
     files: tuple[str, ...]  # beside settings.json, the lines of finished parts first
     more: Callable[[dict[str, Any]], list[str]] = lambda conditions: []  # patterns of further ones, by its conditions
-    grows: str = ""  # a condition that may be larger when a run goes on: its parts follow from their seeds alone
+    grows: str = ""  # a condition that may be larger when a run is resumed: its parts follow from their seeds alone
     alone: bool = False  # one process at a time; else two may share the work, as each part follows from its seed alone
 
 
@@ -46,8 +46,7 @@ class ResultsFolder:
     """The folder at `path`, or, without a path, nowhere: then nothing is read or written.
 
     ValueError if it holds something else, a run with other settings, or is in use. `anew` removes an earlier run first.
-    `defaults` are conditions that came after a run may have begun, as they were until then. `about` is what the run
-    said of itself when it began.
+    `defaults`: values for conditions that older runs lack. `about`: the entry of that name in settings.json.
     """
 
     def __init__(
@@ -58,7 +57,7 @@ class ResultsFolder:
         self.path, self.kind = path, kind
         self.made_with, self.about = made_with, about
         self.settings = settings_hash(mine["conditions"], made_with)  # every line of a result carries it
-        self._earlier = set[str]()  # the same of this run when it was smaller
+        self._earlier = set[str]()  # hashes of this run when it was smaller
         self._lock: Any = None
         if path is None:
             return
@@ -78,12 +77,12 @@ class ResultsFolder:
         self.close()
 
     def close(self) -> None:
-        """Let others use the folder."""
+        """Release the folder."""
         if self._lock is not None:
             self._lock.release()
 
     def _open(self, path: Path, mine: dict[str, Any], anew: bool, defaults: Mapping[str, Any]) -> None:
-        """Find out what the folder holds; begin a run in it or go on."""
+        """Read the folder; begin a run in it or resume it."""
         before = settings_before(path, self.kind, anew)
         if self.kind.alone:  # others might be writing just now
             for name in (SETTINGS, *self.kind.files):
@@ -106,7 +105,7 @@ class ResultsFolder:
         write_whole(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
 
     def _grown(self, before: dict[str, Any], mine: dict[str, Any]) -> list[Any]:
-        """Let a run that may grow, and was smaller, pass for this one: return its size, [] otherwise."""
+        """Accept a smaller run of a kind that may grow as this one: return its size, [] otherwise."""
         name = self.kind.grows
         was, now = before["conditions"].get(name), mine["conditions"].get(name)
         if not isinstance(was, int) or not isinstance(now, int) or was >= now:
@@ -122,7 +121,7 @@ class ResultsFolder:
         """
         if self.path is None:
             return {}
-        found: dict[Any, T] = {}
+        parts: dict[Any, T] = {}
         path, names = self.path / name, sorted(field.name for field in fields(kind))  # type: ignore[arg-type]
         for record in read_lines(path):
             if sorted(record) != names:
@@ -131,9 +130,9 @@ class ResultsFolder:
             if record["settings"] in self._earlier:
                 record["settings"] = self.settings
             part = kind(**record)
-            if record["settings"] != self.settings or found.setdefault(record[key], part) != part:
+            if record["settings"] != self.settings or parts.setdefault(record[key], part) != part:
                 raise ValueError(f"{path}: {key} {record[key]} belongs to other settings; give another folder")
-        return found
+        return parts
 
     def add(self, name: str, parts: Iterable[Any]) -> None:
         """Add finished parts, dataclasses or dicts, to a file of lines; they are on the disk before this returns."""
@@ -148,7 +147,7 @@ class ResultsFolder:
 
 
 def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
-    """Raise ValueError for a line with something else where a number, a text or a table of its dataclass stands."""
+    """Raise ValueError for a line whose fields have other types than the number, text or table of its dataclass."""
     hints = get_type_hints(kind)
     for name, value in record.items():
         wanted = get_origin(hints[name]) or hints[name]
@@ -187,7 +186,7 @@ def settings_before(path: Path, kind: Kind, anew: bool = False) -> dict[str, Any
 
 
 def read_settings(path: Path) -> dict[str, Any]:
-    """Return what a settings file says; ValueError if it is damaged."""
+    """Return the contents of a settings file; ValueError if it is damaged."""
     try:
         found = json.loads(read_plain(path, LARGEST))
     except (ValueError, RecursionError) as error:
@@ -196,7 +195,7 @@ def read_settings(path: Path) -> dict[str, Any]:
 
 
 def check_same(path: Path, what: str, theirs: dict[str, Any], mine: dict[str, Any]) -> None:
-    """Raise ValueError naming each condition, and each thing that a run was made with, that differs from mine."""
+    """Raise ValueError naming each condition, version and hash of a run that differs from mine."""
     differences = [
         f"{name} {theirs[part].get(name)!r} there, {mine[part].get(name)!r} now"
         for part in ("conditions", "made_with")

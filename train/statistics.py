@@ -1,4 +1,4 @@
-"""Say how sure results are: bootstraps, Wilson's interval, interquartile mean, required number of matches."""
+"""Confidence of results: bootstraps, Wilson's interval, interquartile mean, required number of matches."""
 
 from collections.abc import Callable, Mapping
 from math import ceil, inf, isfinite, nan, sqrt
@@ -71,9 +71,9 @@ def unit_bootstrap(
 ) -> Interval:
     """Return a quantity of samples, low and high, by resampling their units with replacement (percentile interval).
 
-    Each array of `samples` has the same independent units along its first axis (runs, pairs, matches); whatever hangs
-    together stays together: medians, ratios and paired differences are the same call. A value that is not finite
-    (a median of nothing) in some resamples leaves that side of the interval open.
+    Each array of `samples` has the same independent units along its first axis (runs, pairs, matches); units are drawn
+    whole, which suits medians, ratios and paired differences alike. A value that is not finite (a median of nothing)
+    in some resamples leaves that side of the interval open.
     """
     counts = {name: len(array) for name, array in samples.items()}
     if len(set(counts.values())) != 1 or not min(counts.values()):
@@ -85,14 +85,14 @@ def unit_bootstrap(
     for index in range(resamples):
         rows = rng.integers(0, units, units)
         drawn[index] = value({name: array[rows] for name, array in samples.items()})
-    found = float(value(dict(samples)))
+    estimate = float(value(dict(samples)))
     lows, highs = np.where(np.isnan(drawn), -inf, drawn), np.where(np.isnan(drawn), inf, drawn)
-    if not isfinite(found):
-        return found, -inf, inf
+    if not isfinite(estimate):
+        return estimate, -inf, inf
     # order statistics, not interpolation, which is NaN between two infinities
     low = np.quantile(lows, tail, method="inverted_cdf")
     high = np.quantile(highs, 1.0 - tail, method="inverted_cdf")
-    return found, float(low), float(high)
+    return estimate, float(low), float(high)
 
 
 def ratio_bootstrap(
@@ -132,7 +132,7 @@ def required_matches(pairs: ArrayLike, half_width: float, *, confidence: float =
 
 
 def _wilson(share: float, trials: float, confidence: float) -> tuple[float, float]:
-    """Return low and high of Wilson's interval for a share of so many trials."""
+    """Return low and high of Wilson's interval for a share of a number of trials."""
     z = _quantile(confidence)
     spread = z * z / trials
     middle = (share + spread / 2) / (1 + spread)

@@ -1,6 +1,6 @@
-"""How settings are written: team sizes and senses out of a user's words, and settings back into a command.
+"""Parse team sizes and senses from text, and write settings as a command.
 
-What `soccer evaluate`, `record`, `watch`, `reproduce` and `train` have in common.
+Shared by `soccer evaluate`, `record`, `watch`, `reproduce` and `train`.
 """
 
 import shlex
@@ -48,9 +48,9 @@ def split_senses(senses: str) -> tuple[str, str]:
 
 
 def command_with(command: str, settings: Any, always: Collection[str] = ()) -> str:
-    """Return the command that asks for settings, a dataclass; those at their default are left out, but `always` some.
+    """Return the command with settings, a dataclass; defaults are left out, except those of `always`.
 
-    `anew` is left out, too: it would throw away what the command is to go on with; and `json`, which changes nothing.
+    `anew` is left out, too, because it would remove the run to resume; and `json`, which changes no result.
     """
     words = ["soccer", command]
     for field in fields(settings):
@@ -65,7 +65,7 @@ def command_with(command: str, settings: Any, always: Collection[str] = ()) -> s
 
 
 def written(value: object) -> str:
-    """Return a value as a command has it: a float as short as it can be without becoming another one."""
+    """Return a value as a word of a command: a float in its shortest exact form."""
     short = f"{value:g}" if isinstance(value, float) else str(value)
     return short if not isinstance(value, float) or float(short) == value else repr(value)
 

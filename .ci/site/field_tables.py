@@ -44,7 +44,7 @@ def comments(file: Path) -> dict[int, tuple[str, bool]]:
 
 
 def comment_at(file: Path, line: int) -> str:
-    """Return the comment behind a line, with the lines below that go on with it."""
+    """Return the comment behind a line, with its continuation on the lines below."""
     found = comments(file)
     parts = [found[line][0]] if line in found and not found[line][1] else []
     while parts and found.get(line + len(parts), ("", False))[1]:
@@ -79,7 +79,7 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 
 
 def default_and_text(value: str, module: griffe.Module) -> tuple[str, str]:
-    """Return the default and the help that the value of a field in a class's body says."""
+    """Return the default and the help in the value of a field."""
     tree = ast.parse(value, mode="eval").body
     if not (isinstance(tree, ast.Call) and isinstance(tree.func, ast.Name) and tree.func.id in ("field", "setting")):
         return value, ""
@@ -97,7 +97,7 @@ def default_and_text(value: str, module: griffe.Module) -> tuple[str, str]:
 
 
 def value_in(module: griffe.Module, name: str) -> str:
-    """Return the value that a name has in a module, "" if that does not say it."""
+    """Return the value of a name in a module, "" if it has none."""
     found = module.members.get(name)
     return str(found.value) if isinstance(found, griffe.Attribute) and found.value is not None else ""
 
@@ -135,7 +135,7 @@ def classes_above(found: griffe.Class) -> list[griffe.Class]:
 
 
 def rows_of(found: griffe.Class) -> list[Row]:
-    """Return the fields of a class, those that it inherits first; a help that is missing is that of the parent."""
+    """Return the fields of a class, inherited ones first; a missing help is taken from the parent."""
     rows: dict[str, Row] = {}
     for one in classes_above(found):
         if not is_record(one):
@@ -173,7 +173,7 @@ def record_rows(value: ast.expr, file: Path) -> Iterator[tuple[str, str, str, st
         if not (isinstance(item, ast.Tuple) and isinstance(item.elts[0], ast.Constant)):
             continue
         name, kind, *more = item.elts
-        within = more.pop(0) if isinstance(kind, ast.Constant) else None  # what is a record itself has none
+        within = more.pop(0) if isinstance(kind, ast.Constant) else None  # a nested record has no range
         unit, meaning = split_unit(comment_at(file, item.end_lineno or item.lineno))
         text = kind.value if isinstance(kind, ast.Constant) else ast.unparse(kind)
         said, shape = (code(ast.unparse(part)) if part else "" for part in (within, more[0] if more else None))
@@ -204,7 +204,7 @@ def declared(function: griffe.Function) -> str:
 
 
 def spell_out(function: griffe.Function, kind: griffe.Class) -> None:
-    """Give a function the parameters that it is called with, and the table of them."""
+    """Give a function the parameters of its call, and their table."""
     declaring = {attribute.name: attribute for one in classes_above(kind) for attribute in one.attributes.values()}
     first = [one for one in function.parameters if one.name == "self"]
     positional, named = griffe.ParameterKind.positional_or_keyword, griffe.ParameterKind.keyword_only
@@ -228,7 +228,7 @@ class FieldTables(griffe.Extension):
     """Put tables of fields into the docstrings of a package, once all of it is read."""
 
     def __init__(self) -> None:
-        self.told: list[griffe.Attribute] = []  # what a table has said
+        self.told: list[griffe.Attribute] = []  # attributes shown in a table
         self.done: set[str] = set()  # modules; griffe comes by again for packages that are soft links
 
     def on_package(self, *, pkg: griffe.Module, **_: Any) -> None:

@@ -1,10 +1,10 @@
-"""Measure the speed: `soccer bench`. Ratios of one run, never a stopwatch in a test.
+"""Measure the speed: `soccer bench`. It compares loads within one run; no test measures time.
 
-settings.py    what the command line asks for
-benchmark.py   the rows, interleaved, as medians with intervals, and the machine they were measured on
-loads.py       what is timed: the core under two loads, the bare physics of the same play, pictures with overlays
-plans.py       the middle-size planner, one pass and one plan
-apis.py        PettingZoo's step, the memory of a match, how long importing and compiling take
-against.py     --against: the rows of two checkouts in turn, as ratios with intervals
-worker.py      the process that times the rows of one of the two
+settings.py    the command's options
+benchmark.py   the rows of the report as medians of interleaved timings, and a description of the machine
+loads.py       timed loads: the core in random and chaser play, the physics alone, pictures with overlays
+plans.py       timed loads: one pass and one plan of the middle-size planner, and its team
+apis.py        timed loads: PettingZoo's step and reset, a branch; memory of a match; start-up times
+against.py     --against: the ratio of two checkouts' times, with its interval
+worker.py      the process that times one checkout for --against
 """

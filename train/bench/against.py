@@ -1,9 +1,9 @@
-"""`soccer bench --against CHECKOUT`: the rows of two checkouts in turn, and the ratio of each with its interval.
+"""`soccer bench --against CHECKOUT`: time each row in both checkouts, and return the ratio with its interval.
 
-One process for each checkout, with that checkout's interpreter and code (`worker.py`), times a row when it is asked to.
-They are asked in the order A B B A, so that a machine that grows warm or busy hits both alike; the two halves of that
-are pairs, and the interval of the ratio is a bootstrap over pairs. Processes are started anew a few times, as where
-code and data come to lie in memory makes a process faster or slower for all its life.
+Each checkout has a process with its own interpreter and code (`worker.py`), which times one row per request. Requests
+go in the order A B B A, so that a machine that grows warm or busy slows both alike; each half is a pair, and the
+interval of the ratio is a bootstrap over pairs. Processes are restarted a few times, because the layout of code and
+data in memory makes a process faster or slower for its whole life.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 WORKER = Path(__file__).with_name("worker.py")
-INNER = ("baselines", "agents", "train")  # stand at the top of a checkout, are imported from inside the package
+INNER = ("baselines", "agents", "train")  # at the top of a checkout, imported from inside the package
 HERE, THERE = "this checkout", "the other"
 
 Pairs = dict[str, list[tuple[float, float]]]  # row -> seconds here and there
@@ -41,7 +41,7 @@ Pairs = dict[str, list[tuple[float, float]]]  # row -> seconds here and there
 
 @dataclass(frozen=True)
 class Ratio:
-    """How long a row takes here, over how long it takes there."""
+    """A row's time in this checkout over its time in the other."""
 
     name: str
     here: float  # [s] median
@@ -52,7 +52,7 @@ class Ratio:
 
     @property
     def verdict(self) -> str:
-        """Return what the interval says, "" if it says nothing."""
+        """Return "slower", "faster", or "" where the interval contains 1."""
         return "slower" if self.low > 1.0 else "faster" if self.high < 1.0 else ""
 
 
@@ -82,14 +82,14 @@ class Worker:
 def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
     """Measure both checkouts and return the report that --out writes: machine, checkouts, rows and pairs."""
     assert settings.against is not None
-    places = {HERE: checkout_of_this(), THERE: settings.against}
-    about = {name: str(path) for name, path in places.items()}
+    checkouts = {HERE: checkout_of_this(), THERE: settings.against}
+    paths = {name: str(path) for name, path in checkouts.items()}
     pairs: Pairs = {}
     lacking: dict[str, str] = {}
     with Progress("bench", settings.rounds) as progress:
         for _ in range(settings.rounds):
             with ExitStack() as stack:
-                here, there = (stack.enter_context(started(places[n], n, settings, script)) for n in places)
+                here, there = (stack.enter_context(started(checkouts[n], n, settings, script)) for n in checkouts)
                 names = chosen(here.rows, settings.rows)
                 lacking |= {row: "only here" for row in names if row not in there.rows}
                 for row in names:
@@ -97,9 +97,9 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
                     if row not in lacking:
                         lacking |= measure(row, here, there, settings.repetitions, pairs)
             progress.advance(1)
-    rows = [ratio_of(name, found) for name, found in pairs.items() if name not in lacking]
+    rows = [ratio_of(name, times) for name, times in pairs.items() if name not in lacking]
     report = {
-        "machine": machine(), "checkouts": about, "rows": [asdict(row) | {"verdict": row.verdict} for row in rows],
+        "machine": machine(), "checkouts": paths, "rows": [asdict(row) | {"verdict": row.verdict} for row in rows],
         "lacking": lacking, "pairs": pairs,
     }  # fmt: skip
     if settings.out is not None:
@@ -110,15 +110,15 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
 
 def chosen(rows: list[str], words: str) -> list[str]:
     """Return the rows whose names contain all words; ValueError if there is none."""
-    found = [row for row in rows if all(word in row for word in words.split())]
-    if not found:
-        raise ValueError(f"no row contains {words!r}: there are {'; '.join(rows)}")
-    return found
+    matching = [row for row in rows if all(word in row for word in words.split())]
+    if not matching:
+        raise ValueError(f"no row contains {words!r}; rows: {'; '.join(rows)}")
+    return matching
 
 
 def measure(row: str, here: Worker, there: Worker, repetitions: int, pairs: Pairs) -> dict[str, str]:
-    """Add pairs of a row, in the order A B B A; return the row with who lacks it, if one does."""
-    firsts = {worker.name: worker.sample(row) for worker in (here, there)}  # builds, compiles: counts for nothing
+    """Time a row in the order A B B A and add its pairs; return {row: reason} if a checkout lacks the row."""
+    firsts = {worker.name: worker.sample(row) for worker in (here, there)}  # untimed: it builds and compiles
     missing = [name for name, first in firsts.items() if first is None]
     if missing:
         return {row: f"not in {' or '.join(missing)}"}
@@ -138,7 +138,7 @@ def ratio_of(name: str, pairs: list[tuple[float, float]]) -> Ratio:
 
 
 def checkout_of_this() -> Path:
-    """Return the checkout that this code stands in; ValueError for an installed package, which is none."""
+    """Return the checkout that contains this code; ValueError for an installed package."""
     if not (PACKAGE.parent / "train").is_dir():
         raise ValueError("--against compares checkouts, and this soccer_env is installed outside of one")
     return PACKAGE.parent
@@ -146,7 +146,7 @@ def checkout_of_this() -> Path:
 
 @contextmanager
 def started(checkout: Path, name: str, settings: BenchSettings, script: Path) -> Iterator[Worker]:
-    """Start the process of a checkout, and end it. It imports the checkout's code, whatever is installed."""
+    """Run the process of a checkout for the time of a `with`. It imports the checkout's code, not an installed one."""
     with tempfile.TemporaryDirectory() as folder:
         link_packages(checkout, Path(folder))
         command = [interpreter_of(checkout, settings), str(script), str(settings.matches), str(settings.steps)]
@@ -160,7 +160,7 @@ def started(checkout: Path, name: str, settings: BenchSettings, script: Path) ->
 
 
 def link_packages(checkout: Path, folder: Path) -> None:
-    """Lay the packages of a checkout out in a folder as they are installed, by soft links; ValueError if it is none."""
+    """Link a checkout's packages into a folder in their installed layout; ValueError if the path is no checkout."""
     package = folder / "soccer_env"
     package.mkdir()
     if not (checkout / "soccer_env" / "__init__.py").is_file():
@@ -171,7 +171,7 @@ def link_packages(checkout: Path, folder: Path) -> None:
 
 
 def interpreter_of(checkout: Path, settings: BenchSettings) -> str:
-    """Return the Python that runs a checkout: its own .venv's, else the one that was given, else this one."""
+    """Return the Python that runs a checkout: its .venv's, else that of --python, else the current one."""
     own = checkout / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
     return str(own) if own.exists() else str(settings.python or sys.executable)
 

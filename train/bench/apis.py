@@ -1,4 +1,4 @@
-"""What else the benchmark measures: the PettingZoo API, the memory of a match, and how long things take to start."""
+"""Benchmarks beside the core: the PettingZoo API, a branch, the memory of a match, and start-up times."""
 
 import os
 import subprocess
@@ -17,7 +17,7 @@ from soccer_env.match import Match
 from soccer_env.physics.engine.space import build_space
 from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP
 
-START_TIMES = {  # Python programs by what they start
+START_TIMES = {  # name of the row: the Python program to time
     "import soccer_env": "import soccer_env",
     "soccer --help": "from soccer_env.train.command.command_line import main; main(['--help'])",
     "start of an evaluation": "from soccer_env.train.command.command_line import main; "
@@ -57,10 +57,10 @@ class ApiLoad:
 
 
 class ResetLoad(ApiLoad):
-    """`parallel_env.reset` in the course of play."""
+    """`parallel_env.reset` in mid-match."""
 
     def sample(self, steps: int) -> float:
-        """Return the seconds per reset, over so many of them, each after a step of play."""
+        """Return the seconds per reset, averaged over `steps` resets, each after a step of play."""
         spent = 0.0
         for _ in range(steps):
             self.env.step(self.actions[0])
@@ -72,7 +72,7 @@ class ResetLoad(ApiLoad):
 
 
 class BranchLoad:
-    """`Match.branch` of a running 3 v 3 match that senses, its Space included: into one match, or into 64 at once."""
+    """`Match.branch` of a running 3 v 3 match with sensors and its Space: into one match, or into 64 at once."""
 
     def __init__(self, league: str, seed: int, matches: int = 64) -> None:
         both = {"home": "chaser", "away": "chaser"}
@@ -83,7 +83,7 @@ class BranchLoad:
             self.match.step()
 
     def sample(self, branches: int, together: bool) -> float:
-        """Return the seconds per branch; the matches that are overwritten are in mid-play as well."""
+        """Return the seconds per branch; the overwritten matches are in mid-play as well."""
         spent, at = 0.0, None if together else 0
         for _ in range(branches):
             self.planner.step()
@@ -97,7 +97,7 @@ class BranchLoad:
 def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> float:
     """Return the bytes of a 3 v 3 match outside Chipmunk: every array that a Match and its parts hold.
 
-    With ideal senses, or with the sensors and beliefs of all robots and one of the ways to their own poses.
+    Senses are ideal without `pose`; with it all robots have sensors and beliefs, and localise by `pose`.
     """
     senses: dict[str, Any] = (
         {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
@@ -107,10 +107,10 @@ def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> flo
 
 
 def arrays_of(root: object) -> list[np.ndarray]:
-    """Return every array that an object of this package and its parts hold, each once, and no views."""
+    """Return every array, except views, that an object of this package and its parts hold, each once."""
     waiting = [root]
     seen = set()
-    found = []
+    arrays = []
     while waiting:
         item = waiting.pop()
         if id(item) in seen:
@@ -119,18 +119,18 @@ def arrays_of(root: object) -> list[np.ndarray]:
         if isinstance(item, np.ndarray):
             waiting.append(item.base)  # of a view
             if item.base is None:
-                found.append(item)
+                arrays.append(item)
         elif isinstance(item, (list, tuple)):
             waiting += item
         elif isinstance(item, dict):
             waiting += item.values()
         elif type(item).__module__.startswith("soccer_env"):
             waiting += getattr(item, "__dict__", {}).values()
-    return found
+    return arrays
 
 
 def wrapper_bytes(league: str, spaces: int = 16) -> float:
-    """Return the bytes that pymunk's Python objects take beside one Chipmunk space of a 3 v 3 match."""
+    """Return the bytes of pymunk's Python objects for one Chipmunk space of a 3 v 3 match."""
     match = Match(league, home=PLAYERS, away=PLAYERS, seed=0)
     build_space(match.league, match.balls[0], match.robots[0])
     tracemalloc.start()
@@ -141,7 +141,7 @@ def wrapper_bytes(league: str, spaces: int = 16) -> float:
 
 
 def start_time(program: str, repetitions: int, cold: bool = False) -> float:
-    """Return the median seconds that a Python process needs for a program; `cold`: with an empty cache each time."""
+    """Return the median seconds of a Python process that runs a program; `cold`: with an empty cache each time."""
     return median(_run(program, cold) for _ in range(repetitions))
 
 
@@ -159,7 +159,7 @@ def _run(program: str, cold: bool) -> float:
 
 
 def interleaved(loads: dict[str, Callable[[], float]], repetitions: int) -> dict[str, list[float]]:
-    """Return the samples of every load, taken in turn, so that a slow moment of the machine hits all alike."""
+    """Return the samples of every load, taken in turn, so that a slow moment of the machine slows all alike."""
     samples: dict[str, list[float]] = {name: [] for name in loads}
     for repetition in range(repetitions):
         for name in loads if repetition % 2 == 0 else reversed(loads):

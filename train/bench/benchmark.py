@@ -1,4 +1,4 @@
-"""`soccer bench`: ratios measured in one run, interleaved, as medians; with the machine they were measured on."""
+"""`soccer bench`: ratios of interleaved timings in one run, as medians, with a description of the machine."""
 
 from __future__ import annotations
 
@@ -43,17 +43,17 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 LEAGUES = ("legged-2001", "middle-size-2006")
-OWN_RATIO = 1.8  # core over its own scene, random load; this and all below are what the package promises
+OWN_RATIO = 1.8  # core over its own scene, random load; this and all limits below are promises of the package
 REFERENCE_RATIO = {"legged-2001": 5.0, "middle-size-2006": 2.5}
 CHASER_SPEED = {"legged-2001": 8_000.0, "middle-size-2006": 20_000.0}  # [match steps/s]
-SENSES_RATIO = 3.0  # sensors and beliefs of all robots over the core that sees the truth
-PARTICLES_RATIO = 2.0  # own poses by particle filters over a given noisy pose
+SENSES_RATIO = 3.0  # all robots with sensors and beliefs, over ideal senses
+PARTICLES_RATIO = 2.0  # localisation by particle filters, over a given noisy pose
 SENSES_BYTES = {"percept": 16 * 1024, "particles": 64 * 1024}  # of a match outside Chipmunk
 BELIEF_API_SPEED = 6_000.0  # [steps/s] with observe="belief"
 THREADS_RATIO = 1.7  # two threads over one
 API_SPEED = 10_000.0  # [steps/s]
 RESET_TIME = 1e-3  # [s]
-BRANCH_TIME = 0.6e-3  # [s] of a match copied over another one in mid-play, its Space included
+BRANCH_TIME = 0.6e-3  # [s] to copy a match and its Space over another match in mid-play
 PASS_TIME, PLAN_TIME = 25e-6, 60e-6  # [s] of the middle-size planner: one pass, one plan, over 5 m past nine others
 PLAN_TIME_99 = 1e-3  # [s] of one plan in a hundred
 PICTURE_TIME = 5e-3  # [s] of a frame, 960 px wide
@@ -61,14 +61,14 @@ TEAM_TIME, TEAM_SPEED = 25e-6, 2500.0  # [s] of a robot's decision in the team o
 RECORD_BYTES = 16 * 1024  # of a match outside Chipmunk
 START_LIMITS = {"import soccer_env": 1.5, "soccer --help": 0.6, "start of an evaluation": 3.0}  # [s]
 COLD_LIMIT = 60.0  # [s]
-BUSY = 0.5  # load of the last minute above which other programs take part in what is measured
+BUSY = 0.5  # load of the last minute above which other programs disturb the timings
 
 Samples = dict[str, list[float]]
 
 
 @dataclass(frozen=True)
 class Row:
-    """A measured number and what it should be."""
+    """A measured number and its target."""
 
     name: str
     value: float
@@ -78,12 +78,12 @@ class Row:
 
 
 def at_most(name: str, value: float, unit: str, limit: float, scale: float = 1.0) -> Row:
-    """Return a row whose value should not be above a limit; both are shown multiplied by `scale`."""
+    """Return a row whose value should be at most a limit; both are shown multiplied by `scale`."""
     return Row(name, value, f"{value * scale:.3g} {unit}".strip(), f"<= {limit * scale:g}", value <= limit)
 
 
 def at_least(name: str, value: float, unit: str, limit: float) -> Row:
-    """Return a row whose value should not be below a limit."""
+    """Return a row whose value should be at least a limit."""
     shown = f"{value:,.0f} {unit}" if value >= 100 else f"{value:.3g} {unit}"
     return Row(name, value, shown.strip(), f">= {limit:,g}", value >= limit)
 
@@ -164,8 +164,8 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
     limit = REFERENCE_RATIO[league]
     yield at_most(f"{league}: random over the reference", ratio(samples, "random", "reference"), "", limit)
     yield at_most(f"{league}: sensors and beliefs over the truth", ratio(samples, "senses", "random"), "", SENSES_RATIO)
-    found = ratio(samples, "particles", "senses")
-    yield at_most(f"{league}: particle filters over a given pose", found, "", PARTICLES_RATIO)
+    cost = ratio(samples, "particles", "senses")
+    yield at_most(f"{league}: particle filters over a given pose", cost, "", PARTICLES_RATIO)
     for load in ("senses", "particles"):
         speed = 1 / median(samples[load])
         yield Row(f"{league}: {load}", speed, f"{speed:,.0f} match steps/s ({speed / rate:,.0f} simulated s/s)")
@@ -200,7 +200,7 @@ def api_rows(league: str, samples: Samples) -> Iterator[Row]:
 
 
 def plan_rows(settings: BenchSettings) -> Iterator[Row]:
-    """Yield how long the middle-size planner takes."""
+    """Yield the times of the middle-size planner."""
     passes, plans = PlanLoad(settings.seed).sample(200 if settings.quick else 1000)
     where = "over 5 m past nine obstacles"
     yield at_most(f"planner: one backward pass {where}", median(passes), "us", PASS_TIME, 1e6)
@@ -210,7 +210,7 @@ def plan_rows(settings: BenchSettings) -> Iterator[Row]:
 
 
 def team_rows(settings: BenchSettings) -> Iterator[Row]:
-    """Yield how long the team of 2006 takes to decide, and its matches by sensors."""
+    """Yield the time of a decision of the team of 2006, and the speed of its matches with sensors."""
     load = TeamLoad(settings.seed)
     tries = 3 if settings.quick else 9
     decision = median(load.decide(20) for _ in range(tries))
@@ -220,7 +220,7 @@ def team_rows(settings: BenchSettings) -> Iterator[Row]:
 
 
 def picture_rows(settings: BenchSettings) -> Iterator[Row]:
-    """Yield how long a picture takes, if the extra `render` is there to draw it."""
+    """Yield the times to draw a picture, if the extra `render` is installed."""
     frames = 50 if settings.quick else 250
     for league in LEAGUES:
         try:
@@ -234,7 +234,7 @@ def picture_rows(settings: BenchSettings) -> Iterator[Row]:
 
 
 def start_rows(settings: BenchSettings) -> Iterator[Row]:
-    """Yield how long things take to start."""
+    """Yield the start-up times."""
     for name, program in START_TIMES.items():
         yield at_most(name, start_time(program, 3 if settings.quick else 7), "s", START_LIMITS[name])
     if not settings.quick:
@@ -243,7 +243,7 @@ def start_rows(settings: BenchSettings) -> Iterator[Row]:
 
 
 def machine() -> dict[str, str]:
-    """Return what the numbers were measured on and with."""
+    """Return the processor, system, versions, commit and date of the measurement."""
     return {
         "processor": processor(),
         "cores": f"{os.cpu_count()}",
@@ -270,9 +270,7 @@ def screen_table(report: dict[str, Any]) -> Table:
 
     caption = ", ".join(f"{name} {value}" for name, value in report["machine"].items())
     if float(report["machine"]["load before"]) > BUSY:
-        caption += (
-            f"\nThe machine was busy before it began (load above {BUSY:g}): trust none of this, threads least of all."
-        )
+        caption += f"\nThe machine was busy at the start (load above {BUSY:g}): do not trust these times."
     drawn = Table(title="soccer bench", caption=caption)
     for name, side in (("", "left"), ("measured", "right"), ("target", "right"), ("", "left")):
         drawn.add_column(name, justify=side)  # type: ignore[arg-type]

@@ -1,7 +1,7 @@
-"""What the benchmark times: the core under two loads, the bare physics of the same play, a reference scene, pictures.
+"""Timed loads: the core in random and chaser play, the bare physics of this play, a reference scene, pictures.
 
-Every load is live play: matches are replaced as they end, their clocks are spread over a half, and they are played on
-for a while before anything is timed.
+Every load is live play: finished matches restart, their clocks are spread over a half, and they play for WARM_UP
+seconds before the first timing.
 """
 
 from collections.abc import Mapping
@@ -28,18 +28,18 @@ PLAYERS = 3  # a side
 PICTURED = 960  # [px] width of a picture
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}  # in a picture
 OVERLAYS = "belief,trail,roles"
-HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves
+HOLD = 0.5  # [s] that a random action lasts: shorter ones cancel out and robots stand still
 WARM_UP = 10.0  # [s] of play before the first timing
 DRAWS = 32  # sets of random actions, used in turn
 
-REFERENCE_STEPS = 25  # control steps of the reference until its bodies get new velocities, untimed
+REFERENCE_STEPS = 25  # control steps until the bodies of the reference get new velocities, untimed
 
 
 class Load(Protocol):
-    """Something that is timed."""
+    """A load that can be timed."""
 
     def sample(self, steps: int) -> float:
-        """Run so many control steps of all matches; return the seconds per match step."""
+        """Run `steps` control steps of all matches; return the seconds per match step."""
         ...
 
 
@@ -51,17 +51,17 @@ class CoreLoad:
 
     def __init__(self, league: str, team: str | None, matches: int, threads: int, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
-        found = find_league(league)
+        settings = find_league(league)
         self.match = self.kind(
             league, home=PLAYERS, away=PLAYERS, matches=matches, threads=threads, seed=seed, autoreset="same_step",
-            controllers=None if team is None else {"home": team, "away": team}, minutes=found.evaluation_minutes,
+            controllers=None if team is None else {"home": team, "away": team}, minutes=settings.evaluation_minutes,
             **self.senses,
         )  # fmt: skip
         rows = 2 * PLAYERS
         self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, rows, 4))
-        self.hold, self.steps = round(HOLD * found.control_rate), 0
+        self.hold, self.steps = round(HOLD * settings.control_rate), 0
         self.match.matches["clock"] = self.rng.uniform(0.0, self.match.settings.half_length, matches)
-        self.run(round(WARM_UP * found.control_rate))
+        self.run(round(WARM_UP * settings.control_rate))
 
     def run(self, steps: int) -> None:
         """Step all matches."""
@@ -78,30 +78,30 @@ class CoreLoad:
 
 
 class SensesLoad(CoreLoad):
-    """The core with sensors and beliefs of all robots, which are given a noisy pose, under random actions."""
+    """The core under random actions, all robots with sensors, beliefs and a given noisy pose."""
 
     senses = MappingProxyType({"senses": "sensors", "observe": "belief", "pose": "percept"})
 
 
 class ParticlesLoad(CoreLoad):
-    """The same, the robots finding their own poses by particle filters."""
+    """The core under random actions, all robots with sensors, beliefs and a particle filter."""
 
     senses = MappingProxyType({"senses": "sensors", "observe": "belief", "pose": "particles"})
 
 
 class BareMatch(Match):
-    """A Match that plays as every other, and times the calls of cpSpaceStep alone."""
+    """A Match that also times its calls of cpSpaceStep."""
 
-    def __init__(self, *given: Any, **settings: Any) -> None:
+    def __init__(self, *arguments: Any, **settings: Any) -> None:
         self.bare = 0.0  # [s] in cpSpaceStep since the start
-        super().__init__(*given, **settings)
+        super().__init__(*arguments, **settings)
         self.batch.act = self._act_bare  # type: ignore[method-assign]  # the same stages, one of them timed
 
     def _act_bare(self, first: int, last: int) -> None:
         self.batch.act_in_stages(first, last, self._advance_bare)
 
     def _advance_bare(self, dt: float, substeps: np.ndarray, first: int, last: int) -> None:
-        """Move the Spaces on and time cpSpaceStep alone."""
+        """Advance the Spaces and time cpSpaceStep alone."""
         links = self.batch.physics.links
         write_slice(links, first, last)
         start = perf_counter()
@@ -111,12 +111,12 @@ class BareMatch(Match):
 
 
 class OwnFloor(CoreLoad):
-    """Bare cpSpaceStep in the league's own Spaces, in the same play and with the substeps that the core takes."""
+    """cpSpaceStep alone, in the league's own Spaces, with the play and the substeps of the core."""
 
     kind = BareMatch
 
     def sample(self, steps: int) -> float:
-        """Return the seconds per match step that cpSpaceStep took."""
+        """Return the seconds of cpSpaceStep per match step."""
         assert isinstance(self.match, BareMatch)
         before = self.match.bare
         self.run(steps)
@@ -124,7 +124,7 @@ class OwnFloor(CoreLoad):
 
 
 class ReferenceFloor:
-    """Bare cpSpaceStep in a scene that never changes with the leagues: 6 discs, a ball, 7 wall segments."""
+    """cpSpaceStep alone in a scene that no change of a league touches: 6 discs, a ball, 7 wall segments."""
 
     def __init__(self, matches: int, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
@@ -134,7 +134,7 @@ class ReferenceFloor:
             self.batch.set_space(m, reference_space(self.rng))
 
     def sample(self, steps: int) -> float:
-        """Return the seconds per match step, over at least so many of them."""
+        """Return the seconds per match step, averaged over at least `steps` of them."""
         spent, matches = 0.0, len(self.substeps)
         rounds = -(-steps // REFERENCE_STEPS)
         for _ in range(rounds):
@@ -162,7 +162,7 @@ class PictureLoad:
         self.sample(2, True)
 
     def sample(self, frames: int, overlays: bool) -> list[float]:
-        """Return the seconds of the processor, which one thread takes, for each of so many frames."""
+        """Return the processor seconds of each of `frames` frames, drawn by one thread."""
         spent, match = [], self.match
         for _ in range(frames):
             match.step()

@@ -1,4 +1,4 @@
-"""How long the middle-size planner takes over 5 m past nine obstacles that move, and the team that plans with it."""
+"""Timed loads: the middle-size planner over 5 m past nine moving obstacles, and the team that plans with it."""
 
 from statistics import median
 from time import perf_counter
@@ -16,10 +16,10 @@ from soccer_env.teams import TeamRandom, View
 from soccer_env.types import NOISE_STREAMS
 
 DISTANCE, OBSTACLES = 5.0, 9  # [m] of the straight way, [1]
-FASTEST, ROOM = 2.0, 0.6  # [m/s] of an obstacle, [m] that it leaves around robot and target
+FASTEST, ROOM = 2.0, 0.6  # [m/s] of an obstacle, [m] free around robot and target
 LENGTH, WIDTH, RADIUS = 12.0, 8.0, 0.25  # [m] of the pitch, [m] of an obstacle
 MATCHES, PLAYERS, WARM_UP = 16, 5, 250  # of the team's play: matches, players a side, steps before anything is timed
-TRIES = 5  # a scene's time is the median of so many
+TRIES = 5  # a scene's time is the median of these
 
 
 def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, float, float, float], np.ndarray]:
@@ -31,17 +31,18 @@ def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, float, float, flo
         target = robot + DISTANCE * np.array([np.cos(angle), np.sin(angle)])
     others = np.zeros(OBSTACLES, OBSTACLE)
     others["radius"] = RADIUS
-    for one in others:
+    for obstacle in others:
         place = robot
         while min(np.hypot(*(place - robot)), np.hypot(*(place - target))) < ROOM:
             place = rng.uniform(-half, half)
         angle, speed = rng.uniform(-np.pi, np.pi), rng.uniform(0.0, FASTEST)
-        one["x"], one["y"], one["vx"], one["vy"] = *place, speed * np.cos(angle), speed * np.sin(angle)
+        velocity = speed * np.cos(angle), speed * np.sin(angle)
+        obstacle["x"], obstacle["y"], obstacle["vx"], obstacle["vy"] = *place, *velocity
     return (float(robot[0]), float(robot[1]), float(target[0]), float(target[1])), others
 
 
 class PlanLoad:
-    """The planner of 2006 in many scenes; compiled before it is timed."""
+    """The planner of 2006 in many scenes, compiled before the first timing."""
 
     def __init__(self, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
@@ -49,7 +50,7 @@ class PlanLoad:
         self.sample(1)
 
     def sample(self, scenes: int) -> tuple[list[float], list[float]]:
-        """Return the seconds of a backward pass, and those of a whole plan, in so many new scenes."""
+        """Return the seconds of a backward pass and of a whole plan, in each of `scenes` new scenes."""
         passes, plans = [], []
         for _ in range(scenes):
             places, others = draw_scene(self.rng)
@@ -70,7 +71,7 @@ class PlanLoad:
 
 
 class TeamLoad:
-    """The team of 2006 against itself, 5 v 5, by sensors and particles; every robot plans anew in every cycle."""
+    """The team of 2006 against itself, 5 v 5, by sensors and particles; every robot plans in every cycle."""
 
     def __init__(self, seed: int, matches: int = MATCHES, team: str = "heinemann-2006") -> None:
         self.match = Match(
@@ -87,7 +88,7 @@ class TeamLoad:
         return (perf_counter() - start) / (steps * self.match.count)
 
     def decide(self, times: int) -> float:
-        """Let both teams decide upon what is believed now; return the seconds per robot and decision."""
+        """Let both teams decide from their current beliefs; return the seconds per robot and decision."""
         match, spent = self.match, 0.0
         for squad in match.squads:
             rows = squad.players
@@ -100,18 +101,18 @@ class TeamLoad:
         return spent / (times * match.robots.size)
 
 
-# Kernels are called with arrays: a single record takes Python longer to hand over than the planner needs.
+# Kernels get arrays: handing over a single record takes Python longer than the planner needs.
 
 
 @compiled
 def begin(x, y, to_x, to_y, settings, scratch, plans):
-    """Note what is asked for."""
+    """Start a plan from (x, y) to (to_x, to_y)."""
     begin_plan(x, y, to_x, to_y, 1, settings[0], scratch[0], plans[0])
 
 
 @compiled
 def walk_back(others, settings, scratch, plans):
-    """Do one pass, for the time of the straight line."""
+    """Do one backward pass, for the time of the straight line."""
     plan_pass(plans[0].least_time, others, settings[0], scratch[0], plans[0])
 
 

@@ -36,7 +36,7 @@ class BenchSettings(CommandSettings):
         if self.python is not None and self.against is None:
             raise ValueError("python is the interpreter of another checkout: give against as well")
         if self.rows and self.against is None:
-            raise ValueError("rows chooses among those of two checkouts: give against as well")
+            raise ValueError("rows chooses among the rows of two checkouts: give against as well")
 
     @property
     def matches(self) -> int:
@@ -50,7 +50,7 @@ class BenchSettings(CommandSettings):
 
     @property
     def rounds(self) -> int:
-        """Return how often the processes of two checkouts are started anew."""
+        """Return how often the processes of the two checkouts are restarted."""
         return 2 if self.quick else 5
 
     @property

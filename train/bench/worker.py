@@ -1,8 +1,8 @@
 """Time rows of one checkout when asked to: `soccer bench --against` runs this file once in each checkout's interpreter.
 
-It asks for nothing but the public API (Match, soccer_v0), as the other checkout may be older than this file: settings
-that were ever renamed stay out of it. A request is one line of JSON on stdin, {"row": name}; the answer is one on
-stdout, {"seconds": of one step} or {"error": why this checkout has no such row}.
+It uses only the public API (Match, soccer_v0), and no setting that was ever renamed, because the other checkout may be
+older than this file. A request is one line of JSON on stdin, {"row": name}; the answer is one line on stdout,
+{"seconds": of one step} or {"error": why this checkout has no such row}.
 """
 
 import json
@@ -21,7 +21,7 @@ if __name__ == "__main__":
 
 LEAGUES = {"legged-2001": 16, "middle-size-2006": 50}  # control steps a second
 PLAYERS = 3  # a side
-HOLD = 0.5  # [s] for which a random action is kept: shorter ones cancel out and nobody moves
+HOLD = 0.5  # [s] that a random action lasts: shorter ones cancel out and robots stand still
 WARM_UP = 5.0  # [s] of play before the first timing
 DRAWS = 32  # sets of random actions, used in turn
 IDEAL, SENSING = {"senses": "ideal"}, {"senses": "sensors", "observe": "belief"}
@@ -31,7 +31,7 @@ Makers = Mapping[str, Callable[[int, int], Sampler]]  # from how many matches an
 
 
 def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int) -> Sampler:
-    """Return what times the batched core [s per match step]: random actions, or one team against itself."""
+    """Return a sampler of the batched core [s per match step]: random actions, or one team against itself."""
     from soccer_env import Match
 
     rng, hold = np.random.default_rng(0), round(HOLD * LEAGUES[league])
@@ -58,7 +58,7 @@ def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches:
 
 
 def of_saves(league: str, matches: int, steps: int) -> Sampler:
-    """Return what times a save and a load of a running match with all its senses [s for both, per match]."""
+    """Return a sampler of a save and a load of a running match with sensors [s for both, per match]."""
     from soccer_env import Match
 
     match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, senses="sensors", observe="belief")
@@ -73,7 +73,7 @@ def of_saves(league: str, matches: int, steps: int) -> Sampler:
 
 
 def of_branches(league: str, matches: int, steps: int) -> Sampler:
-    """Return what times a branch of a running match with all its senses into one of 64 [s]."""
+    """Return a sampler of a branch of a running match with sensors into one of 64 [s]."""
     from soccer_env import Match
 
     settings: Any = {"home": PLAYERS, "away": PLAYERS, "senses": "sensors", "observe": "belief"}
@@ -91,7 +91,7 @@ def of_branches(league: str, matches: int, steps: int) -> Sampler:
 
 
 def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
-    """Return what times `parallel_env.step`, or its reset after a step of play [s of one]."""
+    """Return a sampler of `parallel_env.step`, or of its reset after a step of play [s each]."""
     from soccer_env import soccer_v0
 
     rng = np.random.default_rng(0)
@@ -127,7 +127,7 @@ def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
 
 
 def of_import(matches: int, steps: int) -> Sampler:
-    """Return what times `import soccer_env` in a process of its own [s]."""
+    """Return a sampler of `import soccer_env` in its own process [s]."""
 
     def sample() -> float:
         start, before = perf_counter(), children_time()
@@ -139,7 +139,7 @@ def of_import(matches: int, steps: int) -> Sampler:
 
 
 def children_time() -> float:
-    """Return the processor time of ended child processes [s]; 0 where the system does not tell."""
+    """Return the processor time of ended child processes [s]; 0 where the system does not report it."""
     try:
         import resource
     except ImportError:  # Windows
@@ -168,7 +168,7 @@ ROWS: Makers = {
 
 
 def serve(rows: Makers, matches: int, steps: int) -> None:
-    """Answer requests until stdin ends; whatever the checkout prints goes to stderr."""
+    """Answer requests until stdin ends; the checkout's own output goes to stderr."""
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)
     samplers: dict[str, Sampler] = {}

@@ -1,12 +1,12 @@
 """The command `soccer`.
 
-command_line.py      which settings each command reads, and what it prints
+command_line.py      the commands: the settings that each reads, and the text that it prints
 match_commands.py    `soccer record`, `replay`, `export` and `watch`
 listing.py           `soccer list`
-parsing.py           the words of a command into its settings, or one line that says what is wrong; completion of shells
-left_out.py          how help shows an option that may be left out
+parsing.py           parse a command's words into its settings, or report the error in one line; shell completion
+left_out.py          how the help shows an optional value
 warm_up.py           compile everything ahead of time
-compiling_beside.py  compile in two processes, at an empty cache
-exit_codes.py        what a command ends with
+compiling_beside.py  compile in two processes when the cache is empty
+exit_codes.py        exit codes
 watching/            a match or a replay in a window: `soccer watch`
 """

@@ -1,7 +1,7 @@
 """The command `soccer`. Heavy packages are imported only once the command is known.
 
-Every flag is a field of a dataclass that Python code can use as well. What a user can get wrong ends with one line on
-stderr and exit code 2; SOCCER_ENV_TRACEBACK=1 shows where it came from.
+Every flag is a field of a dataclass that Python code can use as well. A user's mistake ends with one line on stderr
+and exit code 2; SOCCER_ENV_TRACEBACK=1 shows the traceback.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def help_text() -> str:
 
 
 def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
-    """Run a command; turn what a user can get wrong into one line and an exit code."""
+    """Run a command; turn a user's mistake into one line on stderr and an exit code."""
     try:
         with swallowed_interrupts_again():
             return command(words)
@@ -120,25 +120,25 @@ def swallowed_interrupts_again() -> Iterator[None]:
 
 
 def complain(message: str) -> int:
-    """Print one line on stderr; return the exit code for a command that cannot be carried out."""
+    """Print one line on stderr; return the exit code of a command that cannot run."""
     print(f"soccer: {' '.join(message.split())}", file=sys.stderr)
     return WRONG
 
 
 def console() -> Console:
-    """Return where tables are printed: the terminal, or plain text of a fixed width."""
+    """Return the console for tables: the terminal's, or one of fixed width."""
     from rich.console import Console
 
     return Console(width=None if sys.stdout.isatty() else WIDTH, markup=False)  # names of teams and files are no markup
 
 
-def print_json(found: Any) -> None:
-    """Print something as JSON on stdout, for programs: nothing else goes there."""
-    print(json.dumps(found, indent=2))
+def print_json(value: Any) -> None:
+    """Print a value as JSON, alone on stdout, for programs."""
+    print(json.dumps(value, indent=2))
 
 
 def kinds_of_settings() -> dict[str, type]:
-    """Return what the words of each command are read into."""
+    """Return the settings dataclass of each command."""
     from soccer_env.train.bench.settings import BenchSettings
     from soccer_env.train.command.listing import ListSettings
     from soccer_env.train.command.warm_up import WarmUpSettings
@@ -189,13 +189,13 @@ def run_evaluate(words: list[str]) -> int:
 
 
 def say_written(folder: Path | None, *names: str) -> None:
-    """Print which of some files of a folder were written."""
+    """Print the paths of those of the named files that exist in a folder."""
     if folder is not None:
         print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
 
 
 def say_kept(folder: Path | None) -> None:
-    """Print how many replays a folder keeps, and how large they are."""
+    """Print the number and size of the replays that a folder keeps."""
     from soccer_env.train.evaluate.replays import kept_in
     from soccer_env.train.evaluate.replays.page_section import summary
 
@@ -271,14 +271,14 @@ def run_train(words: list[str]) -> int:
         with step_compiled_beside():
             result = train(settings)
     except KeyboardInterrupt:
-        same = "the same command without --anew" if settings.anew else "the same command"
-        print(f"stopped; {same} goes on with the run in {settings.out}", file=sys.stderr)
+        command = "the same command without --anew" if settings.anew else "the same command"
+        print(f"stopped; {command} continues the run in {settings.out}", file=sys.stderr)
         return STOPPED
     except OSError as error:
         if not (settings.out / "latest.json").exists():
             raise
-        ends = f"the same command goes on with the run in {settings.out} once this is fixed"
-        raise ValueError(f"{error}; {ends}") from error
+        advice = f"once this is fixed, the same command continues the run in {settings.out}"
+        raise ValueError(f"{error}; {advice}") from error
     console().print(reports.screen_table(result))
     print(reports.best_line(result))
     say_written(settings.out, "best.safetensors", "learning_curve.png", "report.html")
@@ -287,9 +287,9 @@ def run_train(words: list[str]) -> int:
 
 
 def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
-    """Return what trains, and what words its result; ValueError says how to install what that needs."""
+    """Return `train` and the module of its reports; ValueError names the packages to install."""
     try:
-        import soccer_env.train.ppo.training  # noqa: F401  # torch and all that a training needs comes with it
+        import soccer_env.train.ppo.training  # noqa: F401  # imports torch and everything else that training needs
         from soccer_env.train.ppo import reports, train
     except ImportError as error:
         if (error.name or "").startswith("soccer_env"):

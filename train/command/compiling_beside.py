@@ -1,7 +1,7 @@
-"""Compile the physics and the referee in a second process, while the first one compiles senses and teams.
+"""Compile the physics and the referee in a second process, while the first compiles senses and teams.
 
-A start with an empty cache takes two thirds of the time so. Machine code gets from one process to the other by the
-cache on disk; whatever happens to the second one, the first compiles what it does not find there.
+This cuts a start with an empty cache by a third. The processes share machine code through the cache on disk; if the
+second one fails, the first compiles everything itself.
 """
 
 import os
@@ -19,7 +19,7 @@ from soccer_env.match.step import step_slice
 
 @contextmanager
 def step_compiled_beside() -> Iterator[None]:
-    """Start the second process if the step of a match is not in the cache, and end it when the block ends."""
+    """Run the second process during a `with` block, if the step of a match is not in the cache."""
     if config.DISABLE_JIT or not sys.executable or cores() < 2 or is_kept(step_slice):
         yield
         return
@@ -32,12 +32,12 @@ def step_compiled_beside() -> Iterator[None]:
 
 
 def cores() -> int:
-    """Return how many processors this process may use."""
+    """Return the number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def compile_step() -> None:
-    """Compile what moves a match on, by one step of a match in which nobody senses anything."""
+    """Compile the step of a match, by one step with ideal senses."""
     from soccer_env.match import Match
 
     match = Match("legged-2001", home=1, away=1, senses="ideal", seed=0)

@@ -1,5 +1,5 @@
 """Exit codes of the command `soccer`, beside 0."""
 
-BELOW = 1  # a result is below what was asked for, or is not what it says
-WRONG = 2  # the command cannot be carried out as given
+BELOW = 1  # a result is below --at-least, or a recheck found differences
+WRONG = 2  # the command cannot run as given
 STOPPED = 130  # interrupted from the keyboard

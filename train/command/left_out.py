@@ -1,4 +1,4 @@
-"""How the help of a command shows an option that may be left out, whose field is None: as one without None."""
+"""How the help of a command shows an optional value such as `float | None`: as a float, unset by default."""
 
 from dataclasses import replace
 from typing import Any, Union, get_args
@@ -11,16 +11,16 @@ from tyro.constructors import (
 )
 
 REGISTRY = ConstructorRegistry()
-LEFT_OUT = "unset"  # what the help gives as the default
+LEFT_OUT = "unset"  # the default that the help shows
 
 
 @REGISTRY.primitive_rule
 def without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | None:
-    """Return how to read a type such as `float | None`: as a float, where None is shown as unset; None for others."""
+    """Return the parser of a type such as `float | None`: a float's, showing None as unset; None for other types."""
     kinds = tuple(kind for kind in get_args(info.type) if kind is not type(None))
     if len(kinds) == len(get_args(info.type)):
         return None
-    other: Any = Union[kinds]  # noqa: UP007  # made of a tuple
+    other: Any = Union[kinds]  # noqa: UP007  # from a tuple
     inner = ConstructorRegistry.get_primitive_spec(PrimitiveTypeInfo.make(other, info.markers))
     if isinstance(inner, UnsupportedTypeAnnotationError):
         return None

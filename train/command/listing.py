@@ -1,4 +1,4 @@
-"""What there is to choose from: `soccer list leagues`, teams, settings of teams, scenes, observations and so on."""
+"""`soccer list`: tables of leagues, teams, settings of teams, scenes, observations and so on."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ class ListSettings:
 
 @dataclass(frozen=True)
 class Table:
-    """What a list says: rows of text under the names of their columns; a column without a name counts the rows."""
+    """Rows of text under named columns; the column without a name counts the rows."""
 
     title: str
     columns: tuple[str, ...]
     rows: Sequence[tuple[str, ...]]
 
     def drawn(self) -> Drawn:
-        """Return it for the terminal."""
+        """Return the table for the terminal."""
         from rich.table import Table as Drawn
 
         drawn = Drawn(title=self.title, title_justify="left")
@@ -55,13 +55,13 @@ class Table:
         return drawn
 
     def as_dict(self) -> dict[str, Any]:
-        """Return it for JSON."""
+        """Return the table for JSON."""
         names = [column or "index" for column in self.columns]
         return {"title": self.title, "rows": [dict(zip(names, row, strict=True)) for row in self.rows]}
 
 
 def list_tables(settings: ListSettings) -> Iterator[Table]:
-    """Yield the tables of one kind of thing."""
+    """Yield the tables of `settings.what`."""
     what = settings.what
     lists: dict[str, Callable[[], Iterator[Table]]] = {
         "leagues": leagues,
@@ -81,7 +81,7 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
 
 
 def leagues() -> Iterator[Table]:
-    """Yield the leagues with their main numbers, and what happens between the materials of each."""
+    """Yield the leagues with their main numbers, and the contacts between the materials of each."""
     from soccer_env.leagues import LEAGUES
 
     columns = ("name", "family", "pitch", "robots", "time", "source")
@@ -102,7 +102,7 @@ def leagues() -> Iterator[Table]:
     yield Table("Leagues", columns, rows)
     pairs = {name: league.materials.pairs() for name, league in LEAGUES.items()}
     heads = ("name", *(pair.replace("_", ", ") for pair in next(iter(pairs.values()))))
-    texts = [(name, *(pair.text() for pair in found.values())) for name, found in pairs.items()]
+    texts = [(name, *(pair.text() for pair in contacts.values())) for name, contacts in pairs.items()]
     yield Table("Materials: elasticity/friction of each pair that meets", heads, texts)
 
 
@@ -113,8 +113,8 @@ def teams() -> Iterator[Table]:
 
     rows = []
     for name, where in registered().items():
-        if name not in NAMES:  # to look at it would import it, and so run it
-            rows.append((name, "", "of an installed package, which is imported when the team is asked for", where))
+        if name not in NAMES:  # to describe it would import, and so run, its package
+            rows.append((name, "", "from an installed package, which is imported when the team is used", where))
             continue
         try:
             played = ", ".join(getattr(make_team(name), "families", ())) or "all"
@@ -126,7 +126,7 @@ def teams() -> Iterator[Table]:
 
 
 def settings_of_teams() -> Iterator[Table]:
-    """Yield the settings of the teams that have some, as in sacks-2001:recovery=False; of a variant what differs."""
+    """Yield the settings of each team, such as sacks-2001:recovery=False; of a variant only its differences."""
     from soccer_env.teams import NAMES, make_team
 
     for name in NAMES:
@@ -143,9 +143,11 @@ def settings_of_teams() -> Iterator[Table]:
 
 
 def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
-    """Return name, value, what is allowed, unit and source of each setting, for a table."""
-    rows = options.rows()
-    return [(key, f"{it:g}" if isinstance(it, float) else str(it), allowed, note) for key, it, allowed, note in rows]
+    """Return name, value, allowed values, unit and source of each setting, for a table."""
+    return [
+        (name, f"{value:g}" if isinstance(value, float) else str(value), allowed, note)
+        for name, value, allowed, note in options.rows()
+    ]
 
 
 def scenes() -> Iterator[Table]:
@@ -174,39 +176,39 @@ def observations(league: str, observe: str) -> Iterator[Table]:
     from soccer_env.observations import layout
     from soccer_env.observations.scales import in_numbers
 
-    found = find_league(league)
-    entries = layout(found, observe)
+    named = find_league(league)
+    entries = layout(named, observe)
     title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
     rows = [
-        (f"{index}", x.name, x.meaning, x.scale, in_numbers(x, found), frame_of(x), changed_by_mirror(x))
+        (f"{index}", x.name, x.meaning, x.scale, in_numbers(x, named), frame_of(x), changed_by_mirror(x))
         for index, x in enumerate(entries)
     ]
     yield Table(title, ("", "name", "meaning", "of", "1 is", "frame", "mirror changes"), rows)
 
 
 def frame_of(entry: Entry) -> str:
-    """Return the frame of an entry with its axis in it, for a table."""
+    """Return the frame and axis of an entry, for a table."""
     return "" if entry.frame in (None, "none") else f"{entry.frame} {entry.axis}".strip()
 
 
 def changed_by_mirror(entry: Entry) -> str:
-    """Return what a left-right mirror changes of an entry, for a table: its sign, its place or nothing."""
+    """Return what a left-right mirror changes in an entry, for a table: its sign, its place or nothing."""
     return {1: "", -1: "sign", None: "place"}[entry.mirror]
 
 
 def sensors(league: str) -> Iterator[Table]:
-    """Yield the numbers and switches of a league's sensors and of the memory behind them."""
+    """Yield the settings of a league's sensors and of the memory behind them."""
     from soccer_env.leagues import find_league
 
-    found = find_league(league)
-    for name, options in (("sensors", found.sensors), ("memory", found.memory)):
+    named = find_league(league)
+    for name, options in (("sensors", named.sensors), ("memory", named.memory)):
         rows = option_rows(options)
         title = f"{type(options).__name__} of {league}; changed by {name}={{name: value}}"
         yield Table(title, ("name", "value", "allowed", "unit and source"), rows)
 
 
 def rules(league: str) -> Iterator[Table]:
-    """Yield the rules of a league: which are called in each set, and their numbers."""
+    """Yield the rules of a league and their numbers in each rule set."""
     from soccer_env.leagues import find_league
     from soccer_env.leagues.options import notes_of
     from soccer_env.leagues.rules import SETS, Rules, rule_set
@@ -214,7 +216,7 @@ def rules(league: str) -> Iterator[Table]:
     sets = [rule_set(find_league(league).rules, name) for name in SETS]
     notes = notes_of(Rules)
     rows = [
-        (item.name, *(in_set(getattr(found, item.name)) for found in sets), notes.get(item.name, ""))
+        (item.name, *(in_set(getattr(rules, item.name)) for rules in sets), notes.get(item.name, ""))
         for item in fields(Rules)
         if item.name != "name"
     ]
@@ -222,7 +224,7 @@ def rules(league: str) -> Iterator[Table]:
 
 
 def in_set(value: bool | float) -> str:
-    """Return a rule or its number in a set, for a table."""
+    """Return the value of a rule in words, for a table."""
     from soccer_env.leagues.rules import NEVER
 
     if isinstance(value, bool):
@@ -246,7 +248,7 @@ def rewards() -> Iterator[Table]:
 
     rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
     yield Table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
-    shaping = "discount of the potentials; a learner with the same discount keeps its best policies"
+    shaping = "discount of the potentials; a learner with this discount keeps its best policies"
     gammas = [("gamma", shaping, *(f"{y.gamma:g}" for y in PRESETS.values()))]
     yield Table("Discount of one action", ("name", "meaning", *PRESETS), gammas)
 
@@ -265,7 +267,7 @@ def statistics() -> Iterator[Table]:
         )
         for x in FIGURES
     ]
-    title = "Statistics of play: matches.jsonl and infos hold each match's, reports put matches together"
+    title = "Statistics of play: matches.jsonl and infos hold each match's, reports combine matches"
     yield Table(title, ("name", "unit", "in reports", "definition"), rows)
     yield Table("Maps: result.json and final nested infos hold them", ("name", "definition"), list(MAP_TEXTS.items()))
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from soccer_env.train.evaluate import EvaluateSettings, RecheckResult
     from soccer_env.train.evaluate.rechecking import Difference
 
-SHOWN = 12  # fields of a pair that differ
+SHOWN = 12  # differing fields of a pair, at most
 
 
 def run_record(words: list[str]) -> int:
@@ -47,7 +47,7 @@ def run_replay(words: list[str]) -> int:
 
 
 def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
-    """Run `soccer evaluate --recheck FOLDER`, which tells settings that were `said` from those at their defaults."""
+    """Run `soccer evaluate --recheck FOLDER`; `said` names the settings that the command line contains."""
     from soccer_env.train.evaluate import recheck
 
     assert settings.recheck is not None
@@ -71,7 +71,7 @@ def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
 
 
 def say_pair(pair: int, differences: list[Difference]) -> None:
-    """Print what came of a pair that was played again."""
+    """Print the result of a replayed pair."""
     print(f"pair {pair}, matches {2 * pair} and {2 * pair + 1}: {'differs' if differences else 'agrees'}")
     for difference in differences[:SHOWN]:
         print(f"  {difference}")
@@ -81,7 +81,7 @@ def say_pair(pair: int, differences: list[Difference]) -> None:
 
 
 def say_checked(result: RecheckResult) -> None:
-    """Print what came of all pairs that were played again, and how to do the same once more."""
+    """Print the result of all replayed pairs, and how to draw the same sample again."""
     played, differing = len(result.pairs), len(result.differing)
     drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
     which = f"{played} of {result.finished} finished pairs played again{drawn}"
@@ -92,8 +92,8 @@ def say_checked(result: RecheckResult) -> None:
         print(f"result.json: {', '.join(result.result)} does not follow from matches.jsonl")
     elif result.result is not None:
         print("result.json follows from matches.jsonl")
-    for other in result.made_otherwise:
-        print(f"made otherwise, so that lines may differ: {other}")
+    for version in result.made_otherwise:
+        print(f"made with other versions, so that lines may differ: {version}")
 
 
 def run_export(words: list[str]) -> int:

@@ -1,7 +1,7 @@
-"""Read the words of a command into its settings; what is wrong with them is a ValueError of one line.
+"""Parse the words of a command into its settings; an error is a ValueError of one line.
 
-tyro tells a hook what is wrong, as records (`tyro._errors`, private to the version that pyproject.toml bounds); what it
-would print itself is never looked at.
+tyro passes each error to a hook as a record (`tyro._errors`, private to the version that pyproject.toml bounds); its
+own printed text is not used.
 """
 
 import contextlib
@@ -30,9 +30,9 @@ COMPLETION = ("--print-completion", "--tyro-print-completion")  # flags of `socc
 
 
 def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
-    """Return the settings dataclass that the words of a command describe; ValueError in one line for a wrong one.
+    """Return the settings that the words of a command describe; ValueError in one line for a wrong word.
 
-    With a `default`, which may come from a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
+    With a `default`, such as the settings of a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
     """
     import tyro
     from tyro import _errors
@@ -73,33 +73,33 @@ def first_options(text: str, last: str, name: str) -> str:
 
 
 def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:
-    """Return what is wrong with the words of a command, as tyro's record of it says; of a kind not known, its name."""
-    what = type(event).__name__
-    if what == "UnrecognizedArgs":
+    """Return tyro's record of an error in words; for an unknown kind of record, its name."""
+    record = type(event).__name__
+    if record == "UnrecognizedArgs":
         return unknown_word(event.tokens[0], kind, pairs)
-    if what == "MissingArgs":
-        missing = [name_of(found.arg) for found in event.missing_arguments]
+    if record == "MissingArgs":
+        missing = [name_of(item.arg) for item in event.missing_arguments]
         return f"{', '.join(missing)} must be given"
     argument = getattr(event, "argument", None)
     flag = "" if argument is None else name_of(argument)
-    if what == "InvalidChoice":
+    if record == "InvalidChoice":
         return unknown(flag, event.value, event.choices)
-    if what == "BadValue":
+    if record == "BadValue":
         return f"{flag} needs a value" if event.offending_value is None else f"{flag} takes no value"
-    if what == "InstantiationFailure":
+    if record == "InstantiationFailure":
         return wrong_value(flag, kind, words) or f"{flag}: {event.message}".removeprefix(": ")
-    return f"the words of this command cannot be read ({what})"
+    return f"the words of this command cannot be read ({record})"
 
 
 def name_of(argument: Any) -> str:
-    """Return what a command's help calls an argument: its longest flag, or the name of one that has no flag."""
+    """Return the name of an argument in the help: its longest flag, or the name of a positional argument."""
     flags: tuple[str, ...] = argument.lowered.name_or_flags
     name = max(flags, key=len, default="")
     return name if name.startswith("-") else str(argument.field.intern_name).upper()
 
 
 def unknown_word(word: str, kind: type, pairs: bool) -> str:
-    """Return what is wrong with a word that no option takes."""
+    """Return the error for a word that no option takes."""
     flags = flags_of(kind, pairs)
     if word.startswith("-"):
         return unknown("option", word.partition("=")[0], flags)
@@ -107,18 +107,18 @@ def unknown_word(word: str, kind: type, pairs: bool) -> str:
 
 
 def flags_of(kind: Any, pairs: bool) -> list[str]:
-    """Return the flags of a settings dataclass; `pairs`: of yes-or-no settings both."""
-    found = []
+    """Return the flags of a settings dataclass; `pairs`: both flags of yes-or-no settings."""
+    flags = []
     for field in fields(kind):
         if "Positional" in str(field.type):
             continue
         name = field.name.replace("_", "-")
-        found += [f"--{name}", f"--no-{name}"] if pairs and field.type in (bool, "bool") else [f"--{name}"]
-    return found
+        flags += [f"--{name}", f"--no-{name}"] if pairs and field.type in (bool, "bool") else [f"--{name}"]
+    return flags
 
 
 def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
-    """Return what the settings themselves say of the value of a flag, "" if they take it or say nothing of it."""
+    """Return the settings' own error for the value of a flag, "" if they raise none."""
     at = [index for index, word in enumerate(words) if word.partition("=")[0] == flag]
     if not flag or not at:
         return ""
@@ -128,26 +128,26 @@ def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
         kind(**{**required(kind), name: value})
     except ValueError as error:
         return f"{error}".replace(name, flag, 1) if f"{error}".startswith(name) else f"{flag} {brief(value)}: {error}"
-    except TypeError:  # settings that cannot be made from one alone
+    except TypeError:  # settings that cannot be made from one value alone
         pass
     return ""
 
 
 def required(kind: Any) -> dict[str, Path]:
-    """Return a value for each field of a settings dataclass that has to be given: they are all paths."""
+    """Return a value for each required field of a settings dataclass: all required fields are paths."""
     defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
     return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
 
 
 def reason_of(error: Exception) -> str:
-    """Return why a command cannot be carried out; of the system's errors the file and the reason, without a number."""
+    """Return why a command failed; for an error of the system, the file and the reason without its number."""
     if isinstance(error, OSError) and error.strerror and error.filename is not None:
         return f"{os.fsdecode(error.filename)}: {error.strerror[0].lower()}{error.strerror[1:]}"
     return str(error)
 
 
 def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, str]) -> str:
-    """Return the completion script of a shell, for all commands with their settings; ValueError for another shell."""
+    """Return the completion script of a shell for all commands and options; ValueError for an unknown shell."""
     import tyro
 
     from soccer_env.train.command.left_out import REGISTRY
@@ -157,7 +157,7 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     commands = [
         Annotated[kind, tyro.conf.subcommand(name=name, description=summaries[name])] for name, kind in kinds.items()
     ]
-    every: Any = Union[tuple(commands)]  # noqa: UP007  # made of a tuple
+    every: Any = Union[tuple(commands)]  # noqa: UP007  # from a tuple
     config = (tyro.conf.FlagCreatePairsOff, tyro.conf.OmitSubcommandPrefixes)
     script = io.StringIO()
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
@@ -167,12 +167,12 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
 
 
 def ready_to_source(script: str) -> str:
-    """Return tyro's script of zsh so that it may be sourced as well: as it is, it has to be a file of $fpath."""
+    """Return tyro's zsh script so that it can be sourced as well: unchanged it works only as a file of $fpath."""
     return re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, script, flags=re.MULTILINE)
 
 
 def on_one_line(script: str) -> str:
-    """Return a completion script with descriptions of one line each: shells take each line for a completion."""
+    """Return a completion script with one line per description: shells take each line for a completion."""
     lines = script.splitlines()
     for at, line in enumerate(lines):
         if "COMPLETION_SPEC = {" in line:
@@ -181,7 +181,7 @@ def on_one_line(script: str) -> str:
 
 
 def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
-    """Return the value of a flag, "" without it, and the words without both; ValueError if the value is missing."""
+    """Return the value of a flag, "" without the flag, and the other words; ValueError if the value is missing."""
     for at, word in enumerate(words):
         if word.startswith(flag + "="):
             return word.partition("=")[2], words[:at] + words[at + 1 :]

@@ -1,4 +1,4 @@
-"""`soccer warm-up`: compile what matches need ahead of time, so that an image or a job of a cluster begins at once.
+"""`soccer warm-up`: compile ahead of time, so that a container image or a cluster job starts at once.
 
 Machine code is kept in the folder that SOCCER_ENV_CACHE names, by the content of the source files, the versions of
 numba and numpy, and the kind of processor: warm up on the kind of machine that will play.
@@ -24,7 +24,7 @@ from soccer_env.train.written_settings import CommandSettings
 
 Part = Callable[[], object]
 BASE_LEAGUES = ("legged-2001", "middle-size-2006")  # their variants run the same code
-WAYS: tuple[dict[str, Any], ...] = (  # to sense, to observe and to act, between them all that is compiled
+WAYS: tuple[dict[str, Any], ...] = (  # to sense, observe and act; together they compile everything
     {"senses": "sensors", "observe": "belief", "pose": "particles"},
     {"senses": "sensors", "observe": "percepts", "actions": "full"},
     {"senses": "ideal", "observe": "belief", "actions": "discrete", "action_repeat": 2},
@@ -53,7 +53,7 @@ class WarmUpSettings(CommandSettings):
 
 
 def warm_up(settings: WarmUpSettings) -> str:
-    """Play every part once; return in words what was compiled."""
+    """Play every part once; return a summary of the compiled functions."""
     started, before = time.monotonic(), COMPILED.functions
     parts = list(parts_of(settings))
     with Progress("soccer_env: compiling", len(parts)) as progress:
@@ -61,13 +61,13 @@ def warm_up(settings: WarmUpSettings) -> str:
             progress.note(name)
             part()
             progress.advance(1)
-    found, seconds = COMPILED.functions - before, time.monotonic() - started
-    words = f"{found} functions compiled in {seconds:.0f} s" if found else "nothing was left to compile"
-    return f"{words}; the cache is in {folders()[0]}"
+    count, seconds = COMPILED.functions - before, time.monotonic() - started
+    summary = f"{count} functions compiled in {seconds:.0f} s" if count else "nothing was left to compile"
+    return f"{summary}; the cache is in {folders()[0]}"
 
 
 def parts_of(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
-    """Yield name and work of everything that compiles code of its own."""
+    """Yield name and work of each part that compiles code of its own."""
     for league in BASE_LEAGUES if settings.league == "all" else (settings.league,):
         for way in WAYS:
             yield f"{league}, {' '.join(map(str, way.values()))}", partial(play, league, "chaser", **way)
@@ -83,7 +83,7 @@ def parts_of(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
 
 
 def play(league: str, team: str, **settings: Any) -> None:
-    """Let a team play a step against learners, then load what was saved."""
+    """Let a team play a step against learners, then save and load the match."""
     match = Match(league, **{"home": 2, "away": 2, "seed": 0, "opponents": team, **settings})
     kind = match.settings.actions
     shape = (1, len(match.agents)) if kind.name == "discrete" else (1, len(match.agents), kind.size)

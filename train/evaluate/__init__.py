@@ -1,19 +1,19 @@
-"""Play matches and say what came of them: `soccer evaluate`, `record`, `replay` and `watch`.
+"""Play matches and report the results: `soccer evaluate`, `record`, `replay` and `export`.
 
-settings.py        what the command line asks for, and the conditions that follow
-play_settings.py   what `record`, `replay` and `export` are asked for
-evaluation.py      `evaluate`: the matches that a folder lacks are played, the result of all is returned
+settings.py        the options of `evaluate`, and the conditions that follow
+play_settings.py   the options of `record`, `replay` and `export`
+evaluation.py      `evaluate`: play the matches that a folder lacks, return the result of all
 contest.py         the matches: pairs from the same seeds with sides swapped, many at once
-results.py         one line for each match; the result that follows from the lines     line_checks.py   are they sound?
+results.py         one line for each match; the result of all lines        line_checks.py   are the lines sound?
 statistics.py      statistics of play: of a line, totals with intervals, tables
-map_tables.py      where things happened, as tables of a report
+map_tables.py      tables of a report: shots, thirds of the pitch, passes
 report.py          the result in Markdown and on the screen
-page.py            the same as a page for the browser, with pictures
-recording.py       a match into a replay file, and out of it again
+page.py            the result as a page for the browser, with pictures
+recording.py       record a match into a replay file, and check a replay file
 exporting.py       a replay as a film, a page, data or a picture
 drills.py          `run_drill`: how often a team succeeds in a drill
-rechecking.py      `recheck`: a sample played again, every line compared bit for bit
-same_contest.py    what a folder of results says, and the contest that it tells of, made again
+rechecking.py      `recheck`: play a sample again and compare every line bit for bit
+same_contest.py    read a folder of results, and rebuild its contest
 map_pictures.py    heat maps, pass networks and shot maps as a picture
 replays/           replays of matches worth keeping
 """

@@ -1,7 +1,7 @@
 """The matches of one team against another: pairs from the same seeds with sides swapped, many at once.
 
-Every match follows from its own seed alone, so that no result depends on threads or on who else is played beside it.
-The seed says which side kicks off first: in a pair each team does so once.
+Every match follows from its own seed alone, so no result depends on the threads or on the other matches of its batch.
+The seed decides which side kicks off first: in a pair each team does so once.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -25,12 +25,13 @@ from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import line_of_statistics
 
 BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
-REPORT_EVERY = 50  # steps between two movements of the progress bar
+REPORT_EVERY = 50  # steps between two updates of the progress bar
+SIDES = ("home", "away")
 
 
 @dataclass(frozen=True)
 class Contest:
-    """Who plays whom, where and how."""
+    """Two teams, the league and the conditions of their matches."""
 
     conditions: Conditions
     league: League
@@ -39,34 +40,18 @@ class Contest:
 
     def start(self, side: str, seeds: Sequence[int], threads: int = 1) -> Match:
         """Return matches (one for each seed) in which the first team plays on that side, "home" or "away"."""
-        asked = self.conditions
-        teams = (self.first, self.second)
-        sizes = asked.players
-        senses = asked.senses
-        if side == "away":
-            teams = teams[::-1]
-            sizes = sizes[::-1]
-            senses = senses[::-1]
-        sides = ("home", "away")
+        conditions, turn = self.conditions, 1 if side == "home" else -1
+        teams, sizes, senses = (self.first, self.second)[::turn], conditions.players[::turn], conditions.senses[::turn]
         return Match(
-            self.league,
-            home=sizes[0],
-            away=sizes[1],
-            matches=len(seeds),
-            threads=threads,
-            seeds=np.array(seeds, np.uint64),
-            senses=dict(zip(sides, senses, strict=True)),
-            pose=asked.pose,
-            controllers=dict(zip(sides, teams, strict=True)),
-            scene=asked.scene,
-            rules=asked.rules,
-            placement=asked.placement,
-            minutes=asked.minutes,
-        )
+            self.league, home=sizes[0], away=sizes[1], matches=len(seeds), threads=threads,
+            seeds=np.array(seeds, np.uint64), senses=dict(zip(SIDES, senses, strict=True)), pose=conditions.pose,
+            controllers=dict(zip(SIDES, teams, strict=True)), scene=conditions.scene, rules=conditions.rules,
+            placement=conditions.placement, minutes=conditions.minutes,
+        )  # fmt: skip
 
 
 def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]) -> Contest:
-    """Find the teams; ValueError for an unknown one and for a drill."""
+    """Find the teams; ValueError for an unknown team and for a drill."""
     scene = find_scene(conditions.scene)
     if scene.success != "none":
         how = f"run_drill({league.name!r}, {scene.name!r}, {conditions.home!r}, runs=100)"
@@ -78,7 +63,7 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
 
 
 def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
-    """Raise ValueError, with the flag, for a policy that learned by other senses if nobody asked for any."""
+    """Raise ValueError for a policy that was trained with other senses, unless the settings choose the senses."""
     for side, policy, setting, trained, here in trained_otherwise(contest):
         if getattr(settings, setting) is None:
             flag = f"--{setting}"
@@ -90,11 +75,11 @@ def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
 
 
 def trained_otherwise(contest: Contest) -> Iterator[tuple[str, Policy, str, str, str]]:
-    """Yield side, policy, setting, its value in training and here, wherever a policy was trained with another."""
-    asked = contest.conditions
-    for side, team, senses in zip(("home", "away"), (contest.first, contest.second), asked.senses, strict=True):
-        for found in differences(team, senses, asked.pose):
-            yield side, *found
+    """Yield side, policy, setting, its value in training and its value here, where the two differ."""
+    conditions = contest.conditions
+    for side, team, senses in zip(SIDES, (contest.first, contest.second), conditions.senses, strict=True):
+        for difference in differences(team, senses, conditions.pose):
+            yield side, *difference
 
 
 def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
@@ -106,7 +91,7 @@ def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
     except ModuleNotFoundError as error:
         raise ValueError(f"team {name!r} cannot be loaded ({error}); known: {', '.join(registered())}") from error
     own = isinstance(made, (ObservingTeam, FunctionTeam)) or in_module(name)
-    return made if own else name  # a policy is read once: its file may change meanwhile
+    return made if own else name  # read a policy once: its file may change meanwhile
 
 
 def play_matches(
@@ -115,8 +100,8 @@ def play_matches(
 ) -> None:  # fmt: skip
     """Play all matches that are not `done` yet; `take` gets the lines of each batch, in order.
 
-    A thread plays a batch by itself. Teams in Python are played batch by batch, as two threads may not call them at
-    once. `advance` is called from all threads, with the control steps that were done, over all matches.
+    Each thread plays its own batch. Batches of Python teams run one after another, because two threads may not call a
+    team at once. Every thread calls `advance` with the number of control steps that it has played, over all matches.
     """
     conditions = contest.conditions
     play_batches(contest, batches(conditions.matches, done, threads), settings, threads, take, advance)
@@ -126,7 +111,7 @@ def play_batches(
     contest: Contest, batches: Iterable[list[int]], settings: str, threads: int,
     take: Callable[[list[MatchLine]], None], advance: Callable[[float], None],
 ) -> None:  # fmt: skip
-    """Play batches of matches, the first team on the same side in all of one; `take` gets their lines in order."""
+    """Play batches of matches, the first team on one side in each batch; `take` gets their lines in order."""
     compiled = all(isinstance(make_team(team), CompiledTeam) for team in (contest.first, contest.second))
     at_once = threads if compiled else 1
     seeds = seeds_for(contest.conditions.seed, contest.conditions.matches // 2).tolist()
@@ -145,9 +130,9 @@ def play_batches(
 
 
 def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
-    """Yield the matches still to play, `BATCH` at once or fewer, the first team on the same side in all of a batch."""
+    """Yield the matches still to play in batches of at most BATCH, the first team on one side in each batch."""
     pairs = matches // 2
-    size = -(-pairs // max(-(-pairs // BATCH), (threads + 1) // 2))  # of equal batches, one for each thread at least
+    size = -(-pairs // max(-(-pairs // BATCH), (threads + 1) // 2))  # equal batches, at least one for each thread
     for first in range(0, matches, 2 * size):
         for side in (0, 1):
             batch = [match for match in range(first + side, min(first + 2 * size, matches), 2) if match not in done]
@@ -156,15 +141,10 @@ def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
 
 
 def play(
-    contest: Contest,
-    batch: Sequence[int],
-    seeds: Sequence[int],
-    settings: str,
-    threads: int,
-    advance: Callable[[float], None],
-    stopped: Event,
-) -> list[MatchLine]:
-    """Play a batch to the end, unless that is `stopped`; `advance` gets the control steps of all its matches."""
+    contest: Contest, batch: Sequence[int], seeds: Sequence[int], settings: str, threads: int,
+    advance: Callable[[float], None], stopped: Event,
+) -> list[MatchLine]:  # fmt: skip
+    """Play a batch to the end, or until `stopped` is set; `advance` gets the control steps of all its matches."""
     side = side_of(batch[0])
     match = contest.start(side, [seeds[number // 2] for number in batch], threads)
     lines: dict[int, MatchLine] = {}
@@ -176,7 +156,7 @@ def play(
             if steps % REPORT_EVERY == 0:
                 advance(REPORT_EVERY * len(batch))
             for m in np.flatnonzero(terminated | truncated).tolist():
-                if m not in lines:  # at once: what a match that is over does next depends on the others
+                if m not in lines:  # read it now: a finished match plays on until its whole batch ends
                     lines[m] = line_of_match(match, m, batch[m], settings)
         advance((steps % REPORT_EVERY) * len(batch))
     finally:
@@ -186,7 +166,7 @@ def play(
 
 def side_of(number: int) -> str:
     """Return the side on which the first team plays a match."""
-    return ("home", "away")[number % 2]
+    return SIDES[number % 2]
 
 
 def line_of_match(match: Match, m: int, number: int, settings: str) -> MatchLine:

@@ -31,7 +31,7 @@ from soccer_env.train.provenance import check_told_apart, made_now, made_with, o
 from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.types import NO_TEAM
 
-MOMENTS = 12  # of a match in its sheet of pictures, spread evenly over it; beside them the moment before each goal
+MOMENTS = 12  # of a match in its sheet of pictures, evenly spread, besides the moment before each goal
 GOALS = 8  # shown at most
 COLUMNS, WIDTH = 4, 480  # of the sheet; [px] of a picture
 
@@ -39,11 +39,11 @@ COLUMNS, WIDTH = 4, 480  # of the sheet; [px] of a picture
 def evaluate(
     settings: EvaluateSettings, *, league: League | None = None, teams: Mapping[str, Team] | None = None
 ) -> EvaluationResult:
-    """Play the matches that settings.out does not hold yet and return the result of all.
+    """Play the matches that settings.out lacks and return the result of all.
 
-    `league` is a user's own league instead of a named one; `teams` gives names to team objects, which settings.home
-    and settings.away may then use. Raises ValueError for settings that cannot be played and for a folder that holds
-    another evaluation.
+    `league` replaces the named league by a user's own; `teams` gives names to team objects, which settings.home and
+    settings.away may then use. Raises ValueError for settings that cannot be played and for a folder with another
+    evaluation.
     """
     if settings.recheck is not None:
         raise ValueError("recheck is a flag of the command; in Python recheck(folder) of soccer_env.train.evaluate")
@@ -54,13 +54,13 @@ def evaluate(
         **made_with(league, contest.first, contest.second),
         **of_modules([settings.league, *names_in(settings.scene)]),
     }
-    contest.start("home", [0])  # whatever cannot be played is found before a folder is made
+    contest.start("home", [0])  # raises an error before the folder is made if the contest cannot be played
     if settings.out is not None:
         check_told_apart(made)
     about = {"command": command_of(settings), **made_now()}
     folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
     lines = play_missing(contest, folder, settings.threads)
-    result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=told(contest))
+    result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=training_notes(contest))
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
     if folder.path is not None:
@@ -71,35 +71,35 @@ def evaluate(
     return result
 
 
-def told(contest: Contest) -> dict[str, str]:
-    """Return what policies were trained with otherwise than they play here, in words, by the name of the policy."""
-    found: dict[str, str] = {}
+def training_notes(contest: Contest) -> dict[str, str]:
+    """Return the training settings that differ from this contest, in words, by the name of the policy."""
+    notes: dict[str, str] = {}
     for _, policy, setting, trained, _ in trained_otherwise(contest):
-        found[policy.name] = ", ".join(filter(None, (found.get(policy.name), f"{setting} {trained}")))
-    return found
+        notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))
+    return notes
 
 
 def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
     """Play every match that the folder lacks; return the lines of all."""
     conditions = contest.conditions
-    found = list(folder.results(MATCHES, MatchLine, "match").values())
-    for line in found:
+    lines = list(folder.results(MATCHES, MatchLine, "match").values())
+    for line in lines:
         check_line(line, conditions.players)
-    done = {line.match for line in found}
+    done = {line.match for line in lines}
     steps = conditions.minutes * 60.0 * contest.league.control_rate  # of a match
     with Progress(f"{conditions.home} against {conditions.away}", steps * (conditions.matches - len(done))) as progress:
 
-        def take(lines: list[MatchLine]) -> None:
-            folder.add(MATCHES, lines)
-            found.extend(lines)
-            progress.note(f"{len(found)} of {conditions.matches} matches")
+        def take(batch: list[MatchLine]) -> None:
+            folder.add(MATCHES, batch)
+            lines.extend(batch)
+            progress.note(f"{len(lines)} of {conditions.matches} matches")
 
         play_matches(contest, done, folder.settings, threads, take, progress.advance)
-    return found
+    return lines
 
 
 def draw_first_match(contest: Contest, folder: ResultsFolder, result: EvaluationResult) -> None:
-    """Play the first match again, by itself, and write its pictures; RuntimeError if it ends in another state."""
+    """Play the first match again alone and write its pictures; RuntimeError if it ends in another state."""
     from soccer_env.render import Picture, contact_sheet, save_png
     from soccer_env.render.canvas import require_pygame
 
@@ -119,7 +119,7 @@ def draw_first_match(contest: Contest, folder: ResultsFolder, result: Evaluation
 
 
 def play_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
-    """Play a single match to its end and return its moments worth a picture: match record, ball and robots."""
+    """Play a single match to its end and return its moments for pictures: match record, ball and robots."""
     wanted = set(np.linspace(0, steps - 1, MOMENTS).astype(int).tolist())
     moments: list[tuple[Any, Any, Any]] = []
     goals = 0

@@ -1,4 +1,4 @@
-"""`soccer export`: a replay file as a film, a picture, a page for the browser, as data, or its maps as a picture."""
+"""`soccer export`: turn a replay file into a film, a picture, a page for the browser, data, or a picture of maps."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import fields, replace
@@ -28,15 +28,15 @@ KINDS = (".html", ".mp4", ".gif", ".png", *DATA)
 
 
 def export(settings: ExportSettings) -> str:
-    """Write what the file's ending asks for; return its name and size in words. See `Replay.video` for errors."""
+    """Write the format of the file's ending; return its name and size in words. See `Replay.video` for errors."""
     kind = settings.target.suffix.lower()
     if kind not in (MAPS if settings.maps else KINDS):
         with_maps = f"--out with --maps must end with {', '.join(MAPS)}"
         must = with_maps if settings.maps else f"--out must end with {', '.join(KINDS)}"
-        asked = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS else ""
-        raise ValueError(f"{must}, got {str(settings.target)!r}{asked}")
+        advice = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS else ""
+        raise ValueError(f"{must}, got {str(settings.target)!r}{advice}")
     if kind in DATA:
-        check_target(settings.target.with_suffix(".tmp"))  # its folder: NAME.cdf is one itself, see `check_free`
+        check_target(settings.target.with_suffix(".tmp"))  # only the folder above: `check_free` checks NAME.cdf itself
         targets = export_data(settings)
         total = sum(size_of(path) for path in targets)
         return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
@@ -49,7 +49,7 @@ def export(settings: ExportSettings) -> str:
 
 
 def export_each(settings: ExportSettings) -> str:
-    """Write a film, page or picture of every replay below a folder; return how many there are, in words."""
+    """Write a film, page or picture of every replay below a folder; return their names and size in words."""
     sources = replays_of(settings.file)
     targets = targets_of(settings.target, sources)
     check_target(targets[0])
@@ -65,7 +65,7 @@ def export_one(settings: ExportSettings, kind: str) -> str:
     if settings.maps:
         return str(export_maps(settings.file, settings.target))
     replay = Replay.read(settings.file)
-    rate = replay.make_match().league.control_rate  # its settings are sound, too
+    rate = replay.make_match().league.control_rate  # this checks its settings, too
     if kind == ".html":
         with Progress(settings.target.name, len(replay)) as bar:
             write_page(replay, settings.target, settings.anew, bar.advance, part_of_flags(settings))
@@ -87,7 +87,7 @@ def write_picture(replay: Replay, settings: ExportSettings) -> str:
 
 
 def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
-    """Write a film, with a bar that says how far it is."""
+    """Write a film, with a progress bar."""
     film = FilmSettings(**{item.name: getattr(settings, item.name) for item in fields(FilmSettings)})
     count = len(drawn_steps(film, settings.target.suffix.lower(), rate, len(replay))[0])
     with Progress(settings.target.name, count) as bar:
@@ -95,9 +95,9 @@ def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
 
 
 def export_data(settings: ExportSettings) -> list[Path]:
-    """Write what `out` asks for of a replay, or of all below a folder; return the files and folders written.
+    """Write the data of a replay, or of all replays below a folder; return the files and folders written.
 
-    ValueError for what exists already (unless `anew`), for a folder without replays and for the first that is none.
+    ValueError for a target that exists (unless `anew`), for a folder without replays, for a file that is no replay.
     """
     kind = settings.target.suffix.lower()
     require(kind)
@@ -120,35 +120,35 @@ def export_data(settings: ExportSettings) -> list[Path]:
 
 
 def replays_of(path: Path) -> dict[str, Path]:
-    """Return the replays of a file or of a folder, by the names of their matches, in order."""
+    """Return a replay file, or the replay files below a folder, by the names of their matches, in order."""
     if not path.is_dir():
         return {path.stem: path}
-    found = {file.relative_to(path).with_suffix("").as_posix(): file for file in sorted(path.rglob("*.replay"))}
-    if not found:
+    replays = {file.relative_to(path).with_suffix("").as_posix(): file for file in sorted(path.rglob("*.replay"))}
+    if not replays:
         raise ValueError(f"there are no replays (*.replay) in {path}")
-    return found
+    return replays
 
 
 def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
-    """Return a file beside `out` for each match of a folder, NAME_MATCH; ValueError where two would be one."""
-    found: dict[Path, str] = {}
+    """Return a file beside `out` for each match, NAME_MATCH; ValueError where two matches get the same file."""
+    targets: dict[Path, str] = {}
     for name in sources:
         target = out.with_name(f"{out.stem}_{name.replace('/', '_')}{out.suffix}")
-        if target in found:
-            raise ValueError(f"{found[target]} and {name} would both be written to {target}; export them one by one")
-        found[target] = name
-    return list(found)
+        if target in targets:
+            raise ValueError(f"{targets[target]} and {name} would both be written to {target}; export them one by one")
+        targets[target] = name
+    return list(targets)
 
 
 def collected(sources: dict[str, Path], bar: Progress) -> Iterator[Collected]:
-    """Yield what happened in each match, played when it is asked for."""
+    """Yield the events and frames of each match; a match is played when the iterator reaches it."""
     for name, path in sources.items():
         yield collect(Replay.read(path), name)
         bar.advance(1)
 
 
 def check_free(targets: list[Path], anew: bool) -> None:
-    """Raise ValueError if something stands where a file is to be written; with `anew` only what is not of its kind."""
+    """Raise ValueError for a target that exists already; with `anew` only for one of another kind."""
     for target in targets:
         folder = target.suffix.lower() == ".cdf"
         if target.is_symlink() or (target.exists() and (target.is_dir() != folder)):
@@ -160,5 +160,5 @@ def check_free(targets: list[Path], anew: bool) -> None:
 
 
 def size_of(path: Path) -> int:
-    """Return the bytes of a file or of a folder's files."""
+    """Return the size of a file, or of all files of a folder [bytes]."""
     return sum(file.stat().st_size for file in path.iterdir()) if path.is_dir() else path.stat().st_size

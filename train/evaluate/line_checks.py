@@ -1,4 +1,4 @@
-"""Whether a line of a file holds what a match writes there: anybody can change a file."""
+"""Check the lines of matches.jsonl, which anybody can edit."""
 
 from functools import cache
 from math import isfinite
@@ -17,23 +17,22 @@ SHOT = (0, 0, OUTCOMES[0], 0.0, 0.0)  # control step, player, outcome, x, y: as 
 
 
 def check_line(line: MatchLine, players: tuple[int, int]) -> None:
-    """Raise ValueError unless a line's numbers, statistics and maps are of the right kinds; the last two may lack.
+    """Raise ValueError unless a line's numbers, statistics and maps have the right types; the last two may be missing.
 
-    `players` are those of the first team and of the second.
+    `players`: the sizes of the first and the second team.
     """
     number = line.match
     for name in ("goals_for", "goals_against", "steps"):
         whole_number(f"{name} of match {number}", getattr(line, name), 0, MOST)
     both = (line.statistics, line.maps)
-    for what, found, example in zip(("statistics", "maps"), both, examples(players), strict=True):
-        if found and found.keys() != example.keys():
-            raise ValueError(
-                f"{what} of match {number} lack or add {brief(sorted(found.keys() ^ example.keys(), key=str))}"
-            )
-        for name, value in found.items():
-            sound = are_shots(value) if name.startswith("shots_") and what == "maps" else is_like(value, example[name])
+    for part, values, example in zip(("statistics", "maps"), both, examples(players), strict=True):
+        if values and values.keys() != example.keys():
+            wrong = sorted(values.keys() ^ example.keys(), key=str)
+            raise ValueError(f"{part} of match {number} lack or add {brief(wrong)}")
+        for name, value in values.items():
+            sound = are_shots(value) if name.startswith("shots_") and part == "maps" else is_like(value, example[name])
             if not sound:
-                raise ValueError(f"{name} in {what} of match {number} cannot be {brief(value)}")
+                raise ValueError(f"{name} in {part} of match {number} cannot be {brief(value)}")
 
 
 @cache
@@ -44,7 +43,7 @@ def examples(players: tuple[int, int]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def is_like(value: Any, example: Any) -> bool:
-    """Tell whether a value is a finite number, or lists of them of the same lengths, as an example is."""
+    """Tell whether a value has the shape of an example: a finite number, or nested lists of such numbers."""
     if isinstance(example, list):
         same = isinstance(value, list) and len(value) == len(example)
         return same and all(is_like(one, other) for one, other in zip(value, example, strict=True))
@@ -61,6 +60,6 @@ def is_shot(value: Any) -> bool:
     if not isinstance(value, list) or len(value) != len(SHOT):
         return False
     return all(
-        one in OUTCOMES if isinstance(example, str) else is_like(one, example)
-        for one, example in zip(value, SHOT, strict=True)
+        item in OUTCOMES if isinstance(example, str) else is_like(item, example)
+        for item, example in zip(value, SHOT, strict=True)
     )

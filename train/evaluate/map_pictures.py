@@ -1,4 +1,4 @@
-"""Heat maps, pass networks and shot maps of a result.json or of a replay: one picture of `train.report.pitch_maps`."""
+"""Heat maps, pass networks and shot maps of a result.json or a replay, drawn by `train.report.pitch_maps`."""
 
 import json
 from pathlib import Path
@@ -23,7 +23,7 @@ MEASURES = ("length", "width", "goal_width", "goal_depth", "penalty_depth", "pen
 
 
 def export_maps(source: Path, out: Path) -> Path:
-    """Draw the maps of a result.json or of a replay; ValueError if it holds none, ImportError without matplotlib."""
+    """Draw the maps of a result.json or replay; ValueError for a file without maps, ImportError without matplotlib."""
     if not can_draw():
         raise ImportError('maps need matplotlib: pip install "soccer_env[plot]"')
     maps = of_result(source) if source.suffix.lower() == ".json" else of_replay(source)
@@ -36,23 +36,23 @@ def of_replay(path: Path) -> Maps:
     replay = Replay.read(path)
     for match in replay.play():
         last = match
-    found = maps_of(last.statistics[0], HOME, last.settings.rows)
-    return checked(found | {"pitch": plain(last.league.pitch)}, replay.teams)
+    maps = maps_of(last.statistics[0], HOME, last.settings.rows)
+    return checked(maps | {"pitch": plain(last.league.pitch)}, replay.teams)
 
 
 def of_result(path: Path) -> Maps:
-    """Return the maps of an evaluation from its result.json; ValueError for a file that holds none."""
+    """Return the maps of an evaluation from its result.json; ValueError for a file without maps."""
     try:
         record = json.loads(read_plain(path, LARGEST))
         return checked(record["maps"], (str(record["home"])[:80], str(record["away"])[:80]))
     except FileNotFoundError:
         raise
-    except Exception as error:  # a file of a stranger: anything can be missing or of another kind
+    except Exception as error:  # an untrusted file: anything can be missing or of the wrong type
         raise ValueError(f"{path} is not a result.json with maps: {error!r}"[:300]) from error
 
 
 def checked(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
-    """Return maps whose shapes and numbers can be drawn; ValueError for others."""
+    """Return maps after a check of their shapes and numbers; ValueError for maps that cannot be drawn."""
     heat = {name: array_of(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
     players, passes, shots = {}, {}, {}
     for side in ("for", "against"):
@@ -73,7 +73,7 @@ def checked(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
 
 def array_of(values: Any, shape: tuple[int, ...]) -> np.ndarray:
     """Return finite numbers of a shape; ValueError for anything else."""
-    found = np.array(values, np.float64)
-    if found.shape != shape or not np.isfinite(found).all():
-        raise ValueError(f"numbers of shape {found.shape}, not finite {shape}")
-    return found
+    array = np.array(values, np.float64)
+    if array.shape != shape or not np.isfinite(array).all():
+        raise ValueError(f"numbers of shape {array.shape}, not finite {shape}")
+    return array

@@ -1,4 +1,4 @@
-"""Where things happened in an evaluation, as tables of its report: shots, thirds of the pitch, mean places, passes."""
+"""Tables of an evaluation's report: shots, thirds of the pitch, mean places, passes."""
 
 from typing import Any
 
@@ -8,8 +8,8 @@ from soccer_env.statistics.maps import OUTCOMES
 
 SIDES = ("for", "against")
 THIRDS = ("in its own third", "in the middle third", "in the opponents' third")
-MOST_PASSES = 5  # shown of a player
-MOST_PAIRS = 12  # of players, shown of both teams
+MOST_PASSES = 5  # shown for each player
+MOST_PAIRS = 12  # of players, shown for both teams
 
 
 def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
@@ -33,7 +33,7 @@ def thirds(heat: np.ndarray) -> list[float]:
 
 
 def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return rows of player, mean place of the first team's and of the second team's, and the passes that it plays."""
+    """Return rows of number, and of that player in both teams: its mean place and its passes."""
     teams = [(np.array(maps[f"players_{side}"]), np.array(maps[f"passes_{side}"])) for side in SIDES]
     rows = []
     for number in range(max(len(players) for players, _ in teams)):
@@ -43,7 +43,7 @@ def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return rows of from whom to whom, and the completed passes of the first and second team: the most, and all."""
+    """Return rows of passer and receiver, and the passes of both teams: the most frequent pairs, then the total."""
     teams = [np.array(maps[f"passes_{side}"]) for side in SIDES]
     counts = {(a, b): [int(one[a, b]) if max(a, b) < len(one) else 0 for one in teams]
               for a, b in np.ndindex(*np.max([one.shape for one in teams], axis=0).tolist())}  # fmt: skip
@@ -53,10 +53,10 @@ def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def player_words(players: np.ndarray, passes: np.ndarray, number: int) -> str:
-    """Return where a player is on the average [m] and to whom it passes; "-" for one that is not there."""
+    """Return the mean place of a player [m] and its passes; "-" if the team has no such player."""
     if number >= len(players) or players[number, 2] <= 0.0:
         return "-"
     x, y = players[number, :2] / players[number, 2]
     best = np.argsort(-passes[number], kind="stable")[:MOST_PASSES]
-    told = ", ".join(f"{passes[number, mate]} to {mate}" for mate in best if passes[number, mate] > 0)
-    return f"({x:+.2f}, {y:+.2f})" + (f"; {told}" if told else "")
+    receivers = ", ".join(f"{passes[number, mate]} to {mate}" for mate in best if passes[number, mate] > 0)
+    return f"({x:+.2f}, {y:+.2f})" + (f"; {receivers}" if receivers else "")

@@ -1,4 +1,4 @@
-"""The report of an evaluation as a page for the browser: the same as in Markdown, with pictures and replays."""
+"""The report of an evaluation as a page for the browser: the Markdown report with pictures and replays."""
 
 from collections.abc import Callable, Iterator, Sequence
 
@@ -47,7 +47,7 @@ def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept
 
 
 def add_figures(page: ReportPage, result: EvaluationResult) -> None:
-    """Add the pictures of FIGURE_MAKERS, or say what they need."""
+    """Add the pictures of FIGURE_MAKERS, or say which package they need."""
     if not can_draw():
         page.say(MISSING[0].upper() + MISSING[1:])
         return
@@ -57,7 +57,7 @@ def add_figures(page: ReportPage, result: EvaluationResult) -> None:
 
 
 def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, str]) -> None:
-    """Add where things happened: tables, and pictures if they can be drawn; nothing if lines lack it."""
+    """Add the tables and pictures of maps; nothing if the lines have no maps."""
     if not result.maps:
         return
     page.section("Where it happened")
@@ -88,7 +88,7 @@ def add_matches(page: ReportPage, result: EvaluationResult) -> None:
 
 
 def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
-    """Draw how many matches ended with which goal difference."""
+    """Draw the number of matches with each goal difference."""
     ended = [line.goals_for - line.goals_against for line in result.lines]
     kinds = {
         "won": [difference for difference in ended if difference > 0],
@@ -96,12 +96,12 @@ def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
         "lost": [difference for difference in ended if difference < 0],
     }
     groups = [
-        (name, sorted(set(those)), [those.count(difference) for difference in sorted(set(those))])
-        for name, those in kinds.items()
-        if those
+        (name, sorted(set(values)), [values.count(difference) for difference in sorted(set(values))])
+        for name, values in kinds.items()
+        if values
     ]
-    found = result.goal_difference
-    mark = (f"mean {found.mean:+.2f} ({found.low:+.2f} to {found.high:+.2f})", found.mean, found.low, found.high)
+    mean = result.goal_difference
+    mark = (f"mean {mean.mean:+.2f} ({mean.low:+.2f} to {mean.high:+.2f})", mean.mean, mean.low, mean.high)
     title = f"Goal differences of {len(result.lines)} matches"
     yield (
         draw_bars(title, "goals - goals against in a match", "matches", groups, mark, form="svg"),
@@ -110,13 +110,13 @@ def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
 
 
 def draw_mean(result: EvaluationResult) -> Iterator[Drawn]:
-    """Draw how the mean goal difference and its interval came about, pair by pair."""
+    """Draw the mean goal difference and its interval over the first pairs, the more pairs the further right."""
     means = pair_means(result.lines, lambda line: line.goals_for - line.goals_against)
     if len(means) < 3:
         return
     counts = sorted({round(2 + (len(means) - 2) * look / (LOOKS - 1)) for look in range(LOOKS)})
-    found = [paired_bootstrap(means[:count]) for count in counts]
-    value, low, high = (list(values) for values in zip(*found, strict=True))
+    intervals = [paired_bootstrap(means[:count]) for count in counts]
+    value, low, high = (list(values) for values in zip(*intervals, strict=True))
     curve = {"name": "mean, 95 % interval", "x": counts, "y": value, "low": low, "high": high}
     figure = {
         "title": "Mean goal difference, pair by pair", "x_label": "pairs of matches", "rules": [0.0], "rule": "even",

@@ -1,4 +1,4 @@
-"""`soccer record` and `soccer replay`: a match into a file, and out of it again."""
+"""`soccer record` and `soccer replay`: record a match into a file, and check a file by playing it again."""
 
 import os
 from math import isfinite
@@ -13,13 +13,13 @@ from soccer_env.train.evaluate.play_settings import PlaySettings, RecordSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.written_settings import split_players
 
-MINUTES = 1.0  # of a match whose length nobody says
+MINUTES = 1.0  # of a match without --minutes
 OUTCOMES = {1: "success", -1: "failure", 0: "out of time"}  # of a drill
-NOTE_EVERY = 50  # control steps between two movements of the progress bar
+NOTE_EVERY = 50  # control steps between two updates of the progress bar
 
 
 def start(settings: PlaySettings) -> tuple[Match, Cast]:
-    """Return the match at its start, and who plays it; ValueError for what the scene does not allow."""
+    """Return the match at its start, and its cast; ValueError for settings that the scene does not allow."""
     scene, league = find_scene(settings.scene), find_league(settings.league)
     is_drill = scene.success != "none"
     episode = settings.episode or ("drill" if is_drill else "match")
@@ -30,30 +30,22 @@ def start(settings: PlaySettings) -> tuple[Match, Cast]:
         sizes = split_players(settings.players, 1)
     scene.check(league, *sizes)
     cast = cast_of(scene, sizes, settings.home, settings.away)
+    minutes = MINUTES if settings.minutes is None and episode != "drill" else settings.minutes
     match = Match(
-        league,
-        home=sizes[0],
-        away=sizes[1],
-        controllers=cast.controllers,
-        minutes=MINUTES if settings.minutes is None and episode != "drill" else settings.minutes,
-        seed=settings.seed,
-        rules=settings.rules,
-        placement=settings.placement,
-        senses=settings.senses,
-        pose=settings.pose,
-        scene=scene,
+        league, home=sizes[0], away=sizes[1], controllers=cast.controllers, minutes=minutes, seed=settings.seed,
+        rules=settings.rules, placement=settings.placement, senses=settings.senses, pose=settings.pose, scene=scene,
         episode=episode,
-    )
+    )  # fmt: skip
     return match, cast
 
 
 def record(settings: RecordSettings) -> Replay:
-    """Play a match, write its replay file and return it; a path that cannot be written is refused before the match."""
+    """Play a match, write its replay file and return it; ValueError, before the match, for a path without access."""
     return record_with_outcome(settings)[0]
 
 
 def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
-    """Record and return what came of a drill as well: success, failure, out of time; "" of a match."""
+    """Record, and return the outcome of a drill as well: success, failure, out of time; "" for a match."""
     check_target(settings.out)
     match, cast = start(settings)
     recorder = Recorder(match, Thoughts(match, shown_of_memory()))
@@ -70,7 +62,7 @@ def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
 
 
 def shown_of_memory() -> dict[str, tuple[str, ...]]:
-    """Return which fields of teams' memories a recording keeps for people, with the words for their values."""
+    """Return the fields of teams' memories that a recording keeps for display, with the words for their values."""
     from soccer_env.baselines.heinemann_2006.memory import ROLES
     from soccer_env.baselines.sacks_2001.memory import BEHAVIOURS
 
@@ -80,7 +72,7 @@ def shown_of_memory() -> dict[str, tuple[str, ...]]:
 
 
 def check_target(path: Path) -> None:
-    """Make the folder of a file to write; ValueError if no file can be written there."""
+    """Make the folder of an output file; ValueError if no file can be written there."""
     if path.is_dir():
         raise ValueError(f"--out is the file to write, but {path} is a folder")
     try:
@@ -92,7 +84,7 @@ def check_target(path: Path) -> None:
 
 
 def play_again(path: Path) -> int:
-    """Play a replay file again and return how many steps agreed; ValueError names the first that differs."""
+    """Play a replay file again and return its number of steps; ValueError names the first step that differs."""
     replay = Replay.read(path)
     with Progress(path.name, len(replay)) as bar:
         for _ in replay.play():

@@ -1,4 +1,4 @@
-"""The report of an evaluation in Markdown, and its table on the screen: both follow from the result alone."""
+"""The report of an evaluation in Markdown, and its tables on the screen, made from the result alone."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ VERDICTS = {
 
 
 def sentence(result: EvaluationResult, shown: Callable[[str], str] = str) -> str:
-    """Return the verdict as a sentence, with names as they are shown."""
+    """Return the verdict as a sentence; `shown` formats the teams' names."""
     text = VERDICTS.get(result.verdict, "There is {verdict}.")
     home, away = shown(result.conditions.home), shown(result.conditions.away)
     return text.format(home=home, away=away, verdict=result.verdict)
@@ -85,14 +85,14 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
 
 
 def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tuple[str, str]]:
-    """Return under which conditions, and with what, the matches were played."""
+    """Return rows of the conditions, versions and hashes of the matches."""
     conditions = result.conditions
     return [
         ("league", conditions.league),
         ("players", conditions.sizes),
         ("minutes of play", f"{conditions.minutes:g}"),
         ("senses, pose", f"{conditions.senses_text}, {conditions.pose}"),
-        *((f"{name} was trained with", what) for name, what in result.trained.items()),
+        *((f"{name} was trained with", setting) for name, setting in result.trained.items()),
         ("scene, rules, placement", f"{conditions.scene}, {conditions.rules}, {conditions.placement}"),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
@@ -102,7 +102,7 @@ def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tup
 
 
 def needed(result: EvaluationResult) -> str:
-    """Return how many matches a narrower interval needs."""
+    """Return, as a sentence, the number of matches for an interval of HALF_WIDTH."""
     if result.matches_needed is None:
         return ""
     return (
@@ -112,7 +112,7 @@ def needed(result: EvaluationResult) -> str:
 
 
 def play_tables(result: EvaluationResult) -> list[str]:
-    """Return how play went and how goals fell, in Markdown; nothing if lines lack statistics."""
+    """Return the tables of statistics and of goals in Markdown; nothing if lines have no statistics."""
     if not result.statistics:
         return []
     head = ("", escaped(result.conditions.home), escaped(result.conditions.away))
@@ -127,7 +127,7 @@ def play_tables(result: EvaluationResult) -> list[str]:
 
 
 def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
-    """Return where things happened, in Markdown; nothing if lines lack it."""
+    """Return the tables of maps in Markdown; nothing if lines have no maps."""
     if not result.maps:
         return []
     return [
@@ -140,7 +140,7 @@ def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
 
 
 def pairs(result: EvaluationResult) -> list[str]:
-    """Return the table of pairs, and what it leaves out."""
+    """Return the table of the first PAIRS_SHOWN pairs, and the number of further pairs."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
         (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
@@ -154,12 +154,12 @@ def pairs(result: EvaluationResult) -> list[str]:
 
 
 def escaped(text: str) -> str:
-    """Return a name for Markdown, which it can neither mark up nor fill with HTML: files of strangers are named so."""
+    """Return a name with Markdown and HTML escaped: policy files of strangers may have such names."""
     return re.sub(r"([\\`*\[\]<>&#~]|\b_|_\b)", r"\\\1", " ".join(text.split()))
 
 
 def fenced(command: str) -> str:
-    """Return a command as a block of Markdown that nothing in it can end."""
+    """Return a command as a code block, whose fence is longer than any in the command."""
     fence = "`" * max(3, 1 + max(map(len, re.findall("`+", command)), default=0))
     return f"{fence}bash\n{command}\n{fence}"
 
@@ -171,14 +171,14 @@ def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:
 
 
 def plain(value: float, digits: int) -> str:
-    """Return a number in a few significant digits and never in powers of ten; larger ones whole."""
+    """Return a number in `digits` significant digits without an exponent; larger numbers as integers."""
     if abs(value) >= 10**digits or not isfinite(value):
         return f"{value:.0f}"
     return np.format_float_positional(value, precision=digits, unique=False, fractional=False, trim="-")
 
 
 def screen_tables(result: EvaluationResult) -> Iterator[Table]:
-    """Yield the numbers of a result, how play went and how goals fell as tables for the terminal."""
+    """Yield tables for the terminal: the numbers of a result, statistics of play, and kinds of goals."""
     from rich.table import Table
 
     yield screen_table(result)
@@ -201,7 +201,7 @@ def screen_table(result: EvaluationResult) -> Table:
     drawn = Table(
         title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
         f"{conditions.minutes:g} min",
-        caption=" ".join([sentence(result), *(f"{name} was trained with {what}." for name, what in trained)]),
+        caption=" ".join([sentence(result), *(f"{name} was trained with {setting}." for name, setting in trained)]),
     )
     drawn.add_column("")
     drawn.add_column("value", justify="right")

@@ -1,4 +1,4 @@
-"""What an evaluation found: one line for each match, and the result that follows from the lines."""
+"""The results of an evaluation: one line for each match, and the result of all lines."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
@@ -12,16 +12,16 @@ from soccer_env.train.evaluate.statistics import Total, totals
 from soccer_env.train.results_folder import Kind
 from soccer_env.train.statistics import paired_bootstrap, required_matches
 
-CLEAR_POINTS = 0.95  # [1] share of the points that "beats clearly" asks for
-LEAST_PAIRS = 5  # fewer say nothing about how results scatter: no verdict
+CLEAR_POINTS = 0.95  # [1] share of the points for "beats clearly"
+LEAST_PAIRS = 5  # fewer pairs say nothing about the scatter of results: no verdict
 MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
 MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
-LEFT_OUT = ("settings", "statistics", "maps")  # of a line in result.json: matches.jsonl has them
+LEFT_OUT = ("settings", "statistics", "maps")  # fields of a line that result.json omits: matches.jsonl has them
 FILES = (MATCHES, "result.json", "report.md", "report.html", "match.png")
-REPLAYS, KEPT = "replays", "kept.json"  # of replays that were kept: their folder, and the list of them in it
+REPLAYS, KEPT = "replays", "kept.json"  # the folder of kept replays, and the list in it
 KEPT_FILES = [f"{REPLAYS}/*-match-[0-9]*-seed-[0-9]*.{kind}" for kind in ("replay", "html")] + [f"{REPLAYS}/{KEPT}"]
 EVALUATION = Kind("an evaluation", ("home", "away", "scene"), FILES, lambda _: KEPT_FILES, grows="matches")
-HALF_WIDTH = 0.25  # [goals a match] for which the number of matches is worked out
+HALF_WIDTH = 0.25  # [goals a match] half width of the interval for which the number of matches is estimated
 
 
 @dataclass(frozen=True)
@@ -35,10 +35,10 @@ class MatchLine:
     goals_for: int
     goals_against: int
     steps: int  # control steps
-    state: str  # hash of the last state: the same match again has the same
-    settings: str  # hash of the conditions and of what the match was made with
+    state: str  # hash of the final state, equal if the match is played again
+    settings: str  # hash of the conditions, versions and code
     statistics: dict[str, Any] = field(default_factory=dict)  # of the match, see `soccer list statistics`
-    maps: dict[str, Any] = field(default_factory=dict)  # where things happened, see `statistics.maps.maps_of`
+    maps: dict[str, Any] = field(default_factory=dict)  # see `statistics.maps.maps_of`
 
     @property
     def points(self) -> float:
@@ -57,7 +57,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class EvaluationResult:
-    """The result of an evaluation from the first team's (home's) side; what is counted per match says so."""
+    """The result of an evaluation from the first team's (home's) side."""
 
     conditions: Conditions
     made_with: dict[str, str]  # versions and hashes
@@ -74,10 +74,10 @@ class EvaluationResult:
     statistics: dict[str, Total]  # of play, by name; nothing if lines lack them
     maps: dict[str, Any]  # of all matches together; nothing if lines lack them
     lines: tuple[MatchLine, ...]  # sorted
-    trained: dict[str, str] = field(default_factory=dict)  # what policies learned by otherwise, by their name
+    trained: dict[str, str] = field(default_factory=dict)  # training settings that differ, by the policy's name
 
     def as_dict(self) -> dict[str, Any]:
-        """Return what result.json holds."""
+        """Return the contents of result.json."""
         record = asdict(self)
         conditions, lines = record.pop("conditions"), record.pop("lines")
         conditions |= {"players": self.conditions.sizes, "senses": self.conditions.senses_text}
@@ -90,7 +90,7 @@ class EvaluationResult:
 def summarise(
     conditions: Conditions, made_with: dict[str, str], lines: Sequence[MatchLine], pitch: Pitch | None = None
 ) -> EvaluationResult:
-    """Return the result of all matches of an evaluation; the measures of their pitch stand with the maps."""
+    """Return the result of all matches of an evaluation; the maps include the dimensions of `pitch`."""
     ordered = tuple(sorted(lines, key=lambda line: line.match))
     if [line.match for line in ordered] != list(range(conditions.matches)):
         raise ValueError(f"expected matches 0 to {conditions.matches - 1}, got {len(ordered)} lines")
@@ -117,7 +117,7 @@ def summarise(
 
 
 def maps_on(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the maps of all matches together; nothing if lines lack them."""
+    """Return the sum of the maps of all matches; nothing if a match has no maps."""
     if not all(maps):
         return {}
     return added(maps) | ({} if pitch is None else {"pitch": plain(pitch)})
@@ -129,13 +129,13 @@ def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) 
 
 
 def is_mirrored(conditions: Conditions) -> bool:
-    """Tell whether a team plays itself: with sides swapped, both matches of a pair are then one and the same."""
+    """Tell whether a team plays itself: both matches of a pair are then identical."""
     sizes, senses = conditions.players, conditions.senses
     return conditions.home == conditions.away and sizes[0] == sizes[1] and senses[0] == senses[1]
 
 
 def judge(difference: Estimate, points: Estimate, pairs: int) -> str:
-    """Return in words what the goal difference and the points of so many pairs say about the first team."""
+    """Return the verdict about the first team from the goal difference and points of a number of pairs."""
     if pairs < LEAST_PAIRS:
         return f"no verdict from fewer than {2 * LEAST_PAIRS} matches"
     if difference.low > 0.0:

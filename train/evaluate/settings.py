@@ -1,4 +1,4 @@
-"""The settings of an evaluation: what the command line reads, and the conditions that follow from them.
+"""The settings of an evaluation, and the conditions that follow from them.
 
 The help of `soccer evaluate` is the text beside each field here.
 """
@@ -13,18 +13,11 @@ from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import Placement, Pose
 from soccer_env.train.evaluate.replays.choice import Keep
-from soccer_env.train.written_settings import (
-    POSES,
-    SENSING,
-    CommandSettings,
-    command_with,
-    split_players,
-    split_senses,
-)
+from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_with, split_players, split_senses
 
 FULL = "full"  # minutes: the league's own length of a match
-ALL, PAIRS = "all", 5  # pairs to play again: every finished one; unless another number is asked for
-RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # what goes together
+ALL, PAIRS = "all", 5  # values of --pairs: every finished pair; the default
+RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # usable with --recheck
 
 
 @dataclass(frozen=True)
@@ -117,7 +110,7 @@ class EvaluateSettings(CommandSettings):
 
 @dataclass(frozen=True)
 class Conditions:
-    """What decides the result of an evaluation, worked out: no None, no names of defaults."""
+    """The settings that decide the result of an evaluation, with every default filled in."""
 
     league: str
     home: str
@@ -145,12 +138,12 @@ class Conditions:
 
 
 def command_of(settings: EvaluateSettings) -> str:
-    """Return the command that asks for these settings."""
+    """Return the command with these settings."""
     return command_with("evaluate", settings, always=("league", "home", "away", "matches", "seed"))
 
 
 def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
-    """Fill in what the settings leave to the league."""
+    """Return the conditions of settings, with the league's defaults filled in."""
     minutes = settings.minutes
     if minutes is None:
         minutes = league.evaluation_minutes

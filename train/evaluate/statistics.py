@@ -1,6 +1,6 @@
-"""Statistics of play in evaluations: what a match's line holds, totals with intervals, and their tables.
+"""Statistics of play in evaluations: of a match's line, totals with intervals, and their tables.
 
-`soccer list statistics` says what each of them means.
+`soccer list statistics` explains each statistic.
 """
 
 from collections.abc import Sequence
@@ -31,17 +31,17 @@ UNITS = {(RATE, ""): "/min", (RATE, "s"): "s/min", (SHARE, "s"): "%"}
 
 @dataclass(frozen=True)
 class Total:
-    """A statistic of all matches: its sum (largest, or length), and what reports give of it with its 95 % interval."""
+    """A statistic of all matches: its sum (largest, or length), and its value in reports with a 95 % interval."""
 
     total: float
-    value: float | None  # a minute of the match or a share; None of nothing
+    value: float | None  # a rate per minute of play, or a share; None for a share of zero
     low: float | None
     high: float | None
     unit: str
 
 
 def line_of_statistics(record: Any, team: int) -> dict[str, Any]:
-    """Return what the line of a match holds: its statistics from a team's side, and how many spells were how long."""
+    """Return the statistics of a match's line from a team's side, and the histogram of its spells by length."""
     lengths = {
         f"{LENGTHS}_{side}": record[LENGTHS][of].tolist() for side, of in zip(SIDES, (team, 1 - team), strict=True)
     }
@@ -49,50 +49,50 @@ def line_of_statistics(record: Any, team: int) -> dict[str, Any]:
 
 
 def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
-    """Return the statistics of matches, given in pairs, by name; nothing if a match has none."""
+    """Return the statistics of pairs of matches, by name; nothing if a match has none."""
     if not lines or not all(lines):
         return {}
-    found: dict[str, Total] = {}
+    result: dict[str, Total] = {}
     rated = [(name, figure) for name, figure in named() if figure.kind in (RATE, SHARE)]
     parts = in_pairs([[line[name] for name, _ in rated] for line in lines])
     wholes = in_pairs([[line[whole_of(name, figure)] for name, figure in rated] for line in lines])
     ratios = np.stack(ratio_bootstrap(parts, wholes), axis=-1)  # value, low, high
     for (name, figure), total, ratio in zip(rated, parts.sum(axis=0), ratios, strict=True):
         value, low, high = (finite((100.0 if figure.kind == SHARE else 60.0) * x) for x in ratio)
-        found[name] = Total(float(total), value, low, high, unit_of(figure))
+        result[name] = Total(float(total), value, low, high, unit_of(figure))
     for name, figure in named():
         if figure.kind == MOST:
             most = max(line[name] for line in lines)
-            found[name] = Total(most, most, None, None, figure.unit)
+            result[name] = Total(most, most, None, None, figure.unit)
         elif figure.kind == LENGTH:
-            found[name] = spell_length(lines, name, figure)
-    return {name: found[name] for name, _ in named()}
+            result[name] = spell_length(lines, name, figure)
+    return {name: result[name] for name, _ in named()}
 
 
 def named() -> list[tuple[str, Statistic]]:
-    """Return the names that a line has, each with its statistic."""
+    """Return the names of statistics in a line, each with its statistic."""
     return [(f"{x.name}_{side}" if x.team else x.name, x) for x in FIGURES for side in (SIDES if x.team else SIDES[:1])]
 
 
 def whole_of(name: str, figure: Statistic) -> str:
-    """Return the name of what a statistic is a share of."""
+    """Return the name of the whole that a statistic is a share of."""
     whole = next(x for x in FIGURES if x.name == figure.whole)
     return f"{figure.whole}_{name.rpartition('_')[2]}" if whole.team else figure.whole
 
 
 def unit_of(figure: Statistic) -> str:
-    """Return the unit in which reports give a statistic."""
+    """Return the unit of a statistic in reports."""
     return UNITS.get((figure.kind, figure.unit), figure.unit)
 
 
 def in_pairs(rows: list[list[float]]) -> np.ndarray:
-    """Return rows of matches added up over the two of each pair; one that is left over stands alone."""
+    """Return rows of matches, added over the two matches of each pair; an odd last row stands alone."""
     numbers = np.array(rows, np.float64)
     return np.add.reduceat(numbers, np.arange(0, len(numbers), 2), axis=0)
 
 
 def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) -> Total:
-    """Return a length of the spells of all matches together, with its interval by resampling pairs."""
+    """Return a quantile of the spell lengths of all matches, with its interval by resampling pairs."""
     counts = in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
     weights = np.random.default_rng(0).multinomial(len(counts), [1.0 / len(counts)] * len(counts), size=1000)
     share = PERCENTS[figure.name]
@@ -102,13 +102,13 @@ def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) 
 
 
 def finite(number: float) -> float | None:
-    """Return a number, or None for one that JSON cannot hold."""
+    """Return a number, or None for infinity and NaN, which JSON lacks."""
     return float(number) if isfinite(number) else None
 
 
 # Tables
 
-TELLING = (  # name, in words: a short table
+TELLING = (  # name, words: a short table
     ("in_play", "ball in play"),
     ("possession", "ball at this team alone"),
     ("spell_median", "median time of one robot on the ball"),
@@ -135,31 +135,33 @@ GOALS = (
 )
 
 
-def play_rows(found: dict[str, Total]) -> list[tuple[str, str, str]]:
-    """Return the most telling statistics as rows of name, first team and second team, or of both together."""
+def play_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
+    """Return the main statistics as rows of name, first team and second team, or of both together."""
     rows = []
     for name, words in TELLING:
-        if name in found:
-            rows.append((words, told(found[name]), ""))
+        if name in totals:
+            rows.append((words, in_words(totals[name]), ""))
         elif name == "fouls":
-            rows.append((words, whistles(found, "for"), whistles(found, "against")))
+            rows.append((words, whistles(totals, "for"), whistles(totals, "against")))
         else:
-            rows.append((words, told(found[f"{name}_for"]), told(found[f"{name}_against"])))
+            rows.append((words, in_words(totals[f"{name}_for"]), in_words(totals[f"{name}_against"])))
     return rows
 
 
-def goal_rows(found: dict[str, Total]) -> list[tuple[str, str, str]]:
-    """Return how many goals of both teams fell in which way."""
-    return [(words, f"{found[f'{name}_for'].total:g}", f"{found[f'{name}_against'].total:g}") for name, words in GOALS]
+def goal_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
+    """Return the goals of both teams by kind."""
+    return [
+        (words, f"{totals[f'{name}_for'].total:g}", f"{totals[f'{name}_against'].total:g}") for name, words in GOALS
+    ]
 
 
-def whistles(found: dict[str, Total], side: str) -> str:
+def whistles(totals: dict[str, Total], side: str) -> str:
     """Return the whistles against a team a minute."""
-    rates = [total.value or 0.0 for name, total in found.items() if name.startswith("fouls_") and name.endswith(side)]
+    rates = [total.value or 0.0 for name, total in totals.items() if name.startswith("fouls_") and name.endswith(side)]
     return f"{sum(rates):.2g}/min"
 
 
-def told(total: Total) -> str:
+def in_words(total: Total) -> str:
     """Return a statistic with unit and interval."""
     if total.value is None:
         return "-"

@@ -14,18 +14,18 @@ PAGES = sorted({file.stem for file in FOLDER.glob("*.py")} - {"__init__", "__mai
 
 
 def needs(name: str) -> str:
-    """Return what a page has to have installed beside the package, as pip takes it."""
-    found = re.search(r"^Needs: (.+)$", text_of(name), re.MULTILINE)
-    return found[1] if found else ""
+    """Return the packages that an example needs, as arguments of pip."""
+    line = re.search(r"^Needs: (.+)$", text_of(name), re.MULTILINE)
+    return line[1] if line else ""
 
 
 def text_of(name: str) -> str:
-    """Return what a page says of itself."""
+    """Return the docstring of an example."""
     return ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))) or ""
 
 
 def help_text() -> str:
-    """Return the usage, and each page with what it is and needs."""
+    """Return the usage, and the first line and packages of each example."""
     lines = ["usage: python -m soccer_env.train.examples NAME [--steps 10000] [OPTIONS]", ""]
     for name in PAGES:
         lines += [f"  {name:18}{text_of(name).splitlines()[0]}", f"  {'':18}needs: {needs(name)}"]
@@ -33,7 +33,7 @@ def help_text() -> str:
 
 
 def main() -> None:
-    """Run the page that the first word names; the others are arguments of its `main`."""
+    """Run the example that the first word names; the other words are arguments of its `main`."""
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name in ("-h", "--help"):
         print(help_text())

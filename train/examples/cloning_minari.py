@@ -19,7 +19,7 @@ PLAY = {**EMPTY_GOAL, "action_repeat": 1, "max_cycles": 500, "rewards": "default
 
 
 def record(episodes: int, seed: int) -> list[EpisodeBuffer]:
-    """Return episodes of the chaser, who sees as much as the learner will."""
+    """Return episodes of the chaser, with the observations that the learner will get."""
     match = Match(**PLAY, home=1, matches=episodes, seed=seed, controllers={"home": "chaser"})
     seen, steps, playing = [match.observations[:, 0].copy()], [], []
     while not (over := match.terminated | match.truncated).all():  # a match that has ended stands still
@@ -37,12 +37,12 @@ def record(episodes: int, seed: int) -> list[EpisodeBuffer]:
 
 
 def main(steps: int = 5_000, episodes: int = 300, seed: int = 1) -> float:
-    """Write a dataset of play, imitate it in so many updates, and return in which share of episodes that scores."""
+    """Write a dataset of play, imitate it in `steps` updates, and return the share of episodes with a goal."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     if NAME in minari.list_local_datasets():
         minari.delete_dataset(NAME)
-    settings = {name: value for name, value in PLAY.items() if name not in ("league", "away")}  # the id says those
+    settings = {name: value for name, value in PLAY.items() if name not in ("league", "away")}  # set by the id
     env = gymnasium.make(SOLO_ID, **settings)
     dataset = minari.create_dataset_from_buffers(NAME, record(episodes, seed), env=env, algorithm_name="chaser")
     seen = torch.tensor(np.concatenate([episode.observations[:-1] for episode in dataset.iterate_episodes()]))

@@ -1,4 +1,4 @@
-"""The task that most pages learn: to score into an empty goal within ten seconds; and how well that was learned."""
+"""The task of most examples: to score into an empty goal within ten seconds; and its test."""
 
 from collections.abc import Callable
 from typing import Any
@@ -23,7 +23,7 @@ SOLO_ID = "soccer_env:soccer_env/MiddleSize2006-1v1-v0"  # the module first, so 
 
 
 def share_scored(act: Callable[[Any], Any], home: int = 1, action_repeat: int = 5, episodes: int = 200) -> float:
-    """Return in which share of episodes home scores; act: observations (n, size) to actions (n, 4) of n robots."""
+    """Return the share of episodes in which home scores; `act` maps observations (n, size) to actions (n, 4)."""
     settings = {**EMPTY_GOAL, "action_repeat": action_repeat, "max_cycles": None}
     match = Match(**settings, home=home, matches=episodes, seed=1000)
     actions = np.zeros((episodes, home + 1, 4))  # the row of the opponent is ignored

@@ -23,7 +23,7 @@ def make() -> soccer_v0.ParallelSoccer:
 
 
 def main(steps: int = 60_000, copies: int = 2, batch: int = 2_000, seed: int = 1) -> float:
-    """Learn for so many steps of two robots, and return in which share of episodes they score."""
+    """Learn for `steps` steps of two robots, and return the share of episodes in which they score."""
     torch.manual_seed(seed)
     np.random.seed(seed)
     torch.set_num_threads(1)
@@ -45,7 +45,7 @@ def main(steps: int = 60_000, copies: int = 2, batch: int = 2_000, seed: int = 1
 
 
 def act(learner: Any, seen: np.ndarray) -> np.ndarray:
-    """Return the means (n, 4) of what the learner would do."""
+    """Return the learner's mean actions (n, 4)."""
     actor = learner.actors["home"]
     with torch.no_grad():
         actor(torch.as_tensor(seen))

@@ -26,10 +26,10 @@ def begin(seed: int) -> Match:
 
 
 def main(steps: int = 400_000, seed: int = 1, gamma: float = 0.99, decay: float = 0.95, clip: float = 0.2) -> float:
-    """Learn for so many decisions of robots; return the goal difference a minute in the last quarter of matches."""
+    """Learn for `steps` decisions of robots; return the goal difference a minute in the last quarter of matches."""
     match = begin(seed)
     sizes = (len(match.observation_names), 4), (len(match.state_names), 1)
-    actor, critic = (Sequential(Linear(n, 64), Tanh(), Linear(64, 64), Tanh(), Linear(64, told)) for n, told in sizes)
+    actor, critic = (Sequential(Linear(n, 64), Tanh(), Linear(64, 64), Tanh(), Linear(64, out)) for n, out in sizes)
     log_std = Parameter(torch.full((4,), -0.5))
     optimizer = torch.optim.Adam([*actor.parameters(), *critic.parameters(), log_std], lr=5e-4)
     margins, started = [], time.process_time()
@@ -44,8 +44,8 @@ def main(steps: int = 400_000, seed: int = 1, gamma: float = 0.99, decay: float 
             if len(match.ended):
                 after[match.ended] = match.final.state("home")
                 margins += [float(home - away) for home, away in match.final["matches"]["score"]]
-            told = (paid[:, :5].mean(1, dtype="f4"), ~terminated, ~(terminated | truncated))
-            rollout.append((seen, act, state, *map(torch.tensor, (after, *told))))
+            outcome = (paid[:, :5].mean(1, dtype="f4"), ~terminated, ~(terminated | truncated))
+            rollout.append((seen, act, state, *map(torch.tensor, (after, *outcome))))
         seen, act, state, after, paid, more, going = (torch.stack(item) for item in zip(*rollout, strict=True))
         old, value = Normal(actor(seen), log_std.exp()).log_prob(act).detach(), critic(state)[..., 0].detach()
         gain = advantages(paid + gamma * more * critic(after)[..., 0].detach() - value, going, gamma * decay)

@@ -27,25 +27,25 @@ class SoccerTask(PettingZooClass):
     """A task whose `config` are settings of `soccer_v0.parallel_env`."""
 
     def get_env_fun(self, num_envs: int, continuous_actions: bool, seed: int | None, device: Any) -> MakeEnv:
-        """Return what makes the env of one of many copies."""
+        """Return a function that makes one env."""
         settings = {**self.config, "actions": "box" if continuous_actions else "discrete", "infos": "none"}
         return lambda: PettingZooWrapper(
             soccer_v0.parallel_env(**settings), seed=seed, device=device, return_state=True, categorical_actions=True
         )
 
     def supports_continuous_actions(self) -> bool:
-        """Return True, as to the other questions whether we can."""
+        """Return True; the two methods below share this answer."""
         return True
 
     supports_discrete_actions = has_state = supports_continuous_actions
 
     def has_render(self, env: EnvBase) -> bool:
-        """Return False: no pictures while it learns."""
+        """Return False: no pictures during training."""
         return False
 
 
 def main(steps: int = 60_000, copies: int = 8, seed: int = 1, out: Path = Path("runs/mappo_benchmarl")) -> float:
-    """Learn for so many steps of two robots, and return in which share of episodes they score."""
+    """Learn for `steps` steps of two robots, and return the share of episodes in which they score."""
     torch.set_num_threads(1)
     out.mkdir(parents=True, exist_ok=True)
     config = ExperimentConfig.get_from_yaml()

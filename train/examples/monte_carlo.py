@@ -2,9 +2,9 @@
 
     python -m soccer_env.train.examples.monte_carlo
 
-At every gait step 128 plans of six walks are tried in branches of the match, each with chances of its own, and the
-first walk of the best one is carried out. Nothing is learned. Of the 16 drills of the seeds 0 to 15 search gets past
-in 12, `chaser` in 1; both together take about a minute of a core.
+At every gait step the search tries 128 plans of six walks in branches of the match, each with its own random numbers,
+and carries out the first walk of the best plan. Nothing is learned. In the 16 drills of the seeds 0 to 15 search
+succeeds in 12, `chaser` in 1; both together take about a minute of a core.
 """
 
 from typing import Any

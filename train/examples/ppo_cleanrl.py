@@ -20,7 +20,7 @@ def advantages(errors: torch.Tensor, going: torch.Tensor, discount: float) -> to
 
 
 def main(steps: int = 200_000, seed: int = 1, gamma: float = 0.99, decay: float = 0.95, clip: float = 0.2) -> float:
-    """Learn for so many decisions, and return in which share of episodes the robot scores."""
+    """Learn for `steps` decisions, and return the share of episodes in which the robot scores."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     match = Match(**EMPTY_GOAL, home=1, matches=32, autoreset="same_step", seed=seed)
@@ -36,10 +36,10 @@ def main(steps: int = 200_000, seed: int = 1, gamma: float = 0.99, decay: float 
             act = torch.normal(actor(seen), log_std.exp().expand(32, 4)).detach()
             _, paid, terminated, truncated = match.step(act.clamp(-1, 1)[:, None].expand(-1, 2, -1).numpy())
             after = match.observations[:, 0].copy()
-            if len(match.ended):  # there a new episode has begun, but values follow the one that ended
+            if len(match.ended):  # these matches show a new episode, but the values belong to the ended one
                 after[match.ended] = match.final["observations"][:, 0]
-            told = (after, paid[:, 0].astype("f4"), ~terminated, ~(terminated | truncated))
-            rollout.append((seen, act, *map(torch.tensor, told)))
+            outcome = (after, paid[:, 0].astype("f4"), ~terminated, ~(terminated | truncated))
+            rollout.append((seen, act, *map(torch.tensor, outcome)))
         seen, act, after, paid, more, going = (torch.stack(item) for item in zip(*rollout, strict=True))
         with torch.no_grad():
             old = Normal(actor(seen), log_std.exp()).log_prob(act)

@@ -14,7 +14,7 @@ from soccer_env.train.examples.empty_goal import SOLO, SOLO_ID, share_scored
 
 
 def main(steps: int = 40_000, batch: int = 2_000, workers: int = 1, seed: int = 1) -> float:
-    """Learn for so many decisions, and return in which share of episodes the robot scores."""
+    """Learn for `steps` decisions, and return the share of episodes in which the robot scores."""
     ray.init(num_cpus=workers + 1, include_dashboard=False, log_to_driver=False)
     model = DefaultModelConfig(fcnet_hiddens=[64, 64], fcnet_activation="tanh")
     config = (

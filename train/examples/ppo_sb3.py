@@ -16,9 +16,9 @@ from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 
 def main(steps: int = 250_000, seed: int = 1, out: Path = Path("runs/ppo_sb3.zip")) -> float:
-    """Learn for so many decisions, save the policy, and return in which share of episodes the robot scores."""
+    """Learn for `steps` decisions, save the policy, and return the share of episodes in which the robot scores."""
     torch.set_num_threads(1)  # nets this small are slower on more
-    settings = {name: value for name, value in EMPTY_GOAL.items() if name != "away"}  # players say that
+    settings = {name: value for name, value in EMPTY_GOAL.items() if name != "away"}  # set by players
     matches = VecMonitor(SoccerVecEnv(players=[(1, 1)], matches=32, seed=seed, **settings))
     model = PPO(
         "MlpPolicy", matches, n_steps=128, batch_size=1024, learning_rate=1e-3, seed=seed,

@@ -15,7 +15,7 @@ from soccer_env.train.examples.empty_goal import EMPTY_GOAL, share_scored
 
 
 def main(steps: int = 100_000, copies: int = 8, processes: int = 1, seed: int = 1) -> float:
-    """Learn for so many decisions, and return in which share of episodes the two score."""
+    """Learn for `steps` decisions, and return the share of episodes in which the two score."""
     torch.set_num_threads(1)
     torch.manual_seed(seed)  # PPO(seed=...) would call seed() of SuperSuit's rows, which they lack
     env = soccer_v0.parallel_env(**EMPTY_GOAL, home=2, infos=False)  # both robots of home learn

@@ -20,7 +20,7 @@ from soccer_env.train.examples.empty_goal import SOLO, SOLO_ID, share_scored
 
 
 def main(steps: int = 40_000, copies: int = 8, seed: int = 1) -> float:
-    """Learn for so many decisions, and return in which share of episodes the robot scores."""
+    """Learn for `steps` decisions, and return the share of episodes in which the robot scores."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     envs = DummyVectorEnv([lambda: gymnasium.make(SOLO_ID, **SOLO, infos=False) for _ in range(copies)])
@@ -30,20 +30,15 @@ def main(steps: int = 40_000, copies: int = 8, seed: int = 1) -> float:
     actor = ContinuousActorProbabilistic(preprocess_net=nets[0], action_shape=(4,), unbounded=True)
     torch.nn.init.constant_(actor.sigma_param, -0.5)
     policy = ProbabilisticActorPolicy(
-        actor=actor, dist_fn=lambda told: Independent(Normal(*told), 1), action_space=space, deterministic_eval=True
+        actor=actor, dist_fn=lambda parts: Independent(Normal(*parts), 1), action_space=space, deterministic_eval=True
     )
     critic = ContinuousCritic(preprocess_net=nets[1])
     learner = PPO(policy=policy, critic=critic, optim=AdamOptimizerFactory(lr=1e-3), ent_coef=0.0, return_scaling=True)
     learner.run_training(
         OnPolicyTrainerParams(
-            training_collector=Collector(learner, envs, VectorReplayBuffer(2048, copies)),
-            max_epochs=1,
-            epoch_num_steps=steps,
-            collection_step_num_env_steps=2048,
-            update_step_num_repetitions=10,
-            batch_size=512,
-            verbose=False,
-            show_progress=False,
-        )  # fmt: skip
-    )
+            training_collector=Collector(learner, envs, VectorReplayBuffer(2048, copies)), max_epochs=1,
+            epoch_num_steps=steps, collection_step_num_env_steps=2048, update_step_num_repetitions=10, batch_size=512,
+            verbose=False, show_progress=False,
+        )
+    )  # fmt: skip
     return share_scored(lambda seen: actor(torch.as_tensor(seen))[0][0].detach().numpy())

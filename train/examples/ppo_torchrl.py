@@ -16,11 +16,11 @@ from soccer_env import soccer_v0
 from soccer_env.train.examples.empty_goal import EMPTY_GOAL, share_scored
 
 SEEN, ACT, VALUE = ("home", "observation"), ("home", "action"), ("home", "state_value")
-TOLD = [("home", "loc"), ("home", "scale")]
+PARTS = [("home", "loc"), ("home", "scale")]
 
 
 def main(steps: int = 20_000, batch: int = 1_000, seed: int = 1) -> float:
-    """Learn for so many steps of two robots, and return in which share of episodes they score."""
+    """Learn for `steps` steps of two robots, and return the share of episodes in which they score."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     env = PettingZooWrapper(soccer_v0.parallel_env(**EMPTY_GOAL, home=2, infos=False), seed=seed)
@@ -28,7 +28,7 @@ def main(steps: int = 20_000, batch: int = 1_000, seed: int = 1) -> float:
     size = env.observation_spec[SEEN].shape[-1]
     means = nn.Sequential(MultiAgentMLP(size, 8, centralised=False, **shape), NormalParamExtractor())
     actor = ProbabilisticActor(
-        TensorDictModule(means, [SEEN], TOLD), in_keys=TOLD, out_keys=[ACT], spec=env.action_spec,
+        TensorDictModule(means, [SEEN], PARTS), in_keys=PARTS, out_keys=[ACT], spec=env.action_spec,
         distribution_class=TanhNormal, return_log_prob=True,
     )  # fmt: skip
     critic = TensorDictModule(MultiAgentMLP(size, 1, centralised=True, **shape), [SEEN], [VALUE])
@@ -40,8 +40,8 @@ def main(steps: int = 20_000, batch: int = 1_000, seed: int = 1) -> float:
         with torch.no_grad():
             loss.value_estimator(data, params=loss.critic_network_params)
         for rows in torch.rand(10, batch).argsort(1).reshape(-1, batch // 4):  # 10 epochs of 4 parts
-            told = loss(data[rows])
+            losses = loss(data[rows])
             optimizer.zero_grad()
-            (told["loss_objective"] + told["loss_critic"]).backward()
+            (losses["loss_objective"] + losses["loss_critic"]).backward()
             optimizer.step()
     return share_scored(lambda seen: means(torch.as_tensor(seen).view(-1, 2, size))[0].detach().tanh().numpy(), home=2)

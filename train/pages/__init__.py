@@ -1,4 +1,4 @@
-"""What the pages of this repository show, made by commands. Not in the wheel.
+"""The tables and pictures of this repository's pages, made by commands. Not in the wheel.
 
-tables/     measured, kept as JSON, written into the pages        pictures/   drawn
+tables/     measured, stored as JSON, written into the pages        pictures/   drawn from matches
 """

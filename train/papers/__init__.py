@@ -1,19 +1,19 @@
-"""Measure what the two papers claim: `soccer reproduce`.
+"""Measure the claims of the two papers: `soccer reproduce`.
 
-settings.py       what the command line asks for
+settings.py       the options of the command
 reproduction.py   `reproduce`: the claims that a folder lacks, one after another or in processes (workers.py)
-examination.py    one claim: batch by batch of each seed, until the interval decides or the cap is reached
+examination.py    measure one claim batch by batch for each seed, until its interval decides or the cap is reached
 workers.py        processes that measure claims
-claim.py          what a claim is, and what its measurement hands over
-verdicts.py       what a criterion asks for, and what an interval says about it
-results.py        what was found of a claim, and what a run leaves in its folder
-stored.py         what was measured last, as the pages of the teams show it
-page.py           as a page for the browser
-report.py         that in Markdown and on the screen
-staging.py        stage many matches at once, robots and ball put somewhere
-true_sight.py     where legged robots truly look, all robots of many matches at once
-dribble_runs.py   robots that dribble, and what became of the ball       drill_runs.py   runs of the dribbling drills
-values.py         quantities of samples in which NaN means "no value"
+claim.py          a claim, and the samples and figures of its measurement
+verdicts.py       criteria, and their verdicts from intervals
+results.py        the result of a claim, and the folder of a run
+stored.py         the last results of all claims, as the pages of the teams show them
+page.py           the report as a page for the browser
+report.py         the report in Markdown and on the screen
+staging.py        stage many matches at once, with robots and ball at given places
+true_sight.py     the true direction of legged robots' cameras, for all robots of many matches at once
+dribble_runs.py   robots that dribble, and the fate of the ball          drill_runs.py   runs of the dribbling drills
+values.py         statistics of samples in which NaN means "no value"
 claims/           the claims by theme, with the guide to adding one
 """
 
@@ -28,8 +28,5 @@ if TYPE_CHECKING:
 __all__ = ["ReproduceSettings", "reproduce"]
 __getattr__, __dir__ = lazy_names(
     __name__,
-    {
-        "ReproduceSettings": "soccer_env.train.papers.settings",
-        "reproduce": "soccer_env.train.papers.reproduction",
-    },
+    {"ReproduceSettings": "soccer_env.train.papers.settings", "reproduce": "soccer_env.train.papers.reproduction"},
 )

@@ -1,4 +1,4 @@
-"""A claim of a paper: what it says, how it is measured, and what its measurement hands over."""
+"""A claim of a paper: its statement, its measurement, and the samples and figures that the measurement returns."""
 
 import zlib
 from collections.abc import Callable, Sequence
@@ -12,8 +12,8 @@ from soccer_env.match.staging import PATIENT
 from soccer_env.train.papers.verdicts import Criterion, Samples
 
 SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
-PAPERS = {"S": SACKS, "H": HEINEMANN}  # by the letter that ids of their claims begin with
-# Rule sets of the matches that a claim makes: it is judged from play, from play and staged scenes, or staged scenes
+PAPERS = {"S": SACKS, "H": HEINEMANN}  # by the first letter of a claim's id
+# Rule sets of a claim's matches: the claim is judged from play, from play and staged scenes, or from staged scenes
 LEAGUE = "league"
 PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH = (LEAGUE,), (LEAGUE, PATIENT), (PATIENT,), ()
 
@@ -23,15 +23,15 @@ class Batch:
     """One batch of a claim's samples: everything in it must follow from its seeds."""
 
     claim: str
-    seed: int  # one of those of the run
+    seed: int  # one of the run's seeds
     index: int  # 0, 1, ...
-    threads: int = 1  # that may share the work; no result depends on it
+    threads: int = 1  # to share the work; no result depends on it
     pose: Pose = "particles"  # how robots know where they are: "particles" or "percept"
-    rules: tuple[str, ...] = PLAYED_AND_STAGED  # rule sets that its matches may be made with
+    rules: tuple[str, ...] = PLAYED_AND_STAGED  # rule sets that its matches may use
 
     @property
     def play_rules(self) -> str:
-        """Return the rule set of play; ValueError for a claim that does not state any."""
+        """Return the rule set of play; ValueError for a claim without one."""
         for rules in self.rules:
             if rules != PATIENT:
                 return rules
@@ -46,13 +46,13 @@ class Batch:
         return self.sequence().generate_state(matches, np.uint64)
 
     def rng(self, purpose: int = 0) -> np.random.Generator:
-        """Return a generator for what is drawn outside matches, as starting places."""
+        """Return a generator for draws outside matches, such as starting places."""
         return np.random.default_rng(np.random.SeedSequence([*self.sequence().entropy, 1 + purpose]))  # type: ignore[misc]
 
 
 @dataclass(frozen=True)
 class Curve:
-    """Points of a figure, with intervals if they are given."""
+    """Points of a figure, with optional intervals."""
 
     name: str
     x: Sequence[float]
@@ -63,7 +63,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Arrows:
-    """Arrows over a field: where they begin, and what they show."""
+    """Arrows over a field: their origins and components."""
 
     x: Sequence[float]
     y: Sequence[float]
@@ -79,14 +79,14 @@ class Figure:
     x_label: str
     y_label: str
     curves: tuple[Curve, ...]
-    rules: tuple[float, ...] = ()  # heights of dashed lines: what the criterion asks for
-    rule: str = ""  # or what they are, if not that
+    rules: tuple[float, ...] = ()  # heights of dashed lines: the bounds of the criterion
+    rule: str = ""  # the meaning of these lines, if they are no bounds
     arrows: Arrows | None = None  # a picture of the field: both axes have one scale
 
 
 @dataclass(frozen=True)
 class Without:
-    """What a by-construction claim rests on, and its measurement with that ingredient off."""
+    """The ingredient of a claim by construction, and the measurement without it."""
 
     ingredient: str
     measure: Callable[[Batch], Samples]
@@ -101,9 +101,9 @@ def no_figures(samples: Samples) -> Sequence[Figure]:
 class Claim:
     """A claim and its measurement.
 
-    `measure` returns the samples of one batch: arrays whose first axis are independent units (runs, matches), the same
-    number in each. Batches are taken of every seed until the verdict on all of them together is decided, and that on
-    each alone if it comes early, `least` to `batches` (--quick: `quick`) of each.
+    `measure` returns the samples of one batch: arrays of equal length whose first axis is independent units (runs,
+    matches). For every seed, `least` to `batches` (--quick: `quick`) batches are measured, until the verdict on all
+    seeds together is decided, and the verdict on each seed if it comes early.
     """
 
     id: str  # the letter of its paper, see PAPERS, and a number; or the name of a study
@@ -114,21 +114,19 @@ class Claim:
     rules: tuple[str, ...]  # rule sets of its matches: PLAYED, PLAYED_AND_STAGED, STAGED or NO_MATCH
     measure: Callable[[Batch], Samples]
     batches: int = 16
-    least: int = 1  # batches of a seed before the first verdict, where few of a batch's units count
+    least: int = 1  # batches of a seed before the first verdict; more than 1 where few units of a batch count
     quick: int = 1
-    seconds: float = 3.0  # [s] of one batch on one core, compiled: from this --minutes finds the number of batches
-    ingredients: tuple[str, ...] = ()  # settings and models that the result rests on
+    seconds: float = 3.0  # [s] of one batch on one core, compiled: --minutes derives the number of batches from it
+    ingredients: tuple[str, ...] = ()  # settings and models that the result depends on
     without: Without | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = no_figures
-    note: str | Callable[[Samples], str] = ""  # what a reader of the result should know
-    pose: Literal["", "percept", "particles"] = (
-        ""  # the own pose that the claim is about; "" for the one that the run asks for
-    )
-    study: bool = False  # no claim of a paper: measured when it is named, not by --all
+    note: str | Callable[[Samples], str] = ""  # for readers of the result
+    pose: Literal["", "percept", "particles"] = ""  # the localisation that the claim is about; "": the run's --pose
+    study: bool = False  # no claim of a paper: measured only by name, not by --all
 
     @property
     def paper(self) -> str:
-        """Return whose claim it is; of a study, what it looks at."""
+        """Return the paper of a claim; for a study, the leagues that it studies."""
         return PAPERS.get(self.id[0], "both leagues")
 
 
@@ -138,7 +136,7 @@ def joined(batches: Sequence[Samples]) -> Samples:
 
 
 def as_plain(figure: Figure) -> dict[str, Any]:
-    """Return a figure as JSON can hold it."""
+    """Return a figure as plain data for JSON."""
     curves = [
         {name: [none_or_float(v) for v in getattr(curve, name)] for name in ("x", "y", "low", "high")}
         | {"name": curve.name}
@@ -154,5 +152,5 @@ def as_plain(figure: Figure) -> dict[str, Any]:
 
 
 def none_or_float(value: Any) -> float | None:
-    """Return a finite number as Python's own, None for any other."""
+    """Return a finite number as a float, None for NaN and infinity."""
     return float(value) if np.isfinite(value) else None

@@ -1,4 +1,4 @@
-"""Runs of a robot that dribbles with the ball between its paws, and what became of the ball.  [Sacks 2001, 4.3]
+"""Runs of a robot that dribbles with the ball between its paws, and the fate of the ball.  [Sacks 2001, 4.3]
 
 All are staged: the referee calls goals alone (PATIENT), nobody is whistled for holding a ball or pulled apart.
 """
@@ -17,18 +17,18 @@ from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.staging import begin, put, put_ball, stage
 from soccer_env.train.papers.verdicts import Samples
 
-NO_SHOTS = {"shoots": False}  # a team that dribbles on instead of shooting
-# Distances to other players as in the first version here: from middle to middle, right ahead at the same place.
+NO_SHOTS = {"shoots": False}  # a team that keeps dribbling instead of shooting
+# Distances to other players from middle to middle, equal right ahead to those of the team's first version here
 FROM_MIDDLE = {"distance_from": "middle", "blocked_range": 0.40}  # [m]
 WAYS: dict[str, dict[str, Any]] = {"": {}, "middle ": FROM_MIDDLE}  # prefix of the samples: settings
-LOST = 0.10  # [m] between the ball and the chest from which it has been kicked away, assumed
+LOST = 0.10  # [m] between the ball and the chest beyond which the ball is lost, assumed
 START = -1.2  # [m] x of the dribbler
-COUNTED = 1.0  # [m] over which a ball is to be kept
+COUNTED = 1.0  # [m] over which the ball should be kept
 
 
 @dataclass
 class Way:
-    """What happened in a run, arrays (T, M) of one dribbler, robot 0."""
+    """The history of a run, arrays (T, M) of one dribbler, robot 0."""
 
     x: np.ndarray  # [m] field frame
     y: np.ndarray  # [m]
@@ -42,7 +42,7 @@ class Way:
 
     @property
     def step(self) -> np.ndarray:
-        """Return how far the robot moves [m] in each control step."""
+        """Return the distance [m] that the robot moves in each control step."""
         return np.hypot(np.diff(self.x, axis=0, prepend=self.x[:1]), np.diff(self.y, axis=0, prepend=self.y[:1]))
 
 
@@ -61,13 +61,13 @@ def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0
 
 
 def begin_dribbling(match: Match) -> None:
-    """Let the scene begin with robots that know where they were put, and robot 0's player dribbling already."""
+    """Begin the scene: the robots know their places, and robot 0's player is dribbling already."""
     begin(match, placed=True)
     start_dribbling(match)
 
 
 def start_dribbling(match: Match) -> None:
-    """Let the first player of a sacks team have felt the ball between its paws just now: it dribbles already."""
+    """Set the memory of a sacks team's first player as if it had just felt the ball between its paws and dribbled."""
     if not match.learns[0]:
         memory = memory_of(match)
         memory["begun"] = memory["attacks"] = 1
@@ -89,7 +89,7 @@ def run(match: Match, seconds: float, actions: np.ndarray | None = None, moved: 
 
 
 def note(match: Match) -> tuple[np.ndarray, ...]:
-    """Return what Way holds of one step."""
+    """Return the fields of Way for one step."""
     robot, ball = match.robots[:, 0], match.balls
     away = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"])
     gap = away - match.league.body.front - match.league.ball.radius
@@ -102,8 +102,8 @@ def note(match: Match) -> tuple[np.ndarray, ...]:
 def losses(way: Way) -> Samples:
     """Count in each run (M,) the metres dribbled and the balls lost, and whether the first metre kept the ball.
 
-    A ball is lost that was between the paws of a dribbling robot and then is LOST away; the next one counts when the
-    robot has it again.
+    A ball is lost when it was between the paws of a dribbling robot and is then LOST away; the robot can lose it again
+    once it has it back.
     """
     matches = way.x.shape[1]
     metres = np.zeros(matches)

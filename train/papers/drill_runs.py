@@ -1,7 +1,7 @@
-"""Runs of the legged dribbling drills: who plays them, under which rules, how they end.
+"""Runs of the legged dribbling drills: their players, rules and ends.
 
-They are under the drill's own rules, PATIENT: nobody is whistled or pulled apart, and no stuck ball is called. Only
-where opponents play for the ball until a goal (S31) it is play, under the rules of play.
+They use the drill's own rules, PATIENT: nobody is whistled or pulled apart, and no stuck ball is called. Only runs with
+opponents that play for the ball until a goal (S31) use the rules of play.
 """
 
 from dataclasses import dataclass
@@ -25,32 +25,26 @@ STEP = SacksSettings().step_length  # [m] of a dribbler
 TOP = 0.12  # [m/s] of a walker at strength 1: the top speed ahead of the legged league
 PAPER = 0.06  # [m/s] of movers in the drills
 LONGEST = 40.0  # [s] of a run
-HELD = 0.5  # [1] of a full step: who makes less while it touches somebody is stopped by it, assumed
-TURNED = 0.09  # [rad] by which a contact turns another robot at least: 5 degrees, more than its gait does, assumed
+HELD = 0.5  # [1] of a full step: a robot that moves less during a contact is stopped by it, assumed
+TURNED = 0.09  # [rad] least turn of another robot by a contact: 5 degrees, more than by its gait, assumed
 
 
 def start_drill(
-    batch: Batch,
-    scene: str | Scene,
-    settings: dict[str, Any],
-    matches: int,
-    mover: float,
-    senses: Senses = "sensors",
-    opponents: str | None = None,
-    rules: str | None = None,
-) -> Match:
-    """Return matches at the start of a drill's scene, with nobody to end them; movers walk at a speed [m/s].
+    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float,
+    senses: Senses = "sensors", opponents: str | None = None, rules: str | None = None,
+) -> Match:  # fmt: skip
+    """Return matches at the start of a drill's scene, which no test ends; movers walk at a speed [m/s].
 
-    `opponents`: a team that plays all of them instead; `rules`: others than the drill's.
+    `opponents`: a team that replaces the drill's; `rules`: a rule set that replaces the drill's.
     """
-    found = find_scene(scene)
+    named = find_scene(scene)
     sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
-    for row, name in enumerate(found.opponents):
+    for row, name in enumerate(named.opponents):
         sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
     if opponents is not None:
         sides = {"home": sides["home"], "away": opponents}
     match = make(
-        batch, LEGGED, rules or found.rules, matches=matches, home=1, away=len(found.opponents), scene=found,
+        batch, LEGGED, rules or named.rules, matches=matches, home=1, away=len(named.opponents), scene=named,
         senses=senses, controllers=sides,
     )  # fmt: skip
     start_dribbling(match)
@@ -66,16 +60,16 @@ def gap_to_others(match: Match) -> np.ndarray:
 
 @dataclass
 class Contacts:
-    """What contacts with others do to the runs of a drill; arrays (M, ...)."""
+    """The effects of contacts on the runs of a drill; arrays (M, ...)."""
 
     step: int  # [control steps] of a gait step
-    headings: np.ndarray  # [rad] of the others at the start: nobody but the dribbler turns by himself
+    headings: np.ndarray  # [rad] of the others at the start: only the dribbler turns by itself
     trail: list[tuple[np.ndarray, ...]]  # x, y [m] of robot 0 and whether it touches, over the last gait step
     touched: np.ndarray  # bool: it touched somebody
     hindered: np.ndarray  # bool: a contact stopped it for a gait step, or turned another
 
     def note(self, match: Match, running: np.ndarray) -> None:
-        """Take in a control step of the runs that go on."""
+        """Note a control step of the running runs."""
         robot, others = match.robots[:, 0], match.robots[:, 1:]
         touches = match.robot_events["collision"][:, 0] == 1
         self.touched |= running & touches
@@ -89,7 +83,7 @@ class Contacts:
 
 
 def contacts_of(match: Match) -> Contacts:
-    """Return the record of contacts of runs that begin."""
+    """Return an empty record of contacts."""
     none = np.zeros((2, match.count), bool)
     return Contacts(int(match.league.drive.gait_steps), match.robots["heading"][:, 1:].copy(), [], *none)
 
@@ -102,10 +96,10 @@ class Ends:
     lost: np.ndarray  # bool: the ball was far for a while
     away: np.ndarray  # [s] for which it has been far
     seconds: np.ndarray  # [s] until the end
-    nearest: np.ndarray  # [m] that the middles of bodies came
+    nearest: np.ndarray  # [m] least distance between the middles of bodies
 
     def note(self, match: Match, running: np.ndarray) -> None:
-        """Take in a control step of the runs that go on."""
+        """Note a control step of the running runs."""
         robot, ball = match.robots[:, 0], match.balls
         beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + PAST
         self.past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
@@ -117,17 +111,13 @@ class Ends:
 
 
 def play_drill(
-    batch: Batch,
-    scene: str | Scene,
-    settings: dict[str, Any],
-    matches: int,
-    mover: float = PAPER,
+    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float = PAPER,
     senses: Senses = "sensors",
-) -> Samples:
+) -> Samples:  # fmt: skip
     """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
 
-    As the drill judges, but a touch ends nothing: "past", "lost", "seconds" and "nearest" as in Ends; "clean": past
-    without a touch; "touched" before the end; "free": past without a contact that stopped it or turned somebody.
+    Judged like the drill, but a touch ends nothing: "past", "lost", "seconds" and "nearest" as in Ends; "clean": past
+    without a touch; "touched" before the end; "free": past without a contact that stopped it or turned another robot.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
     (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))
@@ -141,13 +131,8 @@ def play_drill(
         contacts.note(match, running)
         ends.note(match, running)
     match.close()
-    found = {
-        "past": ends.past,
-        "clean": ends.past & ~contacts.touched,
-        "free": ends.past & ~contacts.hindered,
-        "touched": contacts.touched,
-        "lost": ends.lost,
-        "seconds": ends.seconds,
-        "nearest": ends.nearest,
-    }
-    return {name: values.astype(float) for name, values in found.items()}
+    samples = {
+        "past": ends.past, "clean": ends.past & ~contacts.touched, "free": ends.past & ~contacts.hindered,
+        "touched": contacts.touched, "lost": ends.lost, "seconds": ends.seconds, "nearest": ends.nearest,
+    }  # fmt: skip
+    return {name: values.astype(float) for name, values in samples.items()}

@@ -1,11 +1,11 @@
 """Examine one claim: batch by batch of each seed, until the interval decides or the cap is reached.
 
-Every batch follows from a seed, the claim's id and the batch's number alone, so that no result depends on threads, on
-other claims, or on where a stopped run went on. The verdict is that of the samples of all seeds together; what each
-seed's samples say alone stands beside it. A claim is looked at after its least number of batches of each seed, twice
-that, four times that, and so on; the looks share the 5 % of the interval (Bonferroni), so that stopping early does
-not make verdicts bolder. It is done when all seeds together decide it and each of them alone does too; if some seed
-leaves it open, at a third of its cap, where all seeds have as many samples as one at its cap.
+Every batch follows from a seed, the claim's id and the batch's number alone, so no result depends on threads, on other
+claims, or on interruptions of a run. The verdict is that of the samples of all seeds together; the verdict of each seed
+alone is reported beside it. A claim is tested after its least number of batches of each seed, twice that, four times
+that, and so on; these looks share the 5 % of the interval (Bonferroni), so that stopping early does not make verdicts
+bolder. The examination ends when all seeds together decide the claim and each seed alone does too; if a seed leaves it
+open, it ends at a third of the cap, where three seeds together have as many samples as one seed at its cap.
 """
 
 from collections.abc import Callable
@@ -27,19 +27,16 @@ from soccer_env.train.papers.verdicts import (
 )
 from soccer_env.train.statistics import CONFIDENCE
 
-ENOUGH = 1.0 / 3.0  # of the cap, of samples where all seeds together decide a claim
+ENOUGH = 1.0 / 3.0  # of the cap, after which the verdict of all seeds together suffices
 
 
 def examine(
-    claim: Claim,
-    settings: ReproduceSettings,
-    cap: int,
-    settings_hash: str,
+    claim: Claim, settings: ReproduceSettings, cap: int, settings_hash: str,
     advance: Callable[[float], None] = lambda seconds: None,
-) -> ClaimResult:
+) -> ClaimResult:  # fmt: skip
     """Take batches of a claim, at most `cap` of each seed, until it is decided; return the result.
 
-    `advance` is told the seconds of work that are done, all of them in the end.
+    `advance` gets the seconds of finished work, in total those of `cap` batches of each seed.
     """
     looks = looks_at(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
@@ -67,7 +64,7 @@ def examine(
 
 
 def is_enough(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
-    """Tell whether a claim is decided, and by each seed alone too unless a good share of the cap is taken."""
+    """Tell whether a claim is decided, and by each seed alone too unless ENOUGH of the cap is taken."""
     if combine(findings) in (UNDECIDED, CONTEXT):
         return False
     return share >= ENOUGH or all(combine(found) != UNDECIDED for found in alone)
@@ -79,12 +76,12 @@ def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -
 
 
 def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
-    """Return the rule sets of a claim's matches: those that a run asks for instead of the league's."""
+    """Return the rule sets of a claim's matches, with the run's --rules in place of the league's."""
     return tuple(settings.rules if rules == LEAGUE else rules for rules in claim.rules)
 
 
 def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
-    """Return what samples say about each criterion of a claim."""
+    """Return the findings of samples about each criterion of a claim."""
     return [find(criterion, samples, confidence) for criterion in claim.criteria]
 
 
@@ -94,23 +91,23 @@ def all_of(taken: list[list[Samples]]) -> Samples:
 
 
 def looks_at(cap: int, least: int = 1) -> list[int]:
-    """Return after how many batches a claim is looked at: the least number, twice, four times ... that, and its cap."""
+    """Return the numbers of batches after which a claim is tested: `least`, twice, four times ... that, and the cap."""
     return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
 
 
 class Found(NamedTuple):
-    """What the samples of a claim say about its criteria."""
+    """The findings about the criteria of a claim."""
 
     findings: list[Finding]  # of the samples of all seeds
-    without: list[Finding]  # the same with the ingredient off
-    alone: list[list[Finding]]  # of each seed's samples by themselves
-    share: float  # of the cap to the batches that were taken
+    without: list[Finding]  # of all seeds without the ingredient
+    alone: list[list[Finding]]  # of each seed's samples alone
+    share: float  # cap over batches taken
 
 
 def result_of(
     claim: Claim, settings: ReproduceSettings, samples: Samples, found: Found, settings_hash: str
 ) -> ClaimResult:
-    """Return the result of a claim from its samples and what they say about each criterion."""
+    """Return the result of a claim from its samples and findings."""
     verdict, main = combine(found.findings), deciding(found.findings)
     if claim.without is not None and verdict == REPRODUCED:
         verdict = BY_CONSTRUCTION

@@ -4,17 +4,8 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from math import inf
-from typing import Any
 
-from soccer_env.train.papers.report import (
-    COLUMNS,
-    EXPLANATION,
-    finding_rows,
-    poses_of,
-    row,
-    rules_of,
-    with_interval,
-)
+from soccer_env.train.papers.report import COLUMNS, EXPLANATION, finding_rows, poses_of, row, rules_of, with_interval
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.verdicts import VERDICTS
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_intervals
@@ -52,7 +43,7 @@ def page_of(results: Sequence[ClaimResult], folder: ResultsFolder) -> str:
 
 
 def add_comparison(page: ReportPage, results: Sequence[ClaimResult]) -> None:
-    """Add what the papers say beside what was measured, criterion by criterion."""
+    """Add pictures of the papers' claims and the measured intervals, criterion by criterion."""
     rows = list(rows_of(results))
     if not rows:
         return
@@ -68,27 +59,20 @@ def add_comparison(page: ReportPage, results: Sequence[ClaimResult]) -> None:
 def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
     """Yield the criteria that have bounds and an estimate."""
     for result in results:
-        for found in result.findings:
-            bounds = dict(BOUND.findall(found["asked"]))
+        for finding in result.findings:
+            bounds = dict(BOUND.findall(finding["asked"]))
             least = [float(bounds[word]) for word in ("above", "at least") if word in bounds]
             most = [float(bounds[word]) for word in ("below", "at most") if word in bounds]
-            if (least or most) and found["estimate"] is not None:
-                low, high = (
-                    inf * sign if value is None else value for sign, value in zip((-1, 1), ends(found), strict=True)
-                )
+            if (least or most) and finding["estimate"] is not None:
+                low, high = finding["low"], finding["high"]  # None: open
                 yield Row(
-                    f"{result.id} {found['criterion']}", with_interval(found), found["estimate"], low, high,
-                    *(least or [-inf]), *(most or [inf]),
+                    f"{result.id} {finding['criterion']}", with_interval(finding), finding["estimate"],
+                    -inf if low is None else low, inf if high is None else high, *(least or [-inf]), *(most or [inf]),
                 )  # fmt: skip
 
 
-def ends(found: dict[str, Any]) -> tuple[float | None, float | None]:
-    """Return the ends of a finding's interval, None where it is open."""
-    return found["low"], found["high"]
-
-
 def add_claim(page: ReportPage, result: ClaimResult) -> None:
-    """Add what was found about one claim."""
+    """Add the result of one claim."""
     page.heading(f"{result.id}: {result.marked}")
     page.say(f"{result.statement} [{result.paper}{', ' if result.section else ''}{result.section}]")
     page.say(f"Measured: {result.method} n = {result.n}. Own pose: {result.pose}. {rules_of(result)}")

@@ -1,4 +1,4 @@
-"""The report of a reproduction run in Markdown, and its table on the screen: both follow from the results alone."""
+"""The report of a reproduction run in Markdown, and its table on the screen, made from the results alone."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[
 
 
 def poses_of(results: Sequence[ClaimResult]) -> str:
-    """Return in a sentence how robots knew where they are: in most claims, and in which others differently."""
+    """Return in a sentence how robots localised: in most claims, and in the exceptions."""
     ids = {pose: [result.id for result in results if result.pose == pose] for pose in POSES}
     most, *rest = sorted(POSES, key=lambda pose: -len(ids[pose]))
     others = [f"{pose} for {', '.join(ids[pose])}" for pose in rest if ids[pose]]
@@ -67,7 +67,7 @@ def poses_of(results: Sequence[ClaimResult]) -> str:
 
 
 def rules_of(result: ClaimResult) -> str:
-    """Return in a sentence under which rules a claim was measured, and whether --rules can change it."""
+    """Return in a sentence the rules of a claim's matches, and whether --rules can change them."""
     played = [name for name in result.rules if name != PATIENT]
     if played:
         return f"Rules of play: {played[0]}{f'; of staged scenes: {PATIENT}' if PATIENT in result.rules else ''}."
@@ -83,12 +83,12 @@ def row(result: ClaimResult) -> tuple[str, ...]:
 
 
 def units_of(used: int | None, units: int) -> str:
-    """Return how many units have a value, of how many; "" where that is not known."""
+    """Return the number of units with a value, as "40 of 96" if not all; "" if unknown."""
     return "" if used is None else f"{used}" if used == units else f"{used} of {units}"
 
 
 def section(result: ClaimResult, plots: Sequence[str]) -> str:
-    """Return what the report says about one claim, with its figures."""
+    """Return the section of one claim, with its figures."""
     figures = (
         [f"![{figure['title']}]({file})" for figure, file in zip(result.figures, plots, strict=False)]
         if plots
@@ -98,7 +98,7 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
 
 
 def words_of(result: ClaimResult) -> str:
-    """Return what was found about one claim: every criterion, what it rests on, the note."""
+    """Return the result of one claim: every criterion, the ingredients, the note."""
     n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
     seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
     source = f"{result.paper}, {result.section}" if result.section else result.paper
@@ -117,7 +117,7 @@ def words_of(result: ClaimResult) -> str:
 
 
 def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
-    """Return the criteria of a claim with what was found in so many units; "" without any."""
+    """Return the criteria of a claim with their findings as a table; "" without any."""
     cells = finding_rows(findings, units)
     return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
 
@@ -160,7 +160,7 @@ def number(value: float | None) -> str:
 
 
 def screen_parts(results: Sequence[ClaimResult], in_full: bool) -> Iterator[Table | Markdown]:
-    """Yield what the terminal shows: the table of verdicts and, if `in_full`, all that was found of each claim."""
+    """Yield the parts for the terminal: the table of verdicts and, if `in_full`, the result of each claim."""
     from rich.markdown import Markdown
 
     yield screen_table(results)

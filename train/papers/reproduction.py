@@ -2,8 +2,8 @@
 
     results = reproduce(ReproduceSettings(claims=("S05",), quick=True))
 
-How one claim is examined stands in `examination.py`; with several threads claims are measured in processes of their
-own, as most of a claim's time is spent in Python (`workers.py`).
+`examination.py` examines one claim. With several threads, claims are measured in separate processes (`workers.py`),
+because most of a claim's time is spent in Python.
 """
 
 import json
@@ -25,17 +25,16 @@ from soccer_env.train.results_folder import ResultsFolder
 
 
 def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
-    """Measure the claims that settings.out does not hold yet and return the results of all.
+    """Measure the claims that settings.out lacks and return the results of all.
 
-    With settings.stored, measure nothing and return the stored results. `known` are a user's own claims instead of
-    ours. Raises ValueError for an unknown id and for a folder that holds another run.
+    With settings.stored, measure nothing and return the stored results. `known`: a user's own claims, which replace
+    the package's. Raises ValueError for an unknown id and for a folder with another run.
     """
     if settings.stored:
         return stored_results(settings.claims)
     ours = known is None
     known = all_claims() if known is None else known
-    asked = settings.claims or [claim.id for claim in known.values() if not claim.study]
-    claims = find_claims(asked, known)
+    claims = find_claims(settings.claims or [claim.id for claim in known.values() if not claim.study], known)
     conditions = {
         "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
         "rules": settings.rules, "seeds": list(settings.seeds),
@@ -53,7 +52,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
 
 
 def made_with(claims: list[Claim]) -> dict[str, str]:
-    """Return what must be the same for results to be the same: versions, and the code of matches and claims."""
+    """Return the versions, and hashes of the code of matches and claims, on which results depend."""
     modules = sorted(
         {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
     )  # func: of a partial
@@ -66,7 +65,8 @@ def measure_missing(
 ) -> dict[str, ClaimResult]:
     """Measure every claim that the folder lacks; return the results of all by their ids.
 
-    Claims of `ours` are shared between processes; another's may be functions that no other process can find.
+    Only claims of the package (`ours`) are measured in several processes: others may be functions that no other process
+    can import.
     """
     done = folder.results(CLAIMS, ClaimResult, "id")
     missing = [claim for claim in claims if claim.id not in done]
@@ -93,7 +93,7 @@ __all__ = ["ReproduceSettings", "reproduce"]
 
 
 def draw_all(results: Sequence[ClaimResult], folder: ResultsFolder) -> tuple[dict[str, list[str]], str]:
-    """Draw every figure into the folder; return the files of each claim, and why nothing was drawn ("" if it was)."""
+    """Draw every figure into the folder; return the files of each claim, and the reason if nothing was drawn."""
     if folder.path is None or not any(result.figures for result in results):
         return {}, ""
     if not can_draw():

@@ -1,4 +1,4 @@
-"""What a reproduction run found: the result of each claim, and what a run leaves in its folder."""
+"""The result of a claim, and the files of a reproduction run."""
 
 import re
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ from soccer_env.train.results_folder import Kind
 
 @dataclass(frozen=True)
 class ClaimResult:
-    """A claim that has been measured. Numbers that are not finite are None: an open side of an interval."""
+    """The result of a claim. Numbers that are not finite are None: an open side of an interval."""
 
     id: str
     paper: str
@@ -49,11 +49,11 @@ class ClaimResult:
 
     @property
     def alone(self) -> str:
-        """Return what each seed says by itself: "r r u", or "r r n, they disagree"."""
+        """Return the verdicts of single seeds: "r r u", or "r r n, they disagree"."""
         return seeds_in_letters(self.by_seed)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return what results.json holds of it; beside the verdict stands how it is shown, marked if it is quick."""
+        """Return the record of results.json; `shown` is the verdict, marked if it is quick."""
         record: dict[str, Any] = {}
         for name, value in asdict(self).items():
             if name not in ("figures", "settings"):
@@ -75,7 +75,7 @@ def rules_in_words(rules: Sequence[str]) -> str:
 
 
 def as_record(finding: Finding) -> dict[str, Any]:
-    """Return a finding as JSON can hold it."""
+    """Return a finding as plain data for JSON."""
     return asdict(finding) | {name: none_or_float(getattr(finding, name)) for name in ("estimate", "low", "high")}
 
 

@@ -1,4 +1,4 @@
-"""The settings of a reproduction run: what the command line reads.
+"""The settings of a reproduction run.
 
 The help of `soccer reproduce` is the text beside each field here.
 """
@@ -79,7 +79,7 @@ class ReproduceSettings(CommandSettings):
         return "quick" if self.quick else "default" if self.minutes is None else f"{self.minutes:g} minutes"
 
     def cap(self, batches: int, quick: int, seconds: float, claims: int) -> int:
-        """Return how many batches of a seed a claim may take of those it allows, with so many claims in the run."""
+        """Return the cap on a claim's batches of each seed, with `claims` claims in the run."""
         if self.quick:
             return quick
         runs = claims * len(self.seeds)
@@ -87,7 +87,7 @@ class ReproduceSettings(CommandSettings):
 
 
 def command_of(settings: ReproduceSettings, claim: str = "") -> str:
-    """Return the command that asks for these settings, or the one for a single claim with the same samples."""
+    """Return the command with these settings, or the command of a single claim with equal samples."""
     single = bool(claim) and settings.minutes is None  # the share of --minutes depends on all claims
     words = ["soccer", "reproduce", *((claim,) if single else settings.claims)]
     words += ["--all"] if settings.all and not single else []

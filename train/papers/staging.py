@@ -1,4 +1,4 @@
-"""Stage matches for claims: the many matches of a batch, with sensors and memory as a claim asks, and play them.
+"""Stage and play the matches of a claim's batch.
 
     match = stage(batch, LEGGED, matches=128, memory={"infrared_override": False})
     put(match, 0, x=0.0, y=0.0, heading=batch.rng().uniform(-pi, pi, 128))
@@ -6,12 +6,12 @@
     begin(match)
     for _ in play(match, seconds=2.0): ...   # match.percepts, match.beliefs, match.tracks against the truth
 
-Nobody is on the field until `put` brings him on, and the referee calls goals and the ball out of play alone (PATIENT).
+The field is empty until `put` brings robots on; the referee calls only goals and the ball out of play (PATIENT).
 
     stage      scenes of our own          drill     a drill of the package as it is judged
     kick_off   whole matches, under the rules of play that the claim states
 
-All matches of claims are made here (`make`), so that none is played under rules that its claim does not state.
+All matches of claims are made here (`make`), which refuses rules that the claim does not state.
 """
 
 from collections.abc import Iterable, Iterator
@@ -33,11 +33,11 @@ LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
 
 
 def make(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:
-    """Return matches under a rule set, with the batch's seeds and threads; ValueError for one that is not stated."""
+    """Return matches with the batch's seeds and threads; ValueError for rules that the claim does not state."""
     if rules not in batch.rules:
         raise ValueError(f"claim {batch.claim} states the rules {batch.rules}, its matches are made with {rules!r}")
-    asked = {"pose": batch.pose, **settings}
-    return Match(league, matches=matches, seeds=batch.seeds(matches), threads=batch.threads, rules=rules, **asked)
+    settings = {"pose": batch.pose, **settings}
+    return Match(league, matches=matches, seeds=batch.seeds(matches), threads=batch.threads, rules=rules, **settings)
 
 
 def stage(
@@ -46,11 +46,10 @@ def stage(
 ) -> Match:  # fmt: skip
     """Return matches in play whose robots use their sensors, all parked off the field, the ball at the centre.
 
-    `settings` are those of a Match: sensors={...}, memory={...}; the batch says how robots know where they are. Every
-    variant of a batch has the same seeds.
+    `settings` of a Match: sensors={...}, memory={...}; the batch sets the pose. All variants share the batch's seeds.
     """
-    asked = {"observe": "belief", "senses": "sensors", **settings}
-    match = make(batch, league, rules, matches=matches, home=home, away=away, **asked)
+    settings = {"observe": "belief", "senses": "sensors", **settings}
+    match = make(batch, league, rules, matches=matches, home=home, away=away, **settings)
     set_phase(match, Phase.PLAY)
     send_off(match, range(home + away))
     return match
@@ -59,12 +58,12 @@ def stage(
 def kick_off(
     batch: Batch, *, matches: int = 32, team: str = "chaser", rules: str | None = None, **settings: Any
 ) -> Match:
-    """Return legged matches of the usual team sizes from the kick-off, both sides played by a team on its sensors.
+    """Return legged matches of the usual team sizes from the kick-off, a team with sensors against itself.
 
-    Under the rules of play of the batch, unless others are given.
+    They use the batch's rules of play, unless `rules` are given.
     """
-    asked = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
-    return make(batch, LEGGED, rules or batch.play_rules, matches=matches, **asked)
+    settings = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
+    return make(batch, LEGGED, rules or batch.play_rules, matches=matches, **settings)
 
 
 def drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
@@ -76,7 +75,7 @@ def drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
 
 
 def hide_ball(match: Match, rows: Any = slice(None)) -> None:
-    """Take the ball out of sight in some matches (rows or a mask), far behind the boards, where it lies still."""
+    """Put the ball out of sight in some matches (rows or a mask): far behind the boards, at rest."""
     for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
         match.balls[name][rows] = value
 
@@ -93,7 +92,7 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
 
 
 def standing(match: Match) -> np.ndarray:
-    """Return actions (M, R, 4), or 7 of a match with actions="full", by which all stand, heads left to themselves."""
+    """Return actions (M, R, 4), or (M, R, 7) with actions="full", by which all stand and heads move by themselves."""
     actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
     actions[..., 4:5] = -1.0
     return actions

@@ -1,7 +1,7 @@
-"""What was measured last of the papers' claims: claims.json in the folder of each paper's team.
+"""The last results of the papers' claims: claims.json in the folder of each paper's team.
 
-The teams' pages, the site and `soccer reproduce ID --stored` show it. What the claim itself says (statement, method,
-bounds, note) is not stored: it stands in the claim.
+The teams' pages, the site and `soccer reproduce ID --stored` show them. The claim's own texts (statement, method,
+bounds, note) are not stored.
 """
 
 import json
@@ -20,18 +20,18 @@ FOLDERS = {
 }
 KEPT = ("verdict", "by_seed", "quick", "n", "n_used", "command", "pose", "rules", "criterion", "seeds")  # of a result
 
-Measured = Mapping[str, Mapping[str, Any]]  # claim: what is stored of it
+Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
 
 
 def read_stored(folder: Path) -> dict[str, dict[str, Any]]:
-    """Return what the claims.json of a folder holds; nothing without one."""
+    """Return the contents of the claims.json of a folder; nothing without the file."""
     path = folder / FILE
-    found: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    return found
+    results: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return results
 
 
 def stored_results(names: Iterable[str]) -> list[ClaimResult]:
-    """Return the stored results of claims, of all without a name; ValueError for one that is not stored."""
+    """Return the stored results of claims, or of all without names; ValueError for a claim that is not stored."""
     known = all_claims()
     rows = {name: row for folder in FOLDERS.values() for name, row in read_stored(folder).items()}
     claims = find_claims([*names] or rows, known)
@@ -42,7 +42,7 @@ def stored_results(names: Iterable[str]) -> list[ClaimResult]:
 
 
 def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
-    """Return a stored result as a run would have it, without figures and with numbers as texts."""
+    """Return a stored result as a ClaimResult, without figures and with numbers as texts."""
     about = row["about"]
     measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
     note = claim.note if isinstance(claim.note, str) else ""
@@ -63,8 +63,8 @@ def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
     )
 
 
-def with_bounds(claim: Claim, row: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a stored finding with what its criterion asks for, and its units where they are known."""
-    asked = next((one.asked for one in claim.criteria if one.text == found["criterion"]), "")
-    units = row["n_used"] if found["criterion"] == row["criterion"] else None
-    return {"n": units, **found, "asked": asked}
+def with_bounds(claim: Claim, row: Mapping[str, Any], finding: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a stored finding with the bounds of its criterion, and the number of its units if known."""
+    bounds = next((one.asked for one in claim.criteria if one.text == finding["criterion"]), "")
+    units = row["n_used"] if finding["criterion"] == row["criterion"] else None
+    return {"n": units, **finding, "asked": bounds}

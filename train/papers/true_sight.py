@@ -1,4 +1,4 @@
-"""Where legged robots truly look: camera, ranger beam and ball as the truth has them, for all matches at once."""
+"""The true camera, ranger beam and ball of legged robots, for all matches at once."""
 
 from typing import Any
 
@@ -11,9 +11,9 @@ from soccer_env.train.papers.staging import from_robot, play, standing
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
-    """Return where the camera of robot r is (M, 3) [m] and the unit vector along its axis (M, 3), field frame.
+    """Return the place of robot r's camera (M, 3) [m] and the unit vector along its axis (M, 3), field frame.
 
-    The same geometry as soccer_env.optics.head_camera, which works on one robot at a time; a test holds them together.
+    The geometry of soccer_env.optics.head_camera for all matches at once; a test compares the two.
     """
     s, robot = match.league.sensors, match.robots[:, r]
     pan, tilt = robot["heading"] + robot["pan"], robot["tilt"]
@@ -26,7 +26,7 @@ def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ball_in_sight(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far the ball's middle is from the camera (M,) [m], and how far off its axis (M,) [rad]."""
+    """Return the ball's distance from the camera (M,) [m], and its angle off the camera's axis (M,) [rad]."""
     camera, axis = camera_of(match, r)
     ball = np.stack([match.balls["x"], match.balls["y"], np.full(match.count, match.league.ball.radius)], axis=1)
     away = ball - camera
@@ -36,13 +36,13 @@ def ball_in_sight(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
-    """Return the angle [rad] under which the ball's radius is seen from a distance (M,)."""
+    """Return the angle [rad] that the ball's radius spans at a distance (M,)."""
     angle: np.ndarray = np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0))
     return angle
 
 
 def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
-    """Turn the head of robot r to the true ball, whatever it believes: fills in columns 4 to 6 of actions (M, R, 7)."""
+    """Turn the head of robot r to the true ball: fills in columns 4 to 6 of actions (M, R, 7)."""
     look_at_point(match, actions, r, match.balls["x"], match.balls["y"], match.league.ball.radius)
 
 
@@ -67,7 +67,7 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
 
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:
-    """Let robot r stand and stare at the true ball for a time, with which it has found it; needs actions="full"."""
+    """Let robot r stand and stare at the true ball for a time, so that it sees it; needs actions="full"."""
     actions = standing(match)
     for _ in play(match, seconds, actions):
         stare(match, actions, r)
@@ -77,24 +77,21 @@ BLIND = {"ball_miss": 1.0, "red_as_orange": 0.0, "false_balls": 0.0}  # of eithe
 
 
 def blind(match: Match) -> None:
-    """Let no frame show the ball any more, nor what robots take for it, from now on; patches are the caller's."""
+    """Let no frame show the ball, or false balls, from now on; patches are left to the caller."""
     for name, value in BLIND.items():
         if hasattr(match.league.sensors, name):
             sensors_of(match)[name] = value
 
 
 def see_again(match: Match) -> None:
-    """End what `blind` did."""
+    """Undo `blind`."""
     for name in BLIND:
         if hasattr(match.league.sensors, name):
             sensors_of(match)[name] = getattr(match.league.sensors, name)
 
 
 def follow(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:
-    """Return the walk (M, 3) in [-1, 1] by which robot r turns to the true ball and keeps so far from it [m].
-
-    0: it runs into the ball.
-    """
+    """Return the walk (M, 3) in [-1, 1] of robot r to the true ball, up to a distance `keep` [m]; 0: into the ball."""
     distance, bearing = from_robot(match, r, match.balls["x"], match.balls["y"])
     walk = np.zeros((match.count, 3))
     walk[:, 0] = np.where(np.abs(bearing) < 0.6, np.clip((distance - keep) / 0.2, -1.0, 1.0), 0.0)

@@ -1,4 +1,4 @@
-"""Quantities of samples in which NaN means "no value": quiet about empty ones, unlike numpy's nan functions."""
+"""Statistics of samples in which NaN means "no value": without warnings for empty ones, unlike numpy's."""
 
 from collections.abc import Mapping, Sequence
 from math import nan, sqrt
@@ -8,40 +8,40 @@ import numpy as np
 
 
 def known(values: Any) -> np.ndarray:
-    """Return the values that are there, in one row."""
+    """Return the finite values, flattened."""
     array = np.asarray(values, float)
-    found: np.ndarray = array[np.isfinite(array)]
-    return found
+    finite: np.ndarray = array[np.isfinite(array)]
+    return finite
 
 
 def median(values: Any) -> float:
     """Return the median, NaN of nothing."""
-    found = known(values)
-    return float(np.median(found)) if len(found) else nan
+    numbers = known(values)
+    return float(np.median(numbers)) if len(numbers) else nan
 
 
 def mean(values: Any) -> float:
     """Return the mean, NaN of nothing."""
-    found = known(values)
-    return float(found.mean()) if len(found) else nan
+    numbers = known(values)
+    return float(numbers.mean()) if len(numbers) else nan
 
 
 def rms(values: Any) -> float:
     """Return the root mean square, NaN of nothing."""
-    found = known(values)
-    return sqrt(float((found * found).mean())) if len(found) else nan
+    numbers = known(values)
+    return sqrt(float((numbers * numbers).mean())) if len(numbers) else nan
 
 
 def deviation(values: Any) -> float:
     """Return the standard deviation, NaN of nothing."""
-    found = known(values)
-    return float(found.std()) if len(found) else nan
+    numbers = known(values)
+    return float(numbers.std()) if len(numbers) else nan
 
 
 def quantile(values: Any, share: float) -> float:
     """Return the quantile, NaN of nothing."""
-    found = known(values)
-    return float(np.quantile(found, share)) if len(found) else nan
+    numbers = known(values)
+    return float(np.quantile(numbers, share)) if len(numbers) else nan
 
 
 def percent(hits: str, trials: str, samples: Mapping[str, np.ndarray]) -> float:
@@ -66,7 +66,7 @@ def middles_of(edges: Sequence[float] | np.ndarray, scale: float = 1.0) -> list[
 
 
 def about_own_mean(values: np.ndarray) -> np.ndarray:
-    """Return values (M, T) about the mean of their row, over those that are there."""
+    """Return values (M, T) minus the mean of the finite values of their row."""
     there = np.isfinite(values)
     total = np.where(there, values, 0.0).sum(axis=1) / np.maximum(there.sum(axis=1), 1)
     about: np.ndarray = values - total[:, None]

@@ -1,13 +1,13 @@
-"""Verdicts on claims: what a criterion asks for, and what an interval says about it.
+"""Verdicts on claims: criteria, and the comparison of intervals with them.
 
     reproduced        the whole interval satisfies the criterion
     not               the whole interval violates it
     undecided         neither, after the claim's cap on samples
-    by construction   satisfied, but because of something that we put in: never counted as reproduced
+    by construction   satisfied, but because of an ingredient of the model: never counted as reproduced
     context           nothing to decide
 
 A claim with several criteria is reproduced if all of them are, and not reproduced if one of them is not. Intervals
-are 95 %: a claim that is looked at several times while samples come in shares the 5 % between its looks.
+are 95 %: the looks at a claim while its samples grow share the 5 %.
 """
 
 from collections.abc import Callable, Sequence
@@ -30,15 +30,12 @@ Samples = dict[str, np.ndarray]  # arrays by name; first axis: independent units
 
 @dataclass(frozen=True)
 class Criterion:
-    """What a claim comes to in numbers: a quantity of its samples, and where it must lie.
-
-    Made by `measured`, `counted`, `exact` or `reported`.
-    """
+    """A quantity of a claim's samples and its bounds, made by `measured`, `counted`, `exact` or `reported`."""
 
     text: str
     unit: str  # of estimate and bounds: "%", "cm", "" for a plain number
     interval: Callable[[Samples, float], Interval]  # of samples and confidence
-    units: Callable[[Samples], int]  # how many units have a value in it
+    units: Callable[[Samples], int]  # number of units with a value in it
     low: float = -inf
     high: float = inf
     strict: bool = False  # the bounds themselves violate it
@@ -46,7 +43,7 @@ class Criterion:
 
     @property
     def asked(self) -> str:
-        """Return the region in a few words, as "at least 80" or "above 0"; "" for a number that is reported."""
+        """Return the bounds in words, such as "at least 80" or "above 0"; "" for a number that is only reported."""
         low, high = (f"{bound:.3g}" for bound in (self.low, self.high))
         parts = [f"{'above' if self.strict else 'at least'} {low}"] if self.low > -inf else []
         parts += [f"{'below' if self.strict else 'at most'} {high}"] if self.high < inf else []
@@ -55,7 +52,7 @@ class Criterion:
 
 @dataclass(frozen=True)
 class Finding:
-    """What the samples say about one criterion."""
+    """The estimate and verdict of one criterion."""
 
     criterion: str
     unit: str
@@ -64,7 +61,7 @@ class Finding:
     high: float
     verdict: str
     n: int  # units with a value in it
-    asked: str = ""  # where it has to lie
+    asked: str = ""  # its bounds in words
 
 
 def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
@@ -86,14 +83,14 @@ def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bou
     """Return a criterion on a number without scatter: arithmetic, or a property of a table."""
 
     def interval(samples: Samples, level: float) -> Interval:
-        found = float(value(samples))
-        return found, found, found
+        number = float(value(samples))
+        return number, number, number
 
     return Criterion(text, unit, interval, units_used(value), **_in(bounds))
 
 
 def reported(text: str, value: Callable[[Samples], float], *, unit: str = "") -> Criterion:
-    """Return a number that stands beside the criteria and decides nothing."""
+    """Return a number that is reported beside the criteria and decides nothing."""
     return Criterion(text, unit, bootstrapped(value), units_used(value), decides=False)
 
 
@@ -115,7 +112,7 @@ class Watched(dict[str, np.ndarray]):
 
 
 def units_used(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
-    """Return how many units count in a quantity: those with a value in each array that it reads, the fewest of them."""
+    """Return a function that counts the units of a quantity: the fewest with a value over the arrays that it reads."""
 
     def count(samples: Samples) -> int:
         watched = Watched(samples)
@@ -126,14 +123,14 @@ def units_used(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
 
 
 def units_with_value(array: np.ndarray) -> int:
-    """Return how many units (first axis) have a value in an array: one that is not NaN."""
+    """Return the number of units (first axis) with a value, one that is not NaN, in an array."""
     if array.dtype.kind != "f":
         return len(array)
     return int(np.isfinite(array.reshape(len(array), -1)).any(axis=1).sum())
 
 
 def _in(bounds: dict[str, float]) -> dict[str, Any]:
-    """Return the region that at_least, at_most, above or below describe."""
+    """Return the bounds that at_least, at_most, above or below describe."""
     unknown = set(bounds) - {"at_least", "at_most", "above", "below"}
     strict = bool({"above", "below"} & set(bounds))
     if unknown or not bounds or (strict and {"at_least", "at_most"} & set(bounds)):
@@ -144,7 +141,7 @@ def _in(bounds: dict[str, float]) -> dict[str, Any]:
 
 
 def find(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
-    """Return what samples say about a criterion, at a confidence."""
+    """Return the finding of samples about a criterion, at a confidence."""
     estimate, low, high = criterion.interval(samples, confidence)
     verdict = judge(criterion, low, high)
     return Finding(
@@ -175,6 +172,6 @@ def combine(findings: Sequence[Finding]) -> str:
 
 
 def deciding(findings: Sequence[Finding]) -> Finding | None:
-    """Return the finding that a claim's verdict rests on: the first of those that have that verdict."""
+    """Return the finding that decides a claim: the first finding with the claim's verdict."""
     verdict = combine(findings)
     return next((finding for finding in findings if finding.verdict == verdict), None)

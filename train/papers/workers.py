@@ -1,9 +1,9 @@
 """Processes that share the claims of a run: each measures one claim after another, on one core.
 
-    python -m soccer_env.train.papers.workers     what a worker runs; it is told what to do line by line
+    python -m soccer_env.train.papers.workers     the program of a worker, which reads requests line by line
 
-A worker reads JSON lines: first the settings of the run, then a claim's id and its cap for each claim to examine. It
-answers each claim with a line, the result. No result depends on who measured it, or beside what.
+A worker reads JSON lines: first the settings of the run, then the id and cap of each claim to examine. It answers each
+claim with one line, the result. No result depends on the process that measured it.
 """
 
 import json
@@ -26,22 +26,20 @@ DONE = None  # in the queue of results: a worker has ended
 
 
 def examine_in_processes(
-    caps: Mapping[str, int],
-    settings: ReproduceSettings,
-    settings_hash: str,
+    caps: Mapping[str, int], settings: ReproduceSettings, settings_hash: str,
     finished: Callable[[str], None] = lambda claim: None,
-) -> Iterator[ClaimResult]:
+) -> Iterator[ClaimResult]:  # fmt: skip
     """Yield results as they come, from settings.threads processes; `caps` holds the ids of claims in order, and caps.
 
-    `finished` is told each id. Raises RuntimeError if a process fails; what it said stands on the screen.
+    `finished` gets each id. Raises RuntimeError if a process fails; its own message is on the screen.
     """
-    asked: queue.SimpleQueue[tuple[str, int]] = queue.SimpleQueue()
+    waiting: queue.SimpleQueue[tuple[str, int]] = queue.SimpleQueue()
     for claim in caps.items():
-        asked.put(claim)
+        waiting.put(claim)
     answers: queue.SimpleQueue[Any] = queue.SimpleQueue()
     head = json.dumps({"settings": as_json(settings), "hash": settings_hash})
     workers = [start_worker() for _ in range(min(settings.threads, len(caps)))]
-    threads = [threading.Thread(target=serve, args=(worker, head, asked, answers), daemon=True) for worker in workers]
+    threads = [threading.Thread(target=serve, args=(worker, head, waiting, answers), daemon=True) for worker in workers]
     try:
         for thread in threads:
             thread.start()
@@ -66,7 +64,7 @@ def start_worker() -> subprocess.Popen[str]:
 
 
 def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
-    """End a worker, whatever it does, and the thread that talks to it."""
+    """Kill a worker, and end the thread that talks to it."""
     worker.kill()
     if thread.is_alive():
         thread.join()
@@ -75,19 +73,17 @@ def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
 
 
 def serve(
-    worker: subprocess.Popen[str],
-    head: str,
-    asked: queue.SimpleQueue[tuple[str, int]],
+    worker: subprocess.Popen[str], head: str, waiting: queue.SimpleQueue[tuple[str, int]],
     answers: queue.SimpleQueue[Any],
-) -> None:
-    """Give a worker one claim after another until none is left, and hand on what it answers."""
+) -> None:  # fmt: skip
+    """Send a worker one claim after another until none is left, and pass on its answers."""
     assert worker.stdin is not None and worker.stdout is not None
     claim = ""
     try:
         tell(worker, head)
         while True:
             try:
-                claim, cap = asked.get_nowait()
+                claim, cap = waiting.get_nowait()
             except queue.Empty:
                 break
             tell(worker, json.dumps([claim, cap]))
@@ -105,17 +101,17 @@ def tell(worker: subprocess.Popen[str], line: str) -> None:
 
 
 def as_json(settings: ReproduceSettings) -> dict[str, Any]:
-    """Return what decides the results of a run, as JSON can hold it; a worker has one core."""
+    """Return the settings that decide the results of a run, for JSON; a worker has one core."""
     left_out = {"out", "anew", "threads"}
     return {name: value for name, value in asdict(settings).items() if name not in left_out}
 
 
 def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
-    """Examine the claims that are named line by line, and say the result of each in a line."""
+    """Examine the claims of the lines, and print the result of each as a line."""
     claims = all_claims()
     rest = iter(lines)
     head = json.loads(next(rest, "{}"))
-    if not head:  # who started this process was killed
+    if not head:  # the parent process was killed
         return
     settings = ReproduceSettings(**head["settings"])
     for line in rest:
@@ -125,12 +121,12 @@ def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
 
 
 def main() -> None:
-    """Work for the process that started this one, until it has nothing more to ask."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who started it ends it
-    answers, sys.stdout = sys.stdout, sys.stderr  # whatever a claim prints is no answer
+    """Work for the parent process until it has no more requests."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends this process
+    answers, sys.stdout = sys.stdout, sys.stderr  # so that a claim's own output is not read as an answer
     try:
         work(sys.stdin, answers)
-    except BrokenPipeError:  # who started this process was killed: nobody waits for the answer
+    except BrokenPipeError:  # the parent was killed: nobody waits for the answer
         os.dup2(os.open(os.devnull, os.O_WRONLY), answers.fileno())
 
 

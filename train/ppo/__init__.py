@@ -1,14 +1,14 @@
-"""Train a policy: `soccer train`. PPO of stable-baselines3 over the batched core; `train` below tells it from above.
+"""Train a policy: `soccer train`. PPO of stable-baselines3 over the batched core; `train` below is the outline.
 
-    settings.py        what the command line asks for              toml_file.py      or a file
-    bounds.py          what its numbers may be
-    checks.py          found playable before a run begins          training.py       a run: what it keeps and writes
-    vec_env.py         many matches as one VecEnv                  match_blocks.py   shared out among sizes and senses
-    curriculum.py      who the learners meet                       teaching/         a scripted teacher, before rewards
-    networks.py        actor and critic                            critic_state.py   what the critic sees besides
-    learner.py         PPO, and what of it has to be kept          checkpoints.py    so that a cut run goes on
-    run_folder.py      what a run leaves behind                    reports.py        its log, evaluations and curve
-    reporting/         logs of other kinds, the report as a page
+    settings.py        the options of the command                  toml_file.py      options from a file
+    bounds.py          ranges of numeric options
+    checks.py          check that a run is playable                training.py       a run: its state and its output
+    vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
+    curriculum.py      the choice of opponents                     teaching/         a scripted teacher, before rewards
+    networks.py        actor and critic                            critic_state.py   the critic's view of the truth
+    learner.py         PPO, and its state                          checkpoints.py    save and resume a run
+    run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
+    reporting/         other logs, the report as a page
 
 Importing this package is quick: torch comes with the first training.
 """
@@ -26,15 +26,14 @@ if TYPE_CHECKING:
 
 __all__ = ["SoccerVecEnv", "TrainSettings", "train"]
 __getattr__, __dir__ = lazy_names(
-    __name__,
-    {"SoccerVecEnv": "soccer_env.train.ppo.vec_env", "TrainSettings": "soccer_env.train.ppo.settings"},
+    __name__, {"SoccerVecEnv": "soccer_env.train.ppo.vec_env", "TrainSettings": "soccer_env.train.ppo.settings"}
 )
 
 
 def train(settings: TrainSettings) -> TrainResult:
-    """Train, or go on with the run in `settings.out`; ValueError for settings that do not fit it or each other.
+    """Train, or resume the run in `settings.out`; ValueError for settings that do not fit it or each other.
 
-    A run that is cut at any moment goes on from its last checkpoint as if it had not been.
+    A run that was interrupted at any moment resumes from its last checkpoint with identical results.
     """
     from soccer_env.train.ppo.checks import check_playable, make_curriculum, make_matches
     from soccer_env.train.ppo.learner import Learner

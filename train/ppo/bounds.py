@@ -1,4 +1,4 @@
-"""What the numbers among the settings of a training run may be, and which further logs there are."""
+"""The ranges of a training run's numeric settings, and the names of further logs."""
 
 from typing import Any
 

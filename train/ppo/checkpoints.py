@@ -1,8 +1,7 @@
-"""Checkpoints of a training run: everything it needs to go on as if it had never stopped.
+"""Checkpoints of a training run: everything it needs to resume with identical results.
 
-Two files take turns; `latest.json` names the good one with its sha256 and is replaced last, so that a kill or a full
-disk at any moment leaves a whole checkpoint. They hold tensors and plain values only, and are read without running
-code.
+Two files take turns; `latest.json` names the newer one with its sha256 and is replaced last, so that a kill or a full
+disk at any moment leaves a whole checkpoint. They hold only tensors and plain values; reading them runs no code.
 """
 
 import hashlib
@@ -56,7 +55,7 @@ def read_checkpoint(folder: Path) -> dict[str, Any] | None:
 
 
 def latest(folder: Path) -> dict[str, Any]:
-    """Return what latest.json says, {} without one; ValueError if it cannot be read."""
+    """Return the contents of latest.json, {} without the file; ValueError if it cannot be read."""
     path = folder / LATEST
     if not path.exists():
         return {}
@@ -85,7 +84,7 @@ def as_tensors(value: Any) -> Any:
 
 
 def from_tensors(value: Any) -> Any:
-    """Return what `as_tensors` made a tree of."""
+    """Undo `as_tensors`."""
     if isinstance(value, dict) and value.keys() == {"bytes"}:
         return value["bytes"].numpy().tobytes()
     if isinstance(value, dict) and value.keys() == {"array"}:
@@ -110,7 +109,7 @@ def generators() -> dict[str, Any]:
 
 
 def restore_generators(state: dict[str, Any]) -> None:
-    """Put the generators back."""
+    """Restore the states of the generators."""
     torch.set_rng_state(state["torch"])
     if len(state["cuda"]) == (torch.cuda.device_count() if torch.cuda.is_available() else 0):
         torch.cuda.set_rng_state_all(state["cuda"])  # on another machine the draws differ, the run goes on

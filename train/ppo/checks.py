@@ -1,4 +1,4 @@
-"""What a training run is played with, found to be playable before anything is written."""
+"""Check that a training run can be played, before anything is written."""
 
 import datetime
 import hashlib
@@ -59,7 +59,7 @@ def check_playable(settings: TrainSettings) -> None:
 
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
-    """Raise ValueError unless the policy file that the actor begins with, if any, is of the shape that is trained."""
+    """Raise ValueError unless the initial policy file, if any, has the shape of the trained policy."""
     if not settings.start:
         return
     with said_by("start"):
@@ -89,7 +89,7 @@ def check_minutes(settings: TrainSettings, league: League) -> None:
 
 @contextmanager
 def said_by(setting: str) -> Iterator[None]:
-    """Let a ValueError begin with the name of a setting."""
+    """Put the name of a setting before the message of a ValueError."""
     try:
         yield
     except ValueError as error:
@@ -104,7 +104,7 @@ def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
 
 
 def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
-    """Return a match that the teacher plays, with the settings of those that are recorded."""
+    """Return a match of the teacher with the settings of the recorded matches."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
         settings.played, home=sizes[0], away=sizes[1], controllers=players, scene=settings.scene,
@@ -114,12 +114,12 @@ def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, st
 
 @cache
 def digest(path: str) -> str:
-    """Return the SHA-256 of a file as it was at first; it may be moved while a run goes on."""
+    """Return the SHA-256 of a file at the first call; the file may be moved during a run."""
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
 def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
-    """Return what a policy file says of where it comes from, without folders, which are the user's own paths."""
+    """Return the origin of a policy for its file, without the user's folders."""
     begun = {"start": digest(settings.start)} if settings.start else {}
     settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
     return {

@@ -1,4 +1,4 @@
-"""What a centralised critic sees beside a robot's observation: the whole truth of its match, from its team's side."""
+"""The additional input of a centralised critic: the true state of the match, from the team's side."""
 
 from typing import Any
 
@@ -20,5 +20,5 @@ def with_state(observations: np.ndarray, match: Match, records: Any, players: in
 
 
 def records_of(match: Match) -> dict[str, np.ndarray]:
-    """Return the records that states are told from, as they stand."""
+    """Return the match's present records, from which states are computed."""
     return {"matches": match.matches, "balls": match.balls, "robots": match.robots}

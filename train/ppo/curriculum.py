@@ -1,7 +1,7 @@
-"""Who a learner meets: scripted teams, policy files and its own past, those it is evenly matched with most often.
+"""The choice of a learner's opponents: scripted teams, policy files and its past selves, even opponents most often.
 
-Each opponent has the share of points that the learner won against it of late, and a rating (OpenSkill's
-Plackett-Luce model); both follow from the episodes' results and are kept with the run's checkpoints.
+Each opponent has the learner's recent share of points against it, and a rating (OpenSkill's Plackett-Luce model); both
+follow from the results of episodes and are kept with the run's checkpoints.
 """
 
 from collections.abc import Iterable, Sequence
@@ -16,14 +16,14 @@ from soccer_env.agents.perceptron import pack
 from soccer_env.agents.policy import Policy
 from soccer_env.teams import Lineup
 
-MEMORY = 0.95  # what a result leaves of the share of points before it
-FLOOR = 0.1  # weight of an opponent against which the learner always or never wins, of that of an even one
+MEMORY = 0.95  # weight of the earlier share of points after a result
+FLOOR = 0.1  # weight of an opponent against which the learner always or never wins; an even opponent has 1
 LEARNER = "learner"
 
 
 @dataclass
 class Standing:
-    """How the learner stands with one opponent."""
+    """The learner's record against one opponent."""
 
     points: float = 0.5  # recent share of points that the learner won
     episodes: int = 0
@@ -32,21 +32,21 @@ class Standing:
 
 
 class Curriculum:
-    """The opponents of a run and how often each is met; `lineup` is what matches get."""
+    """The opponents of a run and their weights; `lineup` is the opponent of the matches."""
 
     def __init__(self, names: Sequence[str], past: int, first: Policy) -> None:
         self.past_names = [f"past-{index}" for index in range(past)]
         self.names = [*names, *self.past_names]
         self._past = [team_of(first) for _ in self.past_names]
         self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
-        self.leaving = dict.fromkeys(self.past_names, 0)  # episodes that began against the past self of before
+        self.leaving = dict.fromkeys(self.past_names, 0)  # running episodes against a replaced past self
         self.standings = {name: Standing() for name in (LEARNER, *self.names)}
         self.lineup = Lineup([*names, *self._past], names=self.names)
         self.model = PlackettLuce()
         self._weigh()
 
     def take(self, results: Iterable[Any]) -> None:
-        """Learn from the results of episodes (`vec_env.Result`) and weigh the opponents anew."""
+        """Update records and weights by the results of episodes (`vec_env.Result`)."""
         for result in results:
             if self.leaving.get(result.opponent, 0) > 0:
                 self.leaving[result.opponent] -= 1
@@ -59,9 +59,9 @@ class Curriculum:
         self._weigh()
 
     def add_past(self, policy: Policy, step: int, playing: Sequence[str] = ()) -> None:
-        """Let the learner as it is now take the place of the oldest past self, at once.
+        """Replace the oldest past self by the present learner, at once.
 
-        `playing` names who plays each running episode: the results of those that began against another do not count.
+        `playing` names the opponents of the running episodes: results against the replaced self will not count.
         """
         if self._past:
             oldest = int(np.argmin(self.filled))
@@ -73,13 +73,13 @@ class Curriculum:
             self._weigh()
 
     def state(self) -> dict[str, Any]:
-        """Return what a checkpoint keeps."""
+        """Return the state for a checkpoint."""
         standings = {name: vars(standing).copy() for name, standing in self.standings.items()}
         numbers = [team.settings.copy() for team in self._past]
         return {"standings": standings, "filled": list(self.filled), "past": numbers, "leaving": dict(self.leaving)}
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Take back what `state` returned."""
+        """Restore what `state` returned."""
         self.standings = {name: Standing(**values) for name, values in state["standings"].items()}
         self.filled, self.leaving = list(state["filled"]), dict(state["leaving"])
         for team, numbers in zip(self._past, state["past"], strict=True):

@@ -1,4 +1,4 @@
-"""The learner of a training run: PPO of stable-baselines3, step by step, and what has to be kept of it."""
+"""The learner of a training run: PPO of stable-baselines3, step by step, and its state for checkpoints."""
 
 import warnings
 from collections import deque
@@ -24,10 +24,10 @@ RECENT = 100  # episodes whose results stable-baselines3 keeps, of which nothing
 class Learner:
     """Actor and critic, and PPO that trains them over matches.
 
-    It drives the two halves of stable-baselines3's `learn` by itself, so that what belongs between them can be said
-    where it happens. The names beginning with _ are private to that library, which is pinned below its next version:
-    where a rollout begins (`_last_obs`, `_last_episode_starts`), how many updates were made (`_n_updates`) and how much
-    of the run is left, on which the learning rate depends, have no public ones.
+    It calls the two halves of stable-baselines3's `learn` separately, so that `train` can act between them. Names
+    beginning with _ are private to that library, which is pinned below its next version: the start of a rollout
+    (`_last_obs`, `_last_episode_starts`), the number of updates (`_n_updates`) and the remaining share of the run, on
+    which the learning rate depends, have no public names.
     """
 
     def __init__(self, settings: TrainSettings, matches: SoccerVecEnv) -> None:
@@ -40,7 +40,7 @@ class Learner:
 
     @property
     def steps(self) -> int:
-        """Return how many decisions have been made so far, by all robots together."""
+        """Return the number of decisions so far, of all robots together."""
         return self.model.num_timesteps
 
     @property
@@ -67,7 +67,7 @@ class Learner:
             model.collect_rollouts(self.matches, callback, model.rollout_buffer, n_rollout_steps=model.n_steps)
 
     def update(self, actor: bool = True) -> None:
-        """Learn from the rollout by PPO; the critic alone unless the `actor` is to learn as well."""
+        """Learn from the rollout by PPO; without `actor` only the critic learns."""
         for parameter in self.network.actor_parameters():
             parameter.requires_grad_(actor)
         self.model._update_current_progress_remaining(self.steps, self.settings.steps)
@@ -76,7 +76,7 @@ class Learner:
         check_weights(self.model)
 
     def noted(self) -> dict[str, Any]:
-        """Return what stable-baselines3 notes of the last update, by its names."""
+        """Return stable-baselines3's statistics of the last update, by its names."""
         return dict(self.model.logger.name_to_value)
 
     def close(self) -> None:
@@ -94,7 +94,7 @@ class Learner:
         }
 
     def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
-        """Go on from what `state` returned, with these observations."""
+        """Resume from what `state` returned, with these observations."""
         self.network.load_state_dict(saved["network"])
         self.network.optimizer.load_state_dict(saved["optimizer"])
         self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]

@@ -1,4 +1,4 @@
-"""What may be asked of a SoccerVecEnv; how its matches are shared out among sizes, senses and blocks, and begin.
+"""The arguments of a SoccerVecEnv, the division of its matches into blocks of sizes and senses, and their start.
 
 A block is a Match of up to `BLOCK` matches that one thread plays by itself for a whole decision.
 """
@@ -21,7 +21,7 @@ from soccer_env.match.squads import who_plays
 
 @dataclass(frozen=True)
 class Result:
-    """How an episode ended, from the learners' side."""
+    """The result of an episode, from the learners' side."""
 
     players: tuple[int, int]  # a side
     opponent: str
@@ -73,7 +73,7 @@ def shares(
 
 
 def parts(whole: int, count: int) -> list[int]:
-    """Return so many nearly equal numbers that add up to the whole."""
+    """Return `count` nearly equal numbers that add up to the whole."""
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]
 
 
@@ -99,7 +99,7 @@ def stagger_clocks(match: Match, repeat: int) -> None:
 
 
 def playing(match: Match) -> list[str]:
-    """Return the name of what plays the last away robot now, for each match: a team, or a learner."""
+    """Return the name of the present player of the last away robot, for each match: a team, or a learner."""
     return [name or LEARNER for name in who_plays(match.squads, len(match.agents) - 1, match.count)]
 
 
@@ -151,10 +151,10 @@ def undone(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> 
 
 def discrete_rows(actions: Any, rows: int) -> np.ndarray:
     """Return discrete actions (rows,); ValueError for another shape, for other numbers and for unknown actions."""
-    found = np.asarray(actions)
-    if found.dtype.kind not in "iu" or found.shape != (rows,):
-        raise ValueError(f"actions must be {rows} whole numbers, got {found.dtype} of shape {found.shape}")
-    if found.min() < 0 or found.max() >= len(DISCRETE):
-        row = int(np.argmax((found < 0) | (found >= len(DISCRETE))))
-        raise ValueError(f"action of row {row} must be 0 to {len(DISCRETE) - 1}, got {found[row]}")
-    return found
+    numbers = np.asarray(actions)
+    if numbers.dtype.kind not in "iu" or numbers.shape != (rows,):
+        raise ValueError(f"actions must be {rows} whole numbers, got {numbers.dtype} of shape {numbers.shape}")
+    if numbers.min() < 0 or numbers.max() >= len(DISCRETE):
+        row = int(np.argmax((numbers < 0) | (numbers >= len(DISCRETE))))
+        raise ValueError(f"action of row {row} must be 0 to {len(DISCRETE) - 1}, got {numbers[row]}")
+    return numbers

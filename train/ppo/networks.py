@@ -1,9 +1,9 @@
-"""The actor and critic that PPO trains, and their way into a policy file.
+"""The actor and critic that PPO trains, and their export into a policy file.
 
-The actor sees the robot's own observation; the critic that, or with it the whole truth of the match (`state()`), which
-lies behind the observation. With the kind "attention" other players are pooled before the actor's layers; the critic
-stays plain. With `mirror` the actor is the mean of a network and of its left-right mirror image: what it does for a
-mirrored observation is the mirrored action, exactly.
+The actor sees the robot's own observation; the critic sees this, optionally followed by the true state of the match
+(`state()`). With the kind "attention" other players are pooled before the actor's layers; the critic stays plain. With
+`mirror` the actor is the mean of a network and of its left-right mirror image: for a mirrored observation it returns
+exactly the mirrored action.
 """
 
 from collections.abc import Mapping, Sequence
@@ -35,7 +35,7 @@ def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
 
 
 class Attention(nn.Module):
-    """What stands before the layers of the kind "attention": `soccer_env.agents.attention` has the equations."""
+    """The pooling before the layers of the kind "attention": `soccer_env.agents.attention` has the equations."""
 
     def __init__(self, layout: Layout, width: int, activation: str) -> None:
         super().__init__()
@@ -46,7 +46,7 @@ class Attention(nn.Module):
         self.queries = nn.ModuleList(nn.Linear(layout.fixed, width, bias=False) for _ in layout.entries)
 
     def forward(self, own: torch.Tensor) -> torch.Tensor:
-        """Return the fixed entries with what is pooled of team-mates and opponents behind them."""
+        """Return the fixed entries, followed by the pooled team-mates and opponents."""
         layout = self.layout
         sizes = [slots * entries for slots, entries in zip(layout.slots, layout.entries, strict=True)]
         fixed, *players = torch.split(own, [layout.fixed, *sizes], dim=1)
@@ -60,7 +60,7 @@ class Attention(nn.Module):
         return torch.cat(pooled, dim=1)
 
     def tensors(self) -> list[torch.Tensor]:
-        """Return what `attention.TENSORS` names."""
+        """Return the tensors of `attention.TENSORS`."""
         pairs: Any = zip(self.encoders, self.queries, strict=True)
         return [part for encoder, query in pairs for part in (encoder.weight, encoder.bias, query.weight)]
 
@@ -101,7 +101,7 @@ class ActorAndCritic(nn.Module):
 
 
 class MirrorHead(nn.Module):
-    """The last layer: the mean of what rows, and their mirror images behind them mirrored back, are to do."""
+    """The last layer: the mean of the actions of rows, and of their mirror images mirrored back."""
 
     signs: torch.Tensor
 
@@ -118,7 +118,7 @@ class MirrorHead(nn.Module):
 
 
 class SoccerPolicy(ActorCriticPolicy):
-    """The policy class that PPO gets; `entries` say what a robot's own observation means."""
+    """The policy class for PPO; `entries` describe a robot's own observation."""
 
     def __init__(
         self,
@@ -165,7 +165,7 @@ class SoccerPolicy(ActorCriticPolicy):
         return actions
 
     def actor_parameters(self) -> list[nn.Parameter]:
-        """Return what the actor alone consists of, the width of its noise included."""
+        """Return the parameters of the actor alone, including the width of its noise."""
         own = [*self.mlp_extractor.policy_net.parameters(), *self.action_net.parameters()]
         attention = self.mlp_extractor.attention
         return [*(attention.parameters() if attention else ()), *own, self.log_std]
@@ -175,7 +175,7 @@ def policy_from(
     network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str],
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
-    """Return what a policy file holds of a trained network: its actor."""
+    """Return the actor of a trained network as a policy for a file."""
     weights, biases, pooling = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )

@@ -1,4 +1,4 @@
-"""What a training run reports: its log line by line, evaluations with intervals, the learning curve."""
+"""The reports of a training run: its log line by line, evaluations with intervals, the learning curve."""
 
 import re
 import time
@@ -22,7 +22,7 @@ from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.progress import Progress
 from soccer_env.train.report import can_draw, draw_curves
 
-NOTED = {  # what stable-baselines3 records of an update, and its name in our logs
+NOTED = {  # a statistic of an update in stable-baselines3, and its name in our logs
     "train/approx_kl": "kl",
     "train/clip_fraction": "clipped",
     "train/explained_variance": "explained",
@@ -31,26 +31,26 @@ NOTED = {  # what stable-baselines3 records of an update, and its name in our lo
     "train/std": "noise",
     "train/learning_rate": "learning_rate",
 }
-STAGES = ("rollout", "update", "checkpoint", "evaluation")  # of which the log has the times
+STAGES = ("rollout", "update", "checkpoint", "evaluation")  # whose times the log has
 UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
 EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other matches than training
 
 
 class Board:
-    """Shows how far a run is, times the stages of a rollout and writes its line."""
+    """Shows a run's progress, times the stages of a rollout and writes its line."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder) -> None:
         self.folder = folder
         self._spent = dict.fromkeys(STAGES, 0.0)  # [s] since the last line
         self._words, self._shown = "", 0  # of the last evaluation; steps shown by the bar
         self._settings = settings
-        self._logs: Any = None  # those that were asked for, once it is known where the run begins
+        self._logs: Any = None  # opened once the first step of the run is known
         self._steps = settings.steps
         self._progress: Progress | None = None  # until the first step: a teacher shows a bar of its own
 
     @contextmanager
     def timed(self, stage: str) -> Iterator[None]:
-        """Add the time of what happens inside to one of STAGES."""
+        """Add the time of a `with` block to one of STAGES."""
         started = time.perf_counter()
         try:
             yield
@@ -58,7 +58,7 @@ class Board:
             self._spent[stage] += time.perf_counter() - started
 
     def show(self, step: int) -> None:
-        """Move the bar on to a step."""
+        """Move the bar to a step."""
         if self._progress is None:
             self._progress = Progress("training", self._steps)
             self._progress.__enter__()
@@ -93,20 +93,20 @@ class Board:
             self._progress.note(f"points {shares}{self._words}")
 
     def open_logs(self, step: int) -> Any:
-        """Open the logs that were asked for; return the logger that stable-baselines3 is to record into."""
+        """Open the further logs; return the logger for stable-baselines3."""
         from soccer_env.train.ppo.reporting.loggers import Logs
 
         self._logs = Logs(self._settings, self.folder, step)
         return self._logs.logger
 
     def note_evaluation(self, step: int, rows: Sequence[dict[str, Any]]) -> None:
-        """Let the bar show an evaluation, and the logs tell it."""
+        """Show an evaluation beside the bar, and log it."""
         if self._logs is not None:
             self._logs.write_evaluation(step, rows)
         self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} v {row['opponent']}" for row in rows)
 
     def close(self) -> None:
-        """End the bar and the logs."""
+        """Close the bar and the logs."""
         if self._progress is not None:
             self._progress.__exit__()
         if self._logs is not None:
@@ -114,7 +114,7 @@ class Board:
 
 
 def rounded(value: Any) -> float | None:
-    """Return a number as logs have it: None where there is none, and for NaN, which JSON does not know."""
+    """Return a number for the logs: None for a missing number, and for NaN, which JSON lacks."""
     return round(float(value), 6) if value is not None and np.isfinite(value) else None
 
 
@@ -157,7 +157,7 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
 
 
 def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> dict[str, Any]:
-    """Return the learning curve as `draw_curves` takes it."""
+    """Return the learning curve as an argument of `draw_curves`."""
     decisions = decisions_of(evaluations)
     unit, words = scale(max(decisions))
     curves = []
@@ -181,13 +181,13 @@ def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> 
 
 
 def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:
-    """Return from how many decisions a policy had learned at each evaluation, those advised by a teacher too."""
+    """Return the number of decisions that the policy had learned from at each evaluation, advised ones included."""
     advised = max(one.get("advised", 0) for one in evaluations)
     return [one["step"] + (advised if one["step"] else one.get("advised", 0)) for one in evaluations]
 
 
 def scale(steps: int) -> tuple[float, str]:
-    """Return the unit in which so many steps are short numbers, and its words."""
+    """Return a unit that makes a number of steps short, and its words."""
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
 
 
@@ -206,25 +206,25 @@ def screen_table(result: Any) -> Any:
 
 
 def best_line(result: Any) -> str:
-    """Return which evaluation of a run (`training.TrainResult`) was the best."""
+    """Return a sentence about the best evaluation of a run (`training.TrainResult`)."""
     pairs = zip(decisions_of(result.evaluations), result.evaluations, strict=True)
     decisions, best = max(pairs, key=lambda pair: pair[1]["mean"])
     return f"best: after {decisions:,} decisions, {best['mean']:+.2f} on average; the largest of several is a lucky one"
 
 
 def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
-    """Keep the replays asked for of best.safetensors against each opponent of the evaluations.
+    """Keep the replays of `settings.keep` of best.safetensors against each opponent of the evaluations.
 
-    The matches are those of its evaluation; they are played once more to learn which of them are worth keeping.
+    The matches of its evaluation are played again to find those worth keeping.
     """
     path = folder.path / BEST
     if not path.exists() or not (settings.keep or kept_in(folder.path)):
         return []
-    policy, found = load(path), []
+    policy, kept = load(path), []
     for number, opponent in enumerate(settings.judges, 1):
         contest = evaluation_of(policy, opponent, settings)
         lines: list[MatchLine] = []
         play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
         before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"
-        found += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)
-    return found
+        kept += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)
+    return kept

@@ -1,8 +1,8 @@
-"""The folder of a training run: one training at a time, logs that go on, files written whole.
+"""The folder of a training run: one training at a time, logs that are resumed, files written whole.
 
 settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
 checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises)  report.html
-csv tensorboard wandb (the logs asked for)  replays (those asked for)
+csv tensorboard wandb (further logs)  replays (kept replays)
 """
 
 import csv
@@ -47,15 +47,15 @@ class RunFolder(ResultsFolder):
         made = of_modules(settings.named)
         super().__init__(settings.out, TRAINING, conditions, made, free, settings.anew, defaults)
         whole = {"conditions": conditions, "made_with": made, "about": free}
-        self.write(SETTINGS, json.dumps(whole, indent=2) + "\n")  # what may differ is said as it was asked for last
+        self.write(SETTINGS, json.dumps(whole, indent=2) + "\n")  # settings that may differ have their latest values
 
     def check_new(self) -> None:
-        """Raise ValueError if rollouts were logged, and so a checkpoint written, which is not there any more."""
+        """Raise ValueError if rollouts were logged but the checkpoint is missing."""
         if self.lines():
             raise ValueError(f"{self.path} holds the log of a run without its {LATEST}; --anew starts again")
 
     def forget_after(self, step: int) -> None:
-        """Cut the logs back to what was known at a step, from which the run goes on."""
+        """Cut the logs back to the step from which the run resumes."""
         for name in (LOG, EVALUATIONS):
             path = self.path / name
             records = read_lines(path)
@@ -78,11 +78,11 @@ class RunFolder(ResultsFolder):
         self.add(EVALUATIONS, [record])
 
     def forget_evaluations_from(self, record: dict[str, Any]) -> None:
-        """Cut the evaluations back to those before one that is to come."""
+        """Remove the evaluations from a coming one on."""
         self._keep(EVALUATIONS, [one for one in self.evaluations() if order(one) < order(record)])
 
     def _keep(self, name: str, kept: list[dict[str, Any]]) -> None:
-        """Leave these lines in a log, which are some of its own."""
+        """Reduce a log to some of its lines."""
         path = self.path / name
         if len(kept) < len(read_lines(path)):
             write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))
@@ -96,7 +96,7 @@ class RunFolder(ResultsFolder):
         return read_lines(self.path / EVALUATIONS)
 
     def _write_table(self) -> None:
-        """Write progress.csv anew from log.jsonl."""
+        """Rewrite progress.csv from log.jsonl."""
         lines = [flattened(record) for record in self.lines()]
         if lines:
             write_whole(self.path / TABLE, csv_lines([list(lines[0]), *(list(line.values()) for line in lines)]))
@@ -105,7 +105,7 @@ class RunFolder(ResultsFolder):
 
 
 def order(evaluation: dict[str, Any]) -> tuple[int, int]:
-    """Return what tells which evaluation of a run came first."""
+    """Return the key by which the evaluations of a run are ordered in time."""
     return evaluation["step"], evaluation.get("advised", 0)
 
 

@@ -1,4 +1,4 @@
-"""The settings of a training run: what the command line and a TOML file give.
+"""The settings of a training run, from the command line and a TOML file.
 
 The help of `soccer train` is the text beside each field here.
 """
@@ -29,7 +29,7 @@ from soccer_env.train.written_settings import (
     split_senses,
 )
 
-FREE = (  # may differ when a run goes on
+FREE = (  # settings that may differ when a run is resumed
     "out", "threads", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
 )  # fmt: skip
 
@@ -223,7 +223,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def named(self) -> list[str]:
-        """Return what may be MODULE:NAME."""
+        """Return the settings that may be MODULE:NAME."""
         scenes = names_in(self.scenes)
         return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
 
@@ -234,13 +234,13 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
-        """Return the share of each kind of matches and what `Match` takes as senses for it."""
+        """Return the share of each kind of matches, and its senses as an argument of `Match`."""
         kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
         return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
 
     @property
     def own_senses(self) -> dict[str, Any]:
-        """Return what a policy file says of the senses that its robots learn by, by the fields of `Policy`."""
+        """Return the fields of `Policy` for the senses in training."""
         own = split_senses(self.senses)[0]
         return senses_of_run({"senses": own, "ideal_share": self.ideal_share, "pose": self.pose})
 
@@ -278,15 +278,15 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         return {**asdict(self), "out": str(self.out)}
 
     def decisive(self) -> dict[str, Any]:
-        """Return what a run that goes on must have in common with its beginning."""
+        """Return the settings that must not change when a run is resumed."""
         return {name: value for name, value in self.as_dict().items() if name not in FREE}
 
 
 def command_of(settings: TrainSettings) -> str:
-    """Return the command that asks for these settings."""
+    """Return the command with these settings."""
     return command_with("train", settings)
 
 
 def senses_of(senses: str) -> dict[str, str]:
-    """Return what `Match` takes for "ideal" or "home=ideal,away=sensors"."""
+    """Return "ideal" or "home=ideal,away=sensors" as an argument of `Match`."""
     return dict(zip(("home", "away"), split_senses(senses), strict=True))

@@ -1,6 +1,6 @@
-"""A training run: what it has come to, what it writes down, and how it goes on where it was cut.
+"""A training run: its state, its output, and how it is resumed.
 
-`soccer_env.train.ppo.train` tells in which order these things happen.
+`soccer_env.train.ppo.train` shows the order of the calls.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 @dataclass(frozen=True)
 class TrainResult:
-    """What a run came to."""
+    """The result of a run."""
 
     steps: int
     seconds: float  # of this call
@@ -78,7 +78,7 @@ class Training:
         self.rollouts += 1
 
     def policy(self) -> Policy:
-        """Return the policy as it is now."""
+        """Return the present policy."""
         settings = self.settings
         return policy_from(
             self.learner.network, name=settings.name, league=self.learner.league, observe=settings.observe,
@@ -93,13 +93,13 @@ class Training:
         )  # fmt: skip
 
     def evaluation_is_due(self) -> bool:
-        """Tell whether the rollout that is over passed a multiple of `evaluate_every`, or is the last one."""
+        """Tell whether the last rollout passed a multiple of `evaluate_every`, or ended the run."""
         step, every = self.learner.steps, self.settings.evaluate_every
         before = step - self.settings.rollout * self.matches.num_envs
         return step >= self.settings.steps or step // every > before // every
 
     def begin(self, lessons: Lessons) -> None:
-        """Let the actor learn from its teacher, judge it after every round of that, and begin with the rewards."""
+        """Let the actor learn from its teacher, with an evaluation after every round, and start the matches."""
         for advised in lessons.teach():
             self.evaluate(advised)
         self.learner.reset_matches()
@@ -109,12 +109,12 @@ class Training:
     def evaluate(self, advised: int = 0) -> None:
         """Play the policy without noise; keep it if it is the best so far, and draw the learning curve.
 
-        `advised`: decisions of which a teacher has told so far what it would have done.
+        `advised`: number of decisions that a teacher has labelled so far.
         """
         with self.timed("evaluation"):
             policy = self.policy()
             record = {"step": self.learner.steps, "advised": advised}
-            self.folder.forget_evaluations_from(record)  # of a run that was cut before it was kept
+            self.folder.forget_evaluations_from(record)  # left by a run that was interrupted before its checkpoint
             best = max((one["mean"] for one in self.folder.evaluations()), default=-np.inf)
             rows = evaluate_policy(policy, self.settings)
             mean = float(np.mean([row["goal_difference"] for row in rows]))
@@ -131,25 +131,25 @@ class Training:
         self.board.note_evaluation(self.learner.steps, rows)
 
     def report(self, kept: Sequence[Kept] = ()) -> None:
-        """Write the report as a page, with replays that were kept."""
+        """Write the report as a page, with the kept replays."""
         page = page_of(self.settings, self.folder.lines(), self.folder.evaluations(), kept)
         self.folder.write(REPORT, page)
 
     def keep_replays(self) -> None:
-        """Keep the replays asked for of the best policy, once the run and its bar have ended."""
+        """Keep replays of the best policy, once the run and its bar have ended."""
         kept = keep_best(self.settings, self.folder)
         if kept:
             self.report(kept)
 
     def result(self) -> TrainResult:
-        """Return what the run came to."""
+        """Return the result of the run."""
         seconds = time.perf_counter() - self.started
         return TrainResult(self.learner.steps, seconds, self.policy(), self.folder.evaluations())
 
     # Checkpoints
 
     def save_checkpoint(self) -> None:
-        """Write a checkpoint: the run goes on from here as if it had not been cut."""
+        """Write a checkpoint from which the run resumes with identical results."""
         with self.timed("checkpoint"):
             state = {
                 **self.learner.state(),
@@ -161,9 +161,9 @@ class Training:
             write_checkpoint(self.folder.path, state, self.learner.steps)
 
     def restore_checkpoint(self) -> bool:
-        """Go on from the newest checkpoint; return False if there is none, so that the run begins.
+        """Resume from the newest checkpoint; return False if there is none.
 
-        ValueError, with the logs as they were, if it is of another kind of run.
+        ValueError, with the logs unchanged, for a checkpoint of another kind of run.
         """
         saved = read_checkpoint(self.folder.path)
         if saved is None:
@@ -175,9 +175,9 @@ class Training:
         return saved is not None
 
     def _restore(self, saved: dict[str, Any]) -> None:
-        """Take back what `save_checkpoint` kept."""
+        """Restore the state of `save_checkpoint`."""
         try:
-            self.curriculum.restore(saved["curriculum"])  # first: saved matches know whom they are played against
+            self.curriculum.restore(saved["curriculum"])  # first: saved matches refer to their opponents
             self.learner.restore(saved, self.matches.load(saved["matches"]))
             self.rollouts = saved["rollouts"]
             restore_generators(saved["generators"])

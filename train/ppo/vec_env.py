@@ -39,7 +39,7 @@ from soccer_env.train.ppo.match_blocks import Result, begin, check_request, play
 
 
 class SoccerVecEnv(VecEnv):
-    """Matches whose home robots learn, or those of both sides, as rows of one environment.
+    """Matches whose home robots learn, or the robots of both sides, as rows of one environment.
 
     players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
     matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, a `Lineup` whose
@@ -113,7 +113,7 @@ class SoccerVecEnv(VecEnv):
         self._seed, self._asked = seed, False  # whether a step was asked for
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 
-    # What stable-baselines3 asks for
+    # The interface of stable-baselines3
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
         """Take the seed of the next reset."""
@@ -139,7 +139,7 @@ class SoccerVecEnv(VecEnv):
     def step_wait(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
         """Play `action_repeat` control steps of all matches; return observations, rewards, dones (rows,) and infos.
 
-        What code of a user raises is undone in all matches. RuntimeError without actions from `step_async`.
+        If a user's code raises an error, the step is undone in all matches. RuntimeError without `step_async` before.
         """
         if not self._asked:
             raise RuntimeError("step_wait needs the actions of the step: call step_async first, or step")
@@ -149,13 +149,13 @@ class SoccerVecEnv(VecEnv):
         with undone(self.matches, self.opponents, "step"):
             waits = all(signals_wait(match, "step") for match in self.matches)  # else one may compile: not in a thread
             workers = self._workers if waits else Workers(1)
-            found = workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
-            return self._note(dict(zip(self._order, found, strict=True)), rewards, dones, infos, started)
+            results = workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
+            return self._note(dict(zip(self._order, results, strict=True)), rewards, dones, infos, started)
 
     def _note(
         self, results: dict[int, list[Result]], rewards: np.ndarray, dones: np.ndarray, infos: Any, started: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
-        """Take note of a step that all blocks have played; return what `step_wait` does."""
+        """Note a step that all blocks have played; return the values of `step_wait`."""
         for index in range(len(self.matches)):
             self.results += results[index]
         self._returns += rewards
@@ -169,7 +169,7 @@ class SoccerVecEnv(VecEnv):
         return observations, rewards, dones, infos
 
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
-        """Play one step of a block of matches, into their rows; return how episodes ended."""
+        """Play one step of a block of matches, into their rows; return the results of ended episodes."""
         results: list[Result] = []
         match, learners = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
@@ -189,7 +189,7 @@ class SoccerVecEnv(VecEnv):
     def _note_ends(
         self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]
     ) -> list[Result]:
-        """Write the last observations of matches that ended into the infos of their rows; return how they ended."""
+        """Write the last observations of ended matches into the infos of their rows; return their results."""
         results = []
         match, learners = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :learners]
@@ -227,12 +227,12 @@ class SoccerVecEnv(VecEnv):
         return np.concatenate(parts)
 
     def take_results(self) -> list[Result]:
-        """Return how episodes ended since this was asked last."""
+        """Return the results of episodes since the last call."""
         taken, self.results = self.results, []
         return taken
 
     def take_seconds(self) -> float:
-        """Return the time [s] that steps took since this was asked last."""
+        """Return the time [s] of the steps since the last call."""
         taken, self.seconds = self.seconds, 0.0
         return taken
 
@@ -240,7 +240,7 @@ class SoccerVecEnv(VecEnv):
         """Return the name of the opponent of every match."""
         return [name for names in self.opponents for name in names]
 
-    # What VecEnv asks of environments that are objects of their own; these are rows
+    # Methods of VecEnv for environments that are separate objects; here they are rows
 
     def close(self) -> None:
         """End the threads."""
@@ -269,13 +269,13 @@ class SoccerVecEnv(VecEnv):
         return f"<SoccerVecEnv of {self.num_envs} robots in {len(self.playing())} matches: {given}>"
 
     def _repr_png_(self) -> bytes | None:
-        """Return what a notebook shows: the first match as it stands, or None where it cannot be drawn."""
+        """Return the picture for a notebook: the first match, or None where it cannot be drawn."""
         return self.matches[0]._repr_png_()
 
     # Saving
 
     def save(self) -> dict[str, Any]:
-        """Return everything that its future depends on, as plain values, and rebuild the matches on it."""
+        """Return everything that the environment's future depends on, as plain values, and rebuild the matches."""
         return {
             "matches": [match.save() for match in self.matches],
             "returns": self._returns.tolist(),
@@ -283,7 +283,7 @@ class SoccerVecEnv(VecEnv):
         }
 
     def load(self, saved: dict[str, Any]) -> np.ndarray:
-        """Go on from what `save` returned; return the observations. ValueError if it is from other settings."""
+        """Restore what `save` returned; return the observations. ValueError for a save of other settings."""
         with undone(self.matches, self.opponents, "load"):
             for match, bits in zip(self.matches, saved["matches"], strict=True):
                 match.load(bits)

@@ -9,13 +9,12 @@
 style.py        sizes, fonts, colours, markers and hatches; a picture as PNG or SVG
 charts.py       curves with intervals, counts as bars, estimates beside a range, tables with coloured cells
 pitch_maps.py   heat maps, pass networks and shot maps
-page.py         `ReportPage`: parts in order; every text that it is given is escaped
-report.html     markup              report.css   style: the colours are those of the browser replay, light and dark
-report.js       light or dark, and tables that are sorted by a tap on their heads
+page.py         `ReportPage`: parts in order, with every text escaped
+report.html     markup              report.css   style, with the light and dark colours of the browser replay
+report.js       switches light and dark, and sorts tables by a tap on their heads
 
-Each `draw_...` takes `form="png"`, or "svg" for a page: SVG takes its colours from the page, light or dark, and nothing
-asks for a network. Matplotlib is imported with the first picture; without it that is an ImportError that says what to
-install.
+Each `draw_...` takes `form="png"`, or "svg" for a page: SVG takes its colours from the page, light or dark, and needs
+no network. Matplotlib is imported with the first picture; without it an ImportError names the package to install.
 """
 
 from soccer_env.train.report.charts import draw_bars, draw_curves, draw_heat_table, draw_intervals

@@ -76,7 +76,7 @@ def draw_curve(axes: Any, curve: Mapping[str, Any], colour: str, marker: str, li
 
 
 def numbers(values: Sequence[float | None]) -> list[float]:
-    """Return numbers to draw, NaN where there is none."""
+    """Return numbers to draw, NaN for missing ones."""
     return [float("nan") if value is None else value for value in values]
 
 
@@ -110,7 +110,7 @@ def draw_bars(
 
 @dataclass(frozen=True)
 class Row:
-    """An estimate with its interval, and the range that was asked for; an open side is infinite."""
+    """An estimate with its interval, and the required range; an open side is infinite."""
 
     name: str
     text: str  # the numbers, with unit
@@ -123,7 +123,7 @@ class Row:
 
 @plot
 def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") -> Any:
-    """Draw rows; the band of a row is what was `asked`, the bar what was measured."""
+    """Draw rows; the band of a row is the required range (named `asked`), the bar the measured interval."""
     drawn, axes = canvas(ROW * len(rows) + 0.85, WIDTH)
     drawn.set_layout_engine("none")
     axes.set_position((0.0, 0.0, 1.0, 1.0))

@@ -1,4 +1,4 @@
-"""A report page: parts in order, of which every text is escaped, in one file with its style and pictures."""
+"""A report page: parts in order, with every text escaped, in one file with its style and pictures."""
 
 import html
 import re
@@ -15,7 +15,7 @@ NUMBER = re.compile(r"[-+±]?\d[\d,.:]*(\s?(%|s|s?/min|m|cm|kB|MB))?( \(.*\))?|[
 
 
 class ReportPage:
-    """The page of a report; `what` is the command that made it. All texts may hold anything: markup is shown."""
+    """The page of a report; `what` is the command that made it. Markup in texts is shown, not interpreted."""
 
     def __init__(self, title: str, what: str) -> None:
         self._title, self._what = title, what
@@ -24,7 +24,7 @@ class ReportPage:
         self._figures = 0
 
     def say(self, text: str, strong: bool = False) -> None:
-        """Add a paragraph; what stands between `backticks` is code."""
+        """Add a paragraph; text between `backticks` is code."""
         if text:
             start = '<p class="lead">' if strong else "<p>"
             self._parts.append(f"{start}{inline(text)}</p>")
@@ -67,11 +67,11 @@ class ReportPage:
         )
 
     def command(self, text: str) -> None:
-        """Add a command as it is typed."""
+        """Add a command."""
         self._parts.append(f"<pre>{html.escape(text)}</pre>")
 
     def fold(self, summary: str) -> None:
-        """Begin a part that is folded away; `unfold` ends it."""
+        """Begin a folded part; `unfold` ends it."""
         self._parts.append(f"<details><summary>{inline(summary)}</summary>")
 
     def unfold(self) -> None:
@@ -96,7 +96,7 @@ class ReportPage:
 
 
 def inline(text: str) -> str:
-    """Return a text as markup that shows it; what stands between `backticks` is code."""
+    """Return a text as markup that shows it; text between `backticks` is code."""
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(text))
 
 
@@ -114,7 +114,7 @@ def link(words: str, file: str) -> str:
 def style() -> str:
     """Return the style of a page: the replay's colours, those of curves, and the report's own."""
     light, dark = (
-        found.group() for found in list(ROOT.finditer(files(browser).joinpath("look.css").read_text("utf-8")))[:2]
+        rule.group() for rule in list(ROOT.finditer(files(browser).joinpath("look.css").read_text("utf-8")))[:2]
     )
     for colours, which in ((COLOURS, "light"), (DARK_COLOURS, "dark")):
         added = " ".join(f"--c{n}: {colour};" for n, colour in enumerate(colours, 1)) + " }"

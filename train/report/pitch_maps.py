@@ -1,4 +1,4 @@
-"""Maps of play on a pitch: where robots and the ball were, mean places with completed passes, and shots.
+"""Maps of play on a pitch: presence of robots and ball, mean places with completed passes, and shots.
 
 Each team attacks to the right on its own pitches. mplsoccer 1.8 was tried: its pitch "custom" has the penalty areas
 and goals of grass pitches (16.5 m deep, on our 3 m), ours need a class of its dimensions with the arcs switched off;
@@ -29,7 +29,7 @@ HEIGHTS = {2: 2.5, 3: 2.25}  # [inch] of a row of so many pitches
 
 @dataclass(frozen=True)
 class Maps:
-    """What the pictures show: of two teams, the first one's side is "for"."""
+    """The data of the pictures; "for" is the first team's side."""
 
     teams: tuple[str, str]
     pitch: dict[str, float]  # [m] fields of `leagues.league.Pitch`
@@ -39,13 +39,13 @@ class Maps:
     shots: dict[str, list[tuple[str, float, float]]]  # outcome, x [m], y [m]
 
     def sides(self) -> list[tuple[str, str]]:
-        """Return the sides and whose they are."""
+        """Return the sides and their teams."""
         return [("for", self.teams[0]), ("against", self.teams[1])]
 
 
 @plot
 def draw_presence(maps: Maps) -> Any:
-    """Draw how often robots and the ball were where."""
+    """Draw the presence of robots and ball over the pitch."""
     drawn, axes = canvas(HEIGHTS[3], columns=3)
     fill_presence(drawn, axes, maps)
     return drawn
@@ -61,7 +61,7 @@ def draw_network(maps: Maps) -> Any:
 
 @plot
 def draw_shots(maps: Maps) -> Any:
-    """Draw the shots and what became of them."""
+    """Draw the shots and their outcomes."""
     drawn, axes = canvas(HEIGHTS[2] + 0.2, columns=2)
     fill_shots(drawn, axes, maps)
     return drawn
@@ -87,7 +87,7 @@ def draw_maps(maps: Maps, form: str) -> bytes:
 
 
 def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw in which share of the looks a robot of each team, and the ball, was in each cell."""
+    """Draw the share of the time in which a robot of each team, and the ball, was in each cell."""
     from matplotlib.patches import Patch
 
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):
@@ -109,16 +109,16 @@ def draw_tiles(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
     corners = 0.5 * TILE * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
     levels = np.digitize(shares, LEVELS)
     for level, depth in enumerate(DEPTHS, 1):
-        found = np.argwhere(levels == level)[:, ::-1] + 0.5 - 0.5 * np.array([columns, rows])
-        if len(found):
-            vertices = (found[:, None] + corners) * cell
-            codes = np.tile([Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY], len(found))
+        cells = np.argwhere(levels == level)[:, ::-1] + 0.5 - 0.5 * np.array([columns, rows])
+        if len(cells):
+            vertices = (cells[:, None] + corners) * cell
+            codes = np.tile([Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY], len(cells))
             path = Path(vertices.reshape(-1, 2), codes)
             axes.add_patch(PathPatch(path, facecolor=shade(depth), edgecolor="none", zorder=1))
 
 
 def shade(depth: float) -> str:
-    """Return the colour of tiles, so deep."""
+    """Return a colour at a depth [1]."""
     return f"{COLOURS[0]}{round(255 * depth):02x}"
 
 
@@ -143,7 +143,7 @@ def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
 
 
 def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share: float, words: str) -> None:
-    """Draw an arrow that bends to its right, with how many passes it is of where there is room for a number."""
+    """Draw an arrow that bends to its right, with its number of passes if there is room."""
     from matplotlib.patches import FancyArrowPatch
 
     way = end - start
@@ -213,12 +213,12 @@ def cut(name: str) -> str:
 
 
 def counted(number: int, thing: str, plural: str = "s") -> str:
-    """Return how many there are of a thing, in words."""
+    """Return a number of things in words."""
     return f"{number} {thing}{'' if number == 1 else plural}"
 
 
 def spread(places: np.ndarray, distance: float) -> np.ndarray:
-    """Return places (N, 2) moved until they are that far from one another, across rather than along; repeatable."""
+    """Return places (N, 2) moved apart to a distance, across the pitch rather than along it; repeatable."""
     moved = np.array(places, np.float64).reshape(-1, 2)
     if len(moved) < 2:
         return moved

@@ -41,7 +41,7 @@ Look = tuple[str, str, Any]  # colour, marker and line
 
 
 def can_draw() -> bool:
-    """Tell whether matplotlib is there."""
+    """Tell whether matplotlib is installed."""
     try:
         import matplotlib  # noqa: F401
     except ImportError:
@@ -55,7 +55,7 @@ def looks() -> Iterator[Look]:
 
 
 def canvas(height: float = HEIGHT, width: float = WIDTH, rows: int = 1, columns: int = 1, **shared: Any) -> Any:
-    """Return a figure [inch] and its axes, one or an array (rows, columns); nothing of pyplot's global state."""
+    """Return a figure [inch] and its axes, one or an array (rows, columns), without pyplot's global state."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), layout="constrained")
@@ -90,10 +90,9 @@ def add_legend(figure: Any, axes: Any) -> None:
 
 
 def plot(make: Callable[P, Any]) -> Callable[..., bytes]:
-    """Turn a function that returns a matplotlib figure into one that returns a picture in the style of all.
+    """Turn a function that returns a matplotlib figure into one that returns a picture in the common style.
 
-    The picture depends on the arguments alone. `form`: "png", or "svg" for a page of ours. ImportError without
-    matplotlib.
+    The picture depends on the arguments alone. `form`: "png", or "svg" for a page. ImportError without matplotlib.
     """
 
     @wraps(make)

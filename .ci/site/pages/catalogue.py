@@ -1,4 +1,4 @@
-"""The catalogue: everything that there is to choose from, out of the lists that `soccer list` prints."""
+"""The catalogue: all available names, from the lists that `soccer list` prints."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pages of claims: all that was measured of each paper, as `soccer reproduce ID --stored` prints it."""
+"""The pages of claims: all results for each paper, as `soccer reproduce ID --stored` prints them."""
 
 from __future__ import annotations
 

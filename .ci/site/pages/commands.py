@@ -1,4 +1,4 @@
-"""The page of the command line: every command with its options, from what its words are read into."""
+"""The page of the command line: every command with its options, from the dataclasses of their settings."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def texts(kind: type) -> dict[str, str]:
 
 
 def options(name: str, kind: Any) -> Iterator[tuple[str, str, str, str]]:
-    """Yield flag, what it takes, default and meaning of each option of a command."""
+    """Yield flag, value, default and meaning of each option of a command."""
     yield from MORE.get(name, [])
     meanings = texts(kind)
     for field in fields(kind):
@@ -50,7 +50,7 @@ def options(name: str, kind: Any) -> Iterator[tuple[str, str, str, str]]:
 
 
 def takes(kind: Any) -> str:
-    """Return what an option takes, "" for a switch."""
+    """Return the kind of value of an option, "" for a switch."""
     kind = get_args(kind)[0].__name__ if get_origin(kind) is Annotated else str(kind).replace(" | None", "")
     return (
         "" if kind == "bool" else kind.removeprefix("tyro.conf.Positional[").removesuffix("]" * ("Positional" in kind))

@@ -17,7 +17,7 @@ def examples() -> list[Path]:
 
 
 def page(file: Path) -> str:
-    """Return the page of an example: what it says of itself, and its code."""
+    """Return the page of an example: its docstring and its code."""
     source = file.read_text(encoding="utf-8")
     text = ast.get_docstring(ast.parse(source)) or ""
     run = (

@@ -1,4 +1,4 @@
-"""Parts of Markdown that several pages are made of."""
+"""Parts of Markdown that several pages use."""
 
 from __future__ import annotations
 

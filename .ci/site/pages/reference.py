@@ -1,4 +1,4 @@
-"""The reference: the names that a user calls, in the order of what is done with them."""
+"""The reference: the public names, by task."""
 
 from __future__ import annotations
 

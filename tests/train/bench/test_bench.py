@@ -175,7 +175,7 @@ def test_a_checkout_is_as_fast_as_itself(script: Path, tmp_path: Path) -> None:
 def test_rows_are_chosen_by_words_and_words_that_no_row_has_name_the_rows(script: Path, tmp_path: Path) -> None:
     settings = BenchSettings(quick=True, against=checkout(tmp_path / "same", "there"), rows="pl ay")
     assert [row["name"] for row in against.run(settings, script)["rows"]] == ["play"]
-    with pytest.raises(ValueError, match="no row contains 'plat': there are play; odd; load; new"):
+    with pytest.raises(ValueError, match="no row contains 'plat'; rows: play; odd; load; new"):
         against.run(replace(settings, rows="plat"), script)
 
 

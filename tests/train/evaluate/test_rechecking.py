@@ -166,7 +166,7 @@ def test_code_that_a_folder_names_is_not_run(tmp_path: Path, monkeypatch: Monkey
 def test_lines_of_another_version_are_compared_and_said(folder: Path, monkeypatch: MonkeyPatch, capsys: Any) -> None:
     monkeypatch.setattr("soccer_env.train.provenance.version_of", lambda package: "9.9")
     assert main(["evaluate", "--recheck", str(folder), "--pairs", "1"]) == 0
-    assert "made otherwise, so that lines may differ: soccer_env '" in capsys.readouterr().out
+    assert "made with other versions, so that lines may differ: soccer_env '" in capsys.readouterr().out
 
 
 def test_ctrl_c_changes_nothing(folder: Path, monkeypatch: MonkeyPatch, capsys: CaptureFixture[str]) -> None:

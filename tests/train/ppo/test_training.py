@@ -263,7 +263,7 @@ def test_a_command_that_is_interrupted_says_how_it_goes_on(tmp_path: Path, monke
     with monkeypatch.context() as patched:
         patched.setattr(Board, "show", lambda *_: signal.raise_signal(signal.SIGINT))
         assert main(words) == 130
-    assert capsys.readouterr().err.endswith(f"stopped; the same command goes on with the run in {tmp_path / 'cut'}\n")
+    assert capsys.readouterr().err.endswith(f"stopped; the same command continues the run in {tmp_path / 'cut'}\n")
     assert main(words) == 0
     assert "policy: 96 steps" in capsys.readouterr().out
 
@@ -286,7 +286,7 @@ def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path)
         process.send_signal(signal.SIGCONT)
         said = process.communicate()[1]
     assert process.returncode == 130, said
-    assert f"stopped; the same command goes on with the run in {out}" in said and "Traceback" not in said
+    assert f"stopped; the same command continues the run in {out}" in said and "Traceback" not in said
 
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -1,4 +1,4 @@
-"""What the keys of `soccer watch` have set: whether the tape runs and how fast, overlays, whom the picture follows."""
+"""The state that the keys of `soccer watch` set: pause and speed, overlays, the robot or ball to follow."""
 
 from dataclasses import replace
 from math import ceil
@@ -8,18 +8,10 @@ from soccer_env.render.overlays.flags import AT_BALL, OverlayFlags
 from soccer_env.train.command.watching.tape import Tape
 
 SMOOTH = 50.0  # [1/s] frames shown, at most
-IDLE = 30.0  # [1/s] looks at the keyboard while nothing moves
-JUMP = 5.0  # [s] that the arrows go
+IDLE = 30.0  # [1/s] checks of the keyboard during a pause
+JUMP = 5.0  # [s] that the arrow keys jump
 SLOWEST, FASTEST = 1 / 16, 100.0
-OVERLAYS = {
-    "b": "belief",
-    "v": "sight",
-    "x": "field",
-    "w": "path",
-    "o": "roles",
-    "i": "infrared",
-    "t": "trail",
-}
+OVERLAYS = {"b": "belief", "v": "sight", "x": "field", "w": "path", "o": "roles", "i": "infrared", "t": "trail"}
 HELP = (
     "space: pause     , .: one step back, on",
     "left, right: 5 s back, on     home: to the start",
@@ -35,7 +27,7 @@ FOLLOWS = ("", "robot", "ball")
 
 
 class Deck:
-    """What the keys have set; `rate` is the tape's shots a second of the match, `agents` the robots to pick from."""
+    """The state that the keys set; `rate`: shots of the tape per second of play, `agents`: the robots to pick from."""
 
     def __init__(
         self,
@@ -54,7 +46,7 @@ class Deck:
         self.paused = self.helps = False
 
     def press(self, key: str) -> None:
-        """Do what a key asks for; keys without a meaning do nothing."""
+        """Carry out a key; keys without a meaning do nothing."""
         if key == "space":
             self.paused = not self.paused
         elif key in (",", "."):
@@ -85,7 +77,7 @@ class Deck:
 
     @property
     def skip(self) -> int:
-        """Return how many shots lie between two frames: no more than SMOOTH a second are shown."""
+        """Return the shots from one frame to the next: at most SMOOTH frames a second are shown."""
         return max(1, ceil(self.rate * self.speed / SMOOTH))
 
     @property
@@ -99,5 +91,5 @@ class Deck:
         return f"soccer_env  {clock_words(self.tape.shot[0])}  {state}  (h: keys)"
 
     def over(self) -> bool:
-        """Tell whether the last shot of all is shown."""
+        """Tell whether the final shot is shown."""
         return self.tape.ended and self.tape.at == len(self.tape.shots) - 1

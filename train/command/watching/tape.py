@@ -1,4 +1,4 @@
-"""Shots of a match or a replay, one after the other, that can be gone back to."""
+"""The shots of a match or a replay in order, with rewind."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -11,7 +11,7 @@ KEPT = 6000  # shots in memory, some 16 kB each
 
 
 class Tape:
-    """Shots, one for every `stride` control steps; those that were shown can be gone back to."""
+    """Shots, one for every `stride` control steps; the tape rewinds over the KEPT last ones."""
 
     def __init__(self, shots: Iterable[Shot], stride: int = 1) -> None:
         self._coming = iter(shots)
@@ -21,14 +21,14 @@ class Tape:
         self.ended = False
 
     def go(self, shots: int) -> None:
-        """Go on or back by some shots, as far as there are any."""
+        """Move by a number of shots, back if negative, up to either end."""
         self.at = max(0, self.at + shots)
         while self.at >= len(self.shots) and not self.ended:
             self._take()
         self.at = min(self.at, len(self.shots) - 1)
 
     def _take(self) -> None:
-        """Take the next shot; the oldest are given up where there are too many."""
+        """Take the next shot; drop the oldest shots above KEPT."""
         latest = None
         for shot in islice(self._coming, self._stride):
             latest = shot
@@ -42,18 +42,18 @@ class Tape:
 
     @property
     def shot(self) -> Shot:
-        """Return the shot that is shown."""
+        """Return the current shot."""
         return self.shots[self.at]
 
     def past(self, shots: int) -> list[Shot]:
-        """Return at most so many shots before the one that is shown."""
+        """Return at most `shots` shots before the current one."""
         return self.shots[max(0, self.at - shots) : self.at]
 
 
 def live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Shot]:
     """Play a match and yield a shot of its kick-off and of every control step until it ends.
 
-    What robots think is noted now and then, as in a replay: an overlay can be turned on at any moment.
+    Robots' thoughts are noted at intervals, as in a replay: an overlay can be turned on at any moment.
     """
     step, note = 0, None
     while True:

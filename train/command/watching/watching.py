@@ -1,4 +1,4 @@
-"""The window of `soccer watch`, until it is closed: a replay file, or a match that is played."""
+"""The window of `soccer watch`, until it is closed: a replay file or a live match."""
 
 from math import ceil
 
@@ -21,7 +21,7 @@ from soccer_env.train.evaluate.recording import start
 
 
 def watch(settings: WatchSettings) -> None:
-    """Show a replay file, or play a match, in a window; ValueError where there is no display."""
+    """Show a replay file or a live match in a window; ValueError without a display."""
     if settings.file is not None:
         replay = Replay.read(settings.file)
         check_display()
@@ -63,7 +63,7 @@ def show(deck: Deck, cast: Cast, picture: Closeup, window: Window, teams: tuple[
 
 
 def frame_of(deck: Deck, cast: Cast, picture: Closeup, teams: tuple[str, str]) -> np.ndarray:
-    """Return the frame (H, W, 3) uint8 that the deck asks for now."""
+    """Return the current frame of the deck, (H, W, 3) uint8."""
     shot, past = deck.tape.shot, deck.tape.past(ceil(TRAVELLED * deck.rate))
     overlays = overlays_of(deck.flags, cast, shot, past, picture.width)
     if deck.helps:

@@ -1,14 +1,14 @@
-"""Keep replays of matches that were played: the best, the worst, every goal as a clip.
+"""Keep replays of finished matches: the best, the worst, every goal as a clip.
 
     contest = contest_of(conditions, league, {})
     kept = keep_replays(contest, lines, Keep("best,goals"), Path("runs/match"))
 
-Nothing is recorded as matches are played: a match follows from its seed, so the few that are worth keeping are played
-once more. Each has to end in the state that its line tells, and its file proves every control step.
+Evaluations record nothing: a match follows from its seed, so the few matches worth keeping are played once more. Each
+must end in the state of its line, and its file proves every control step.
 
-choice.py        which matches are asked for
-keep.py          `keep_replays`: a match once more, with its goals as clips; kept.json lists the files
-page_section.py  kept replays as a part of a report's page
+choice.py        choose the matches to keep
+keep.py          `keep_replays`: play a match once more, with its goals as clips; kept.json lists the files
+page_section.py  the section of replays in a report's page
 """
 
 from typing import TYPE_CHECKING

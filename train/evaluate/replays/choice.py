@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 BEST, WORST, GOALS = "best", "worst", "goals"
 KINDS = (BEST, WORST, GOALS)
-ORDER: dict[str, Callable[[MatchLine], Any]] = {  # the least is kept: by goal difference, goals, and who came first
+ORDER: dict[str, Callable[[MatchLine], Any]] = {  # the least is kept: by goal difference, goals, number of the match
     BEST: lambda line: (line.goals_against - line.goals_for, -line.goals_for, line.match),
     WORST: lambda line: (line.goals_for - line.goals_against, -line.goals_against, line.match),
 }
@@ -21,9 +21,9 @@ ORDER: dict[str, Callable[[MatchLine], Any]] = {  # the least is kept: by goal d
 
 @dataclass(frozen=True)
 class Keep:
-    """What is asked for: `kinds`, words of KINDS with commas between them; `pages`: as a page for the browser, too.
+    """The replays to keep: `kinds`, words of KINDS separated by commas; `pages`: also as pages for the browser.
 
-    ValueError for a word that is none of them.
+    ValueError for an unknown word.
     """
 
     kinds: str = ""
@@ -37,19 +37,19 @@ class Keep:
     @property
     def each(self) -> list[str]:
         """Return the kinds, each once, as KINDS orders them."""
-        asked = [word.strip() for word in self.kinds.split(",") if word.strip()]
-        return [kind for kind in KINDS if kind in asked] + [word for word in asked if word not in KINDS]
+        words = [word.strip() for word in self.kinds.split(",") if word.strip()]
+        return [kind for kind in KINDS if kind in words] + [word for word in words if word not in KINDS]
 
     def joined(self, before: Keep) -> Keep:
-        """Return this with what was asked for before."""
+        """Return the union of this and an earlier choice."""
         return Keep(",".join(kind for kind in KINDS if kind in {*self.each, *before.each}), self.pages or before.pages)
 
     def chosen(self, lines: Sequence[MatchLine]) -> list[tuple[str, MatchLine]]:
         """Return the matches to keep, each with its kind."""
-        found: list[tuple[str, MatchLine]] = []
+        chosen: list[tuple[str, MatchLine]] = []
         for kind in self.each if lines else ():
             if kind == GOALS:
-                found += [(GOALS, line) for line in lines if line.goals_for + line.goals_against]
+                chosen += [(GOALS, line) for line in lines if line.goals_for + line.goals_against]
             else:
-                found.append((kind, min(lines, key=ORDER[kind])))
-        return found
+                chosen.append((kind, min(lines, key=ORDER[kind])))
+        return chosen

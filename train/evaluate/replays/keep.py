@@ -1,7 +1,7 @@
-"""Replays in the folder of a run: files by meaning, match and seed, and a list of them.
+"""Replays in the folder of a run: files named by kind, match and seed, and a list of them.
 
-replays/best-match-4-seed-6213.replay     best, worst: whole matches       .html beside it: the same as a page
-replays/goal-2-match-7-seed-9921.replay   the second goal of match 7, and what led to it
+replays/best-match-4-seed-6213.replay     best, worst: whole matches       .html beside it: its page
+replays/goal-2-match-7-seed-9921.replay   the second goal of match 7, and the seconds before it
 replays/kept.json                         the list
 """
 
@@ -24,15 +24,15 @@ from soccer_env.train.files import LARGEST
 from soccer_env.train.progress import Progress
 from soccer_env.types import NO_TEAM
 
-BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows of what led to a goal, at least, and of what came of it
+BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows before (at least) and after a goal
 
 
 @dataclass(frozen=True)
 class Kept:
-    """A replay that was kept, goals from the first team's side."""
+    """A kept replay, goals from the first team's side."""
 
-    kind: str  # of `asking.KINDS`
-    file: str  # from the run's folder on
+    kind: str  # of `choice.KINDS`
+    file: str  # relative to the run's folder
     number: int  # of a goal in its match, 1 and more; else 0
     match: int
     seed: int  # of the match
@@ -40,30 +40,30 @@ class Kept:
     away: str
     goals_for: int  # of the match
     goals_against: int
-    start: float  # [s] of the match, at which it begins
-    seconds: float  # that it shows
+    start: float  # [s] of the match at which the replay begins
+    seconds: float  # length of the replay
     bytes: int
-    page: str  # the same for the browser; "" without one
+    page: str  # page for the browser; "" without one
     state: str  # of the match at its end
 
     @property
     def rate(self) -> float:
-        """Return the bytes of a minute of play."""
+        """Return the bytes per minute of play."""
         return 60.0 * self.bytes / max(self.seconds, 1e-9)
 
 
 def keep_replays(
     contest: Contest, lines: Sequence[MatchLine], keep: Keep, folder: Path, before: str = ""
 ) -> list[Kept]:
-    """Keep replays of matches that were played; return those of these matches.
+    """Keep replays of finished matches; return the kept replays of these matches.
 
-    What is there already is not played again; what was kept in this folder before stays asked for, and a replay that
-    is not what its name says any more, as there are more matches, is removed. `before` begins the names of the files:
-    contests that share a folder differ in it. ValueError if a match does not end as it did; OSError.
+    Replays that exist are not played again. The folder keeps the kinds of earlier calls, too. A replay is removed when
+    more matches have changed, for example, which match is the best. `before` begins the names of the files and differs
+    between contests that share a folder. ValueError if a match ends in another state; OSError.
     """
-    asked, listed = read_list(folder)
+    earlier_keep, listed = read_list(folder)
     others, earlier = parted(listed, lambda one: not Path(one.file).name.startswith(before))
-    keep = keep.joined(asked)
+    keep = keep.joined(earlier_keep)
     if not keep.each:
         return []
     (folder / REPLAYS).mkdir(parents=True, exist_ok=True)
@@ -73,32 +73,32 @@ def keep_replays(
     for one in earlier:
         if one not in ready:
             remove(folder, one)
-    found = ready + play_missing(contest, missing, folder, before)
+    kept = ready + play_missing(contest, missing, folder, before)
     if keep.pages:
-        found = [with_page(folder, one) for one in found]
-    found.sort(key=lambda one: (KINDS.index(one.kind), one.match, one.number))
-    record = {"asked": asdict(keep), "replays": [asdict(one) for one in [*others, *found]]}
+        kept = [with_page(folder, one) for one in kept]
+    kept.sort(key=lambda one: (KINDS.index(one.kind), one.match, one.number))
+    record = {"asked": asdict(keep), "replays": [asdict(one) for one in [*others, *kept]]}
     write_whole(folder / REPLAYS / KEPT, json.dumps(record, indent=1) + "\n")
-    return found
+    return kept
 
 
 def kept_in(folder: Path) -> list[Kept]:
-    """Return the replays that a folder lists; none of a list that is missing or damaged: they are made again."""
+    """Return the replays that a folder lists; none if the list is missing or damaged."""
     return read_list(folder)[1]
 
 
 def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
-    """Return what was asked for in a folder so far, and the replays that it lists."""
+    """Return the kinds that a folder keeps so far, and the replays that it lists."""
     try:
         record = json.loads(read_plain(folder / REPLAYS / KEPT, LARGEST))
-        asked, found = Keep(**record["asked"]), [Kept(**one) for one in record["replays"]]
+        keep, kept = Keep(**record["asked"]), [Kept(**one) for one in record["replays"]]
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return Keep(), []
-    return (asked, found) if all(map(is_sound, found)) else (Keep(), [])
+    return (keep, kept) if all(map(is_sound, kept)) else (Keep(), [])
 
 
 def is_sound(kept: Kept) -> bool:
-    """Tell whether an entry of a list holds numbers and texts where they belong, and names files of its folder."""
+    """Tell whether an entry of a list has fields of the right types, and names files of its folder."""
     values = ((getattr(kept, field.name), getattr(EXAMPLE, field.name)) for field in fields(Kept))
     if not all(isinstance(value, (type(example), int)) for value, example in values):
         return False
@@ -111,7 +111,7 @@ EXAMPLE = Kept("", "", 0, 0, 0, "", "", 0, 0, 0.0, 0.0, 0, "", "")
 
 
 def parted(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
-    """Return those that pass a test, and the rest."""
+    """Return the replays that pass a test, and the rest."""
     both: tuple[list[Kept], list[Kept]] = ([], [])
     for one in kept:
         both[0 if test(one) else 1].append(one)
@@ -119,12 +119,12 @@ def parted(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kep
 
 
 def is_of(kept: Kept, kind: str, line: MatchLine) -> bool:
-    """Tell whether a replay is that of a match as it was played."""
+    """Tell whether a replay shows a match as its line tells it."""
     return (kept.kind, kept.match, kept.state) == (kind, line.match, line.state)
 
 
 def is_whole(folder: Path, kept: Kept) -> bool:
-    """Tell whether the file of a replay is there and as long as it was."""
+    """Tell whether the file of a replay exists with its full length."""
     path = folder / kept.file
     return path.is_file() and path.stat().st_size == kept.bytes
 
@@ -137,40 +137,40 @@ def remove(folder: Path, kept: Kept) -> None:
 
 
 def play_missing(contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path, before: str) -> list[Kept]:
-    """Play the matches that are missing, each once for all that is asked of it, and write their replays."""
+    """Play the missing matches, each once for all its kinds, and write their replays."""
     lines = {line.match: line for _, line in missing}
-    found: list[Kept] = []
+    kept: list[Kept] = []
     with Progress("replays to keep", float(sum(line.steps for line in lines.values()))) as bar:
         for number, line in lines.items():
             kinds = [kind for kind, one in missing if one.match == number]
             again = play_again(contest, line, GOALS in kinds, bar.advance)
             for kind in kinds:
-                found += write(contest, line, kind, again, folder, before)
-            bar.note(f"{len(found)} written")
-    return found
+                kept += write(contest, line, kind, again, folder, before)
+            bar.note(f"{len(kept)} written")
+    return kept
 
 
 def write(contest: Contest, line: MatchLine, kind: str, again: Again, folder: Path, before: str) -> list[Kept]:
-    """Write what is asked for of a match; return it."""
-    asked, rate = contest.conditions, contest.league.control_rate
+    """Write the replays of one kind of a match, and return them."""
+    conditions, rate = contest.conditions, contest.league.control_rate
     parts = again.goals if kind == GOALS else [(0, again.whole)]
-    teams = (asked.home, asked.away)[:: 1 if line.side == "home" else -1]
-    found = []
+    teams = (conditions.home, conditions.away)[:: 1 if line.side == "home" else -1]
+    kept = []
     for number, (first, replay) in enumerate(parts, 1):
         name = f"goal-{number}" if kind == GOALS else kind
         file = f"{REPLAYS}/{before}{name}-match-{line.match}-seed-{line.seed}.replay"
         size = replay.write(folder / file).stat().st_size
-        what = Kept(
+        entry = Kept(
             kind=kind, file=file, number=number if kind == GOALS else 0, match=line.match, seed=line.seed,
             home=teams[0], away=teams[1], goals_for=line.goals_for, goals_against=line.goals_against,
             start=first / rate, seconds=len(replay) / rate, bytes=size, page="", state=line.state,
         )  # fmt: skip
-        found.append(what)
-    return found
+        kept.append(entry)
+    return kept
 
 
 def with_page(folder: Path, kept: Kept) -> Kept:
-    """Return a replay with its page, which is written unless it is there."""
+    """Write the page of a replay unless it exists; return the replay with its page."""
     page = str(Path(kept.file).with_suffix(".html"))
     if not kept.page or not (folder / page).is_file():
         write_page(Replay.read(folder / kept.file), folder / page, anew=True)
@@ -179,7 +179,7 @@ def with_page(folder: Path, kept: Kept) -> Kept:
 
 @dataclass(frozen=True)
 class Again:
-    """A match that was played once more; `goals`: the first control step of each clip, and the clip."""
+    """A replayed match; `goals`: the first control step of each clip, and the clip."""
 
     whole: Replay
     goals: list[tuple[int, Replay]]
@@ -188,7 +188,7 @@ class Again:
 def play_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable[[float], None]) -> Again:
     """Play a match of a contest once more; ValueError if it ends in another state than its line says.
 
-    `goals`: clips of them as well. `advance` is told of control steps.
+    `goals`: cut clips of goals as well. `advance` gets the number of control steps played.
     """
     match = contest.start(line.side, [line.seed])
     try:
@@ -205,8 +205,8 @@ def play_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable
         whole = recorder.stop()
         if match.state_hash(0) != line.state:
             raise ValueError(
-                f"match {line.match} (seed {line.seed}) cannot be kept: played again, it ended differently; a team of "
-                "its own must decide from what it is given alone"
+                f"match {line.match} (seed {line.seed}) cannot be kept: played again, it ended differently; a user's "
+                "team must decide from its arguments alone"
             )
     finally:
         match.close()

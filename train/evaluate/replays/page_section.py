@@ -1,4 +1,4 @@
-"""Kept replays as a part of a report page."""
+"""The section of kept replays in a report's page."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ VERIFIED = (
 
 
 def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
-    """Add the section of replays, with links to files that lie beside the page; nothing without any."""
+    """Add the section of replays, with links to files beside the page; nothing without replays."""
     if not kept:
         return
     page.section("Replays")
@@ -23,17 +23,11 @@ def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
 
 
 def row_of(kept: Kept) -> list[str]:
-    """Return what is said of a replay."""
-    score = f"{kept.goals_for} : {kept.goals_against}"
+    """Return the cells of a replay's row."""
+    what, score = WORDS.get(kept.kind, kept.kind).format(kept.number), f"{kept.goals_for} : {kept.goals_against}"
     minutes, seconds = divmod(round(kept.start), 60)
     times = [f"{minutes}:{seconds:02d}", f"{kept.seconds:.0f} s", f"{kept.rate / 1e3:.0f} kB"]
-    return [
-        WORDS.get(kept.kind, kept.kind).format(kept.number),
-        f"{kept.match}",
-        score,
-        f"{kept.home}, {kept.away}",
-        *times,
-    ]
+    return [what, f"{kept.match}", score, f"{kept.home}, {kept.away}", *times]
 
 
 def links_of(kept: Kept) -> list[tuple[str, str]]:
@@ -42,7 +36,7 @@ def links_of(kept: Kept) -> list[tuple[str, str]]:
 
 
 def summary(kept: Sequence[Kept]) -> str:
-    """Return how many replays there are, and how large."""
+    """Return the number, length and size of replays in words."""
     size, minutes = sum(one.bytes for one in kept), sum(one.seconds for one in kept) / 60.0
     rate = size / 1e3 / max(minutes, 1e-9)
     return f"{len(kept)} replays, {minutes:.1f} minutes of play, {size / 1e6:.2f} MB: {rate:.0f} kB a minute."

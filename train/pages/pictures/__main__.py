@@ -32,7 +32,7 @@ def make_pictures(settings: PictureSettings) -> None:
 
 
 def many_matches() -> np.ndarray:
-    """Return twelve matches that are stepped at once, (H, W, 3) uint8."""
+    """Return a picture of twelve matches of one batch, (H, W, 3) uint8."""
     match = Match(matches=12, seed=1, controllers={"home": "chaser", "away": "chaser"}, home=1, away=1)
     for _ in range(160):
         match.step()
@@ -42,7 +42,7 @@ def many_matches() -> np.ndarray:
 
 
 def write_moments(out: Path) -> None:
-    """Write every picture and film into a folder, over those that are there."""
+    """Write every picture and film of the gallery into a folder, over existing files."""
     with TemporaryDirectory() as folder:
         for moment in MOMENTS:
             file = Path(folder, f"{moment.name}.replay")

@@ -1,7 +1,7 @@
-"""What one robot believes, drawn over what is true.
+"""The belief of one robot, drawn over the true state.
 
-The robot believes in its own frame. What it believes is drawn where it lies if the robot stands where it believes to
-stand: an error of the own pose moves everything else as well.
+The belief is in the robot frame, and is drawn from the pose that the robot believes: an error of its own pose shifts
+everything else as well.
 """
 
 from math import cos, dist, pi, sin
@@ -19,26 +19,21 @@ from soccer_env.train.pages.pictures.legend import Entry, with_legend
 from soccer_env.train.pages.pictures.settings import PictureSettings
 
 SIGHT: Colour = (255, 246, 190)
-RAYS = 181  # of the fan that the field of view is drawn as
-JUST_SEEN = 0.25  # [s] what was seen so lately is not marked with its age
+RAYS = 181  # of the fan that shows the field of view
+JUST_SEEN = 0.25  # [s] players seen more recently get no label of their age
 
 Pose = tuple[float, float, float]
 
 
 def belief_picture(settings: PictureSettings) -> np.ndarray:
-    """Play the match to the moment and return what the robot believes then, (H, W, 3) uint8."""
+    """Play the match to `belief_time` and return the picture of the robot's belief, (H, W, 3) uint8."""
     controllers = {"home": settings.home, "away": settings.away}
     match = Match(settings.league, controllers=controllers, pose="particles", seed=settings.belief_seed)
     for _ in range(round(settings.belief_time * match.league.control_rate)):
         match.step()
     row, picture = settings.belief_robot, Picture(match.league, settings.still_width)
-    frame = picture.draw(
-        match.matches[0],
-        match.balls[0],
-        match.robots[0],
-        title=(settings.home, settings.away),
-        overlays=belief_overlays(match, row, settings.still_width / 1000.0),
-    )
+    overlays, title = belief_overlays(match, row, settings.still_width / 1000.0), (settings.home, settings.away)
+    frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=title, overlays=overlays)
     return with_legend(frame, entries(match, row))
 
 
@@ -57,23 +52,23 @@ def entries(match: Match, row: int) -> list[Entry]:
 
 
 def belief_overlays(match: Match, row: int, size: float) -> list[Overlay]:
-    """Return what a robot of a single match believes, as overlays; `size` [1] scales lines and letters."""
+    """Return the belief of a robot in a single match as overlays; `size` [1] scales lines and letters."""
     robot, belief = match.robots[0, row], match.beliefs[0, row]
     own = into_field(belief["own"], team_direction(match, row))
     true = (float(robot["x"]), float(robot["y"]), float(robot["heading"]))
     ball, true_ball = place(own, belief["ball"]), (float(match.balls["x"][0]), float(match.balls["y"][0]))
-    found: list[Overlay] = field_of_view(match.league, true, float(robot["pan"]))
-    found += particles(match, row, size)
-    found += outline(match.league, own, WHITE, 2.5 * size)
+    overlays: list[Overlay] = field_of_view(match.league, true, float(robot["pan"]))
+    overlays += particles(match, row, size)
+    overlays += outline(match.league, own, WHITE, 2.5 * size)
     radius = match.league.ball.radius * 430.0 * size
-    found += [
+    overlays += [
         Points([ball], BALL_SHINE, 1.0 * radius, hollow=True),
         Polyline([true_ball, ball], BALL_SHINE, 1.5 * size),  # the error
     ]
     for track in match.tracks[0, row]:
         if track["present"]:
-            found += believed_player(match, row, own, track, size)
-    return found
+            overlays += believed_player(match, row, own, track, size)
+    return overlays
 
 
 def team_direction(match: Match, row: int) -> float:
@@ -90,14 +85,14 @@ def into_field(pose: np.void, direction: float) -> Pose:
 
 
 def place(own: Pose, thing: np.void) -> tuple[float, float]:
-    """Return where a thing of the robot frame lies in the field frame, for a robot at that pose."""
+    """Return the place in the field frame of a thing in the frame of a robot at pose `own`."""
     x, y, heading = own
-    found: tuple[float, float] = point_of_frame(x, y, float(thing["x"]), float(thing["y"]), cos(heading), sin(heading))
-    return found
+    at: tuple[float, float] = point_of_frame(x, y, float(thing["x"]), float(thing["y"]), cos(heading), sin(heading))
+    return at
 
 
 def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
-    """Return the fan in which a camera on a head sees the pitch; nothing of a camera that sees all round."""
+    """Return the field of view of a head camera as a fan; nothing for an omnidirectional camera."""
     if league.sensors.KIND != "legged":
         return []
     neck = league.sensors.neck_ahead
@@ -108,7 +103,7 @@ def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
 
 
 def particles(match: Match, row: int, size: float) -> list[Overlay]:
-    """Return the poses that the robot thinks possible, as dots."""
+    """Return the particles of a robot's pose as dots."""
     senses = match.batch.senses
     if senses is None:
         return []
@@ -127,9 +122,9 @@ def outline(league: League, pose: Pose, colour: Colour, width: float) -> list[Ov
 
 
 def believed_player(match: Match, row: int, own: Pose, track: np.void, size: float) -> list[Overlay]:
-    """Return a player as the robot believes it, if that is on the pitch.
+    """Return a player at its believed place, if this is on the pitch.
 
-    One seen long ago has the time since then, and a line to the player that the memory is of.
+    A player seen longer ago than JUST_SEEN gets a label with its age, and a line to its true place.
     """
     team = int(match.robots["team"][0, row])
     team = team if track["teammate"] else 1 - team
@@ -146,9 +141,9 @@ def believed_player(match: Match, row: int, own: Pose, track: np.void, size: flo
 
 
 def nearest_player(match: Match, row: int, team: int, where: tuple[float, float]) -> tuple[float, float]:
-    """Return where the player of a team, other than the robot itself, stands that is nearest to a place.
+    """Return the place of the team's player, except the robot itself, nearest to `where`.
 
-    A memory does not say of whom it is: the nearest is taken.
+    A track does not name its player: the nearest is taken.
     """
     robots = match.robots[0]
     others = [r for r in range(len(robots)) if r != row and robots["team"][r] == team and robots["active"][r]]

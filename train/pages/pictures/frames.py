@@ -1,4 +1,4 @@
-"""The three frames of the package on a pitch: field, team and robot; and what bearing and distance are."""
+"""The three frames of the package on a pitch: field, team and robot, with bearing and distance."""
 
 from math import atan2, cos, hypot, pi, sin
 
@@ -41,10 +41,7 @@ def frames_picture(settings: PictureSettings) -> np.ndarray:
 
 def axes_of_pitch(size: float) -> list[Overlay]:
     """Return the axes of the field frame and of the away team's frame, both at the centre spot."""
-    found: list[Overlay] = []
-    for direction, colour in ((0.0, WHITE), (pi, TEAMS_LIGHT[1])):
-        found += axes(0.0, 0.0, direction, colour, size)
-    return found
+    return [*axes(0.0, 0.0, 0.0, WHITE, size), *axes(0.0, 0.0, pi, TEAMS_LIGHT[1], size)]
 
 
 def axes_of_robot(size: float) -> list[Overlay]:
@@ -73,16 +70,16 @@ def polar_place(size: float) -> list[Overlay]:
 
 
 def axes(x: float, y: float, direction: float, colour: Colour, size: float) -> list[Overlay]:
-    """Return two arrows with their names."""
+    """Return the axes of a frame as two arrows with their names."""
     ahead, left = (cos(direction), sin(direction)), (-sin(direction), cos(direction))
     vectors = [(AXIS * u, AXIS * v) for u, v in (ahead, left)]
-    found: list[Overlay] = [Arrows([(x, y)] * 2, vectors, colour, 4.0 * size)]
+    overlays: list[Overlay] = [Arrows([(x, y)] * 2, vectors, colour, 4.0 * size)]
     for name, (u, v) in zip("xy", vectors, strict=True):
-        found.append(Label((x + 1.13 * u, y + 1.13 * v), name, colour, 1.2 * LETTERS * size))
-    return found
+        overlays.append(Label((x + 1.13 * u, y + 1.13 * v), name, colour, 1.2 * LETTERS * size))
+    return overlays
 
 
 def arc(x: float, y: float, start: float, end: float, radius: float, colour: Colour, size: float) -> Polyline:
-    """Return a piece of a circle."""
+    """Return an arc of a circle."""
     angles = np.linspace(start, end, 24)
     return Polyline(np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=-1), colour, 2.5 * size)

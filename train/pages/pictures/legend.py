@@ -1,4 +1,4 @@
-"""A strip of words under a picture that says what its signs mean."""
+"""The legend under a picture."""
 
 from collections.abc import Sequence
 from math import atan2, cos, sin
@@ -14,7 +14,7 @@ ROW = 0.042  # of the width
 
 
 class Entry(NamedTuple):
-    """A sign and what it means."""
+    """A sign and its meaning."""
 
     sign: str  # "ring", "box", "axes", "polar", "dots" or "area"
     colour: Colour

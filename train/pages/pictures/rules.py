@@ -1,32 +1,66 @@
-"""A sheet with one frame a rule: a staged situation at the moment at which it is judged."""
+"""A sheet with one frame for each rule: a staged situation at the moment of the referee's decision."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from soccer_env.match import Match
+from soccer_env.leagues.league import League
+from soccer_env.match import Match, staging
 from soccer_env.render import Label, Picture, contact_sheet
 from soccer_env.render.colours import WHITE
-from soccer_env.types import Foul
+from soccer_env.types import Foul, Phase
 
 COLUMNS = 3
 LETTERS = 0.042  # of a frame's width
 TITLE_X, TITLE_Y, WORDS_Y = 0.96, 0.88, -0.88  # [1] of half the pitch: where the words stand
 
+Pose = tuple[float, float, float]  # [m, m, rad]
+Staged = tuple[Match, np.ndarray]  # one match, and the actions (1, R, 4) of its robots
+
 
 class Ruling(NamedTuple):
-    """A rule's situation: how it is staged, and what is to happen."""
+    """A staged situation of a rule, and the expected decision."""
 
     rule: str  # its name on the picture
-    switches: tuple[str, ...]  # what it shows of `soccer list rules`
-    words: str  # what happens, a line
-    stage: Callable[[], tuple[Match, np.ndarray]]  # one match and the actions (1, R, 4) of its robots
-    row: int = -1  # of the robot that is whistled; -1: it is the match to which something happens
-    foul: Foul = Foul.NONE  # what that robot is whistled for; NONE: it comes back
-    event: str = "annulled"  # the field of the match's events that says so
-    after: bool = False  # draw what the referee made of it, not what it was
-    longest: float = 15.0  # [s] within which it has to happen
+    switches: tuple[str, ...]  # the rules of `soccer list rules` that it shows
+    words: str  # the decision in one line
+    stage: Callable[[], Staged]
+    row: int = -1  # of the robot that is whistled or returns; -1: the decision is an event of the match
+    foul: Foul = Foul.NONE  # of that robot; NONE: it returns
+    event: str = "annulled"  # the expected field of the match's events
+    after: bool = False  # draw the state after the decision, not before
+    longest: float = 15.0  # [s] until the decision, at most
+
+
+def stage_rule(
+    league: League,
+    places: Sequence[Pose],
+    ball: tuple[float, float],
+    robots: Mapping[int, Pose],
+    ahead: Mapping[int, float],
+    running: bool = False,
+    rules: str = "league",
+    **records: float,
+) -> Staged:
+    """Return a match in play, with half of its robots on each side, and its actions.
+
+    `ball` [m, m]; `robots`: pose by row, the others at their `places`; `ahead`: forward action in -1 to 1 by row,
+    `running`: they have this speed from the start; `records`: values of fields of the match.
+    """
+    match = Match(league, home=len(places) // 2, away=len(places) // 2, seed=1, rules=rules)
+    staging.set_phase(match, Phase.PLAY)
+    for row, place in enumerate(places):
+        speed = ahead.get(row, 0.0) * league.drive.forward if running else 0.0
+        staging.put(match, row, *robots.get(row, place), forward=speed)
+    staging.put_ball(match, *ball)
+    for name, value in records.items():
+        match.matches[name] = value
+    staging.begin(match)
+    actions = np.zeros((1, len(places), 4))
+    for row, share in ahead.items():
+        actions[0, row, 0] = share
+    return match, actions
 
 
 def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray, np.ndarray]]:
@@ -44,7 +78,7 @@ def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray
 
 
 def has_happened(ruling: Ruling, match: Match) -> bool:
-    """Tell whether the last step brought what a ruling waits for."""
+    """Tell whether the last step brought the expected decision."""
     if ruling.row < 0:
         return bool(match.events[ruling.event][0] > 0)
     events = match.robot_events[0, ruling.row]
@@ -52,7 +86,7 @@ def has_happened(ruling: Ruling, match: Match) -> bool:
 
 
 def ruling_frame(ruling: Ruling, width: int) -> np.ndarray:
-    """Return the frame of a ruling, (H, W, 3) uint8, with its name and what happens, but without score and clock."""
+    """Return the frame of a ruling, (H, W, 3) uint8, with its name and decision, without score and clock."""
     match, before = play_to_whistle(ruling)
     matches, balls, robots = (match.matches, match.balls, match.robots) if ruling.after else before
     wide, high, size = match.league.pitch.length / 2, match.league.pitch.width / 2, LETTERS * width

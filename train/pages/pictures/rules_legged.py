@@ -9,8 +9,7 @@ from math import pi
 
 from soccer_env.leagues import find_league
 from soccer_env.match import staging
-from soccer_env.train.pages.pictures.rules import Ruling
-from soccer_env.train.pages.pictures.staged_rules import Staged, stage_rule
+from soccer_env.train.pages.pictures.rules import Ruling, Staged, stage_rule
 from soccer_env.types import Foul
 
 LEAGUE = find_league("legged-2001")
@@ -23,7 +22,7 @@ staged = partial(stage_rule, LEAGUE, PLACES)
 
 
 def pushing() -> Staged:
-    """Return a robot that walks into one who stands, away from the ball."""
+    """Return a robot that walks into a standing opponent, away from the ball."""
     return staged((-0.6, -0.3), {2: (0.0, 0.3, 0.0), 4: (NOSES, 0.3, pi)}, {2: 1.0})
 
 
@@ -78,7 +77,7 @@ def kick_off_shot() -> Staged:
 
 
 def back() -> Staged:
-    """Return a robot whose time out is over, and the ball on the other side."""
+    """Return a robot whose penalty is over, with the ball on the other side."""
     match, actions = staged((0.2, -0.5), {}, {})
     staging.send_off(match, [2])
     match.robots["penalty"][0, 2] = 1.0
@@ -105,14 +104,14 @@ def stuck_ball() -> Staged:
 
 
 def locked() -> Staged:
-    """Return two opponents that have stood in each other's way for nearly 15 s, in red's half."""
+    """Return two opponents that have blocked each other for nearly 15 s, in red's half."""
     match, actions = staged((-0.9, 0.0), {2: (-0.5, 0.4, 0.0), 4: (NOSES - 0.502, 0.4, pi)}, {})
     match.robots["locked"][0, [2, 4]] = 14.5
     return match, actions
 
 
 def lying() -> Staged:
-    """Return a robot that lies, in a league in which getting up takes longer than it may."""
+    """Return a fallen robot, in a league where getting up takes longer than the rules allow."""
     league = replace(LEAGUE, drive=replace(LEAGUE.drive, fall_time=6.0))
     match, actions = stage_rule(league, PLACES, (0.3, -0.2), {2: (0.5, 0.3, 0.4)}, {})
     match.robots["fallen"][0, 2] = league.drive.fall_time
@@ -120,7 +119,7 @@ def lying() -> Staged:
 
 
 def pardon() -> Staged:
-    """Return a goal while a robot is out."""
+    """Return a goal while a robot serves a penalty."""
     match, actions = staged((1.2, 0.2), {3: (1.25, -0.2, pi)}, {})
     staging.send_off(match, [2])
     match.robots["penalty"][0, 2] = 20.0
@@ -144,60 +143,28 @@ def camping() -> Staged:
 
 RULINGS = (
     Ruling("pushing", ("pushing",), "red 2 walks into blue 1, off the ball: 30 s out", pushing, 2, Foul.PUSHING),
-    Ruling(
-        "pushing, a charge", ("pushing",), "red 2 and blue 1 walk into each other: both out", charge, 4, Foul.PUSHING
-    ),
-    Ruling(
-        "goalkeeper pushing",
-        ("keeper_pushing",),
-        "red 2 pushes the goalkeeper for 1 s: out",
-        keeper_push,
-        2,
-        Foul.KEEPER_PUSHING,
-    ),
+    Ruling("pushing, a charge", ("pushing",), "red 2 and blue 1 walk into each other: both out", charge, 4,
+           Foul.PUSHING),
+    Ruling("goalkeeper pushing", ("keeper_pushing",), "red 2 pushes the goalkeeper for 1 s: out", keeper_push, 2,
+           Foul.KEEPER_PUSHING),
     Ruling("goal annulled", ("keeper_pushing",), "red 1 has shot, but red 2 pushes the goalkeeper", annulled_goal),
     Ruling("ball holding", ("holding",), "red 2 covers the ball in the corner for 3 s: out", corner, 2, Foul.HOLDING),
     Ruling("ball holding, goalkeeper", ("holding",), "5 s in its area: to the halfway line", board, 0, Foul.HOLDING),
-    Ruling(
-        "illegal defender",
-        ("illegal_defender",),
-        "red 2 has two feet in its own area: out",
-        defender,
-        2,
-        Foul.ILLEGAL_DEFENDER,
-    ),
+    Ruling("illegal defender", ("illegal_defender",), "red 2 has two feet in its own area: out", defender, 2,
+           Foul.ILLEGAL_DEFENDER),
     Ruling("leaving the field", ("leaving_field",), "red 2 stands in a goal for 5 s: out", in_goal, 2, Foul.LEFT_FIELD),
     Ruling("back after 30 s", (), "red 2, at the halfway line, far from the ball", back, 2, after=True),
     Ruling("kick-off shot", ("kick_off_shot",), "no goal: blue kicks off", kick_off_shot),
-    Ruling(
-        "local game stuck", ("local_stuck",), "30 s: red 2, the nearest, to the halfway line", scrum, 2, Foul.GAME_STUCK
-    ),
-    Ruling(
-        "global game stuck",
-        ("global_stuck",),
-        "30 s without a touch: red, in its half, kicks off",
-        idle,
-        event="stuck",
-        longest=5.0,
-    ),
-    Ruling(
-        "dropped ball",
-        ("dropped_ball",),
-        "15 s within 10 cm: dropped, off the board",
-        stuck_ball,
-        event="restart",
-        after=True,
-    ),
+    Ruling("local game stuck", ("local_stuck",), "30 s: red 2, the nearest, to the halfway line", scrum, 2,
+           Foul.GAME_STUCK),
+    Ruling("global game stuck", ("global_stuck",), "30 s without a touch: red, in its half, kicks off", idle,
+           event="stuck", longest=5.0),
+    Ruling("dropped ball", ("dropped_ball",), "15 s within 10 cm: dropped, off the board", stuck_ball, event="restart",
+           after=True),
     Ruling("pulled apart", ("contact_time",), "15 s in contact: one robot goes", locked, event="separated", after=True),
     Ruling("falling", ("falling",), "red 2 has lain for 5 s: to the halfway line", lying, 2, Foul.FALLEN),
     Ruling("pardon", ("pardon",), "a kick-off after a goal: red 2 is back", pardon, 2, after=True, longest=5.0),
     Ruling("carrying (of 2008)", ("carrying",), "red 2 has carried the ball for 50 cm: out", carrying, 2, Foul.HOLDING),
-    Ruling(
-        "illegal attacker (off)",
-        ("illegal_attacker",),
-        "red 2 has waited there for 10 s: out",
-        camping,
-        2,
-        Foul.ILLEGAL_ATTACKER,
-    ),
-)
+    Ruling("illegal attacker (off)", ("illegal_attacker",), "red 2 has waited there for 10 s: out", camping, 2,
+           Foul.ILLEGAL_ATTACKER),
+)  # fmt: skip

@@ -10,12 +10,11 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match, staging
-from soccer_env.train.pages.pictures.rules import Ruling
-from soccer_env.train.pages.pictures.staged_rules import Staged, stage_rule
+from soccer_env.train.pages.pictures.rules import Ruling, Staged, stage_rule
 from soccer_env.types import AWAY, HOME, Foul, Phase
 
 LEAGUE = find_league("middle-size-2006")
-BEHIND = 0.449  # [m] between two robots, the tips of one just short of the back of the other
+BEHIND = 0.449  # [m] between two robots, the tips of the rear one just short of the other's back
 FRONT = LEAGUE.body.front + LEAGUE.ball.radius + 0.001  # [m] of a ball at the kicker from the robot's middle
 PLACES = ((-5.7, 0.0, 0.0), (-3.0, -2.2, 0.3), (-2.4, 2.0, -0.3), (5.7, 0.0, pi), (3.0, 2.2, pi), (2.4, -2.0, pi))
 
@@ -48,19 +47,19 @@ def too_near() -> Staged:
 
 
 def too_early() -> Staged:
-    """Return an opponent that plays the ball before it is in play."""
+    """Return an opponent that touches the ball before it is in play."""
     match, actions = restart(Phase.FREE_KICK, 0.0, 0.0, {2: (-0.6, 0.0, 0.0), 4: (0.5, 0.0, pi)})
     actions[0, 4, 0] = 1.0
     return match, actions
 
 
 def charging() -> Staged:
-    """Return a robot that keeps driving into one who stands, away from the ball."""
+    """Return a robot that keeps driving into a standing opponent, away from the ball."""
     return staged((-1.0, -2.0), {2: (0.0, 1.0, 0.0), 4: (BEHIND, 1.0, 0.0)}, {2: 0.2})
 
 
 def hard_charge(y: float = 1.0, rules: str = "league") -> Staged:
-    """Return a robot that runs into one who stands, away from the ball."""
+    """Return a robot that runs into a standing opponent, away from the ball."""
     return staged((-1.0, -2.0), {2: (-0.6, y, 0.0), 4: (BEHIND, y, 0.0)}, {2: 1.0}, rules=rules)
 
 
@@ -70,7 +69,7 @@ def keeper_charge() -> Staged:
 
 
 def handling() -> Staged:
-    """Return a robot that goes back with the ball, which a mate pushes after it."""
+    """Return a robot that drives backwards with the ball."""
     match, actions = staged((FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: -0.2})
     match.robots["backed"][0, 2] = 0.499
     match.robots["has_ball"][0, 2] = 1
@@ -137,7 +136,7 @@ def straight_into_own() -> Staged:
 
 
 def timed_card() -> Staged:
-    """Return the same where two yellow cards are 90 s out."""
+    """Return a second card under the rule that two yellow cards cost 90 s."""
     match, actions = hard_charge(-1.0, "league:timed_cards=True")
     match.robots["yellow"][0, 2] = 1
     return match, actions
@@ -145,83 +144,37 @@ def timed_card() -> Staged:
 
 DIRECT = tuple(f"direct_{name}" for name in ("kick_off", "throw_in", "goal_kick", "corner_kick", "free_kick"))
 RULINGS = (
-    Ruling(
-        "throw-in",
-        ("out_of_play",),
-        "it came off red: blue takes it",
-        partial(over_line, 1.0, 3.9, 0.5, 1.0, HOME),
-        event="out",
-    ),
-    Ruling(
-        "goal kick",
-        ("out_of_play",),
-        "it came off red: blue takes it",
-        partial(over_line, 5.9, 2.0, 1.0, 0.2, HOME),
-        event="out",
-    ),
-    Ruling(
-        "corner kick",
-        ("out_of_play",),
-        "it came off blue: red takes it",
-        partial(over_line, 5.9, 2.0, 1.0, 0.2, AWAY),
-        event="out",
-    ),
-    Ruling(
-        "dropped ball", ("dropped_ball",), "10 s within 30 cm: dropped there", stuck_ball, event="restart", after=True
-    ),
-    Ruling(
-        "second touch",
-        ("second_touch",),
-        "red 2 took the throw-in and keeps the ball: free kick",
-        second_touch,
-        2,
-        Foul.SECOND_TOUCH,
-    ),
+    Ruling("throw-in", ("out_of_play",), "it came off red: blue takes it", partial(over_line, 1.0, 3.9, 0.5, 1.0, HOME),
+           event="out"),
+    Ruling("goal kick", ("out_of_play",), "it came off red: blue takes it",
+           partial(over_line, 5.9, 2.0, 1.0, 0.2, HOME), event="out"),
+    Ruling("corner kick", ("out_of_play",), "it came off blue: red takes it",
+           partial(over_line, 5.9, 2.0, 1.0, 0.2, AWAY), event="out"),
+    Ruling("dropped ball", ("dropped_ball",), "10 s within 30 cm: dropped there", stuck_ball, event="restart",
+           after=True),
+    Ruling("second touch", ("second_touch",), "red 2 took the throw-in and keeps the ball: free kick", second_touch, 2,
+           Foul.SECOND_TOUCH),
     Ruling("indirect restart", DIRECT, "straight from a corner kick: no goal, goal kick", straight_in),
     Ruling("indirect restart", DIRECT, "the own goal, from a goal kick: corner kick", straight_into_own),
     Ruling("distance", ("distances",), "blue 1 stays within 1 m of a free kick: put back", too_near, 4, Foul.DISTANCE),
     Ruling("distance", ("distances",), "blue 1 touches the ball too early: taken again", too_early, 4, Foul.DISTANCE),
     Ruling("charging", ("charging",), "red 2 drives into blue 1 for 2 s, off the ball", charging, 2, Foul.CHARGING),
     Ruling("charging, hard", ("charging",), "red 2 runs into blue 1: yellow card", hard_charge, 2, Foul.CHARGING),
-    Ruling(
-        "keeper charge", ("keeper_charge",), "red 2 drives into the goalkeeper", keeper_charge, 2, Foul.KEEPER_CHARGE
-    ),
+    Ruling("keeper charge", ("keeper_charge",), "red 2 drives into the goalkeeper", keeper_charge, 2,
+           Foul.KEEPER_CHARGE),
     Ruling("ball handling", ("handling",), "red 2 has gone back 0.5 m with the ball", handling, 2, Foul.HANDLING),
-    Ruling(
-        "dribbling (later years)", ("dribble_limit",), "red 2 has dribbled the ball for 3 m", dribbling, 2, Foul.DRIBBLE
-    ),
+    Ruling("dribbling (later years)", ("dribble_limit",), "red 2 has dribbled the ball for 3 m", dribbling, 2,
+           Foul.DRIBBLE),
     Ruling("own goal area", ("goal_area",), "red 2 has stayed in it for 10 s", own_goal_area, 2, Foul.GOAL_AREA),
-    Ruling(
-        "opponents' goal area", ("goal_area",), "red 2 has stayed in it for 10 s", attacker_in_area, 2, Foul.GOAL_AREA
-    ),
-    Ruling(
-        "penalty area",
-        ("penalty_area",),
-        "red 2 is in it for 10 s, red 1 is nearer to the ball",
-        two_in_area,
-        2,
-        Foul.PENALTY_AREA,
-    ),
+    Ruling("opponents' goal area", ("goal_area",), "red 2 has stayed in it for 10 s", attacker_in_area, 2,
+           Foul.GOAL_AREA),
+    Ruling("penalty area", ("penalty_area",), "red 2 is in it for 10 s, red 1 is nearer to the ball", two_in_area, 2,
+           Foul.PENALTY_AREA),
     Ruling("free kick", ("charging",), "blue's, 1 m from everybody else", charging, 2, Foul.CHARGING, after=True),
-    Ruling(
-        "two yellow cards",
-        ("charging", "cards"),
-        "red 2 is out for the rest of the match",
-        second_card,
-        2,
-        Foul.CHARGING,
-        after=True,
-    ),
-    Ruling(
-        "timed cards (off)",
-        ("timed_cards",),
-        "two yellow cards are 90 s out: red 2 is back",
-        timed_card,
-        2,
-        after=True,
-        longest=100.0,
-    ),
-    Ruling(
-        "penalty shoot-out", ("shoot_out",), "after a draw, if it is switched on", penalty, event="restart", after=True
-    ),
-)
+    Ruling("two yellow cards", ("charging", "cards"), "red 2 is out for the rest of the match", second_card, 2,
+           Foul.CHARGING, after=True),
+    Ruling("timed cards (off)", ("timed_cards",), "two yellow cards are 90 s out: red 2 is back", timed_card, 2,
+           after=True, longest=100.0),
+    Ruling("penalty shoot-out", ("shoot_out",), "after a draw, if it is switched on", penalty, event="restart",
+           after=True),
+)  # fmt: skip

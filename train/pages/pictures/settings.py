@@ -1,4 +1,4 @@
-"""What the pictures of the pages show."""
+"""The settings of the pictures, and the moments of the gallery."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,43 +9,43 @@ FOLDER = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
 
 @dataclass(frozen=True)
 class PictureSettings:
-    """Draw the pictures of the pages anew: what a robot believes, the frames, the rules, and recorded moments."""
+    """Redraw the pictures of the pages: the belief of a robot, the frames, the rules, and recorded moments."""
 
     out: Path = FOLDER
     """Folder to write belief.png, frames.png, the sheets of rules and the recorded moments into."""
     league: str = "legged-2001"
     """League of all pictures."""
     home: str = "chaser"
-    """Team that plays home where a robot's belief is drawn."""
+    """Home team in the picture of a robot's belief."""
     away: str = "sacks-2001"
-    """Team that plays away there."""
+    """Away team in the picture of a robot's belief."""
     belief_seed: int = 4
-    """Seed of the match in which a robot's belief is drawn."""
+    """Seed of the match in the picture of a robot's belief."""
     belief_time: float = 28.0
-    """[s] of play after which it is drawn."""
+    """Time of play at which the belief is drawn [s]."""
     belief_robot: int = 2
     """Row of the robot whose belief is drawn."""
     ruling_width: int = 360
-    """[px] width of a frame in the sheets of rules."""
+    """Width of a frame in the sheets of rules [pixels]."""
     still_width: int = 1280
-    """[px] width of the pictures that do not move."""
+    """Width of the pictures that are not films [pixels]."""
 
 
 class Moment(NamedTuple):
-    """A picture or film: its file, what is recorded, and what is shown of it."""
+    """A picture or film of the gallery."""
 
-    name: str
-    recorded: dict[str, Any]
-    shown: dict[str, Any]
+    name: str  # of its file
+    recorded: dict[str, Any]  # settings of `soccer record`
+    shown: dict[str, Any]  # settings of `soccer export`
 
 
 def drill(scene: str, home: str, seed: int, start: float, league: str = "legged-2001", **shown: Any) -> Moment:
-    """Return the picture of a drill at a time [s], with the way of the ball in the seconds before."""
+    """Return the picture of a drill at a time [s], with the trail of the ball."""
     recorded = {"league": league, "scene": scene, "home": home, "seed": seed}
     return Moment(f"{scene}.png", recorded, {"start": start, "width": WIDTH, "trail": True, "robot": "home_0", **shown})
 
 
-WIDTH = 640  # [px] of the pictures in the gallery of the README, which shows two of them beside each other
+WIDTH = 640  # [px] of the pictures in the gallery of the README, which shows two in a row
 MIDDLE_SIZE = "middle-size-2006"
 HEINEMANN: dict[str, Any] = {"league": MIDDLE_SIZE, "path": True}
 MOMENTS = (

@@ -1,4 +1,4 @@
-"""What `soccer reproduce` measures for the pages: errors of the sensors over the range, and all claims."""
+"""Measurements by `soccer reproduce` for the pages: errors of the sensors over the range, and all claims."""
 
 from pathlib import Path
 from typing import Any
@@ -7,11 +7,11 @@ from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 
-RUN = Path("runs/claims")  # where all claims are measured, so that it can be stopped
+RUN = Path("runs/claims")  # folder of the run, which can be stopped and resumed
 
 
 def measure_all() -> list[ClaimResult]:
-    """Measure every claim in RUN, from where an earlier call stopped."""
+    """Measure every claim in RUN, resuming an earlier call."""
     return reproduce(ReproduceSettings(all=True, threads=2, out=RUN))
 
 

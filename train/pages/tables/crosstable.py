@@ -1,4 +1,4 @@
-"""A table of evaluations in Markdown with a row for each setting and a column for each opponent, or the other way."""
+"""A table of evaluations in Markdown, with a row for each setting and a column for each opponent, or transposed."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,7 +7,7 @@ Cells = Mapping[tuple[str, str], str]  # by the names of row and column
 
 
 def crosstable(corner: str, cells: Cells) -> str:
-    """Return cells as a table, rows and columns in the order in which they first appear; missing ones as "-"."""
+    """Return cells as a table, with rows and columns in order of first appearance, and "-" for missing cells."""
     rows = dict.fromkeys(row for row, _ in cells)
     columns = dict.fromkeys(column for _, column in cells)
     lines = [f"| {corner} | {' | '.join(columns)} |", "|" + "---|" * (len(columns) + 1)]
@@ -17,6 +17,6 @@ def crosstable(corner: str, cells: Cells) -> str:
 
 
 def goals_of(row: Mapping[str, Any]) -> str:
-    """Return the goal difference a match of an evaluation, with its interval."""
-    found = row["goal_difference"]
-    return f"{found['mean']:+.2f} ({found['low']:+.2f} to {found['high']:+.2f})"
+    """Return the goal difference per match of an evaluation, with its interval."""
+    goals = row["goal_difference"]
+    return f"{goals['mean']:+.2f} ({goals['low']:+.2f} to {goals['high']:+.2f})"

@@ -1,4 +1,4 @@
-"""The table of teams over drills: how often each succeeds, by its sensors."""
+"""The table of teams and drills: the share of success of each team with sensors."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -9,7 +9,7 @@ from soccer_env.train.evaluate.drills import SEED, run_drill
 from soccer_env.train.pages.tables.crosstable import crosstable
 from soccer_env.train.statistics import wilson_interval
 
-RUNS = 400  # 400 runs of a share of a half: +-5 %
+RUNS = 400  # the interval of a share of 50 % is then +-5 %
 FIXED = ("still", "random", "walker")
 TEAMS = {
     "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
@@ -18,7 +18,7 @@ TEAMS = {
 
 
 def drills_of(league: str) -> Iterator[Scene]:
-    """Yield the drills that are for a league."""
+    """Yield the drills of a league."""
     family = find_league(league).family
     for scene in SCENES.values():
         if scene.success != "none" and (not scene.families or family in scene.families):
@@ -53,11 +53,11 @@ def drills_table(table: dict[str, Any]) -> str:
 
 
 def share_of(row: dict[str, Any]) -> str:
-    """Return how often a team succeeds [%]."""
+    """Return the share of success of a team [%]."""
     return f"{100 * row['successes'] / row['runs']:.0f}"
 
 
 def half_width(row: dict[str, Any]) -> float:
-    """Return how far the interval of a share reaches to its longer side [%]."""
+    """Return the longer half of a share's interval [%]."""
     share, low, high = wilson_interval(row["successes"], row["runs"])
     return 100 * max(share - low, high - share)

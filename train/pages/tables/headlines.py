@@ -1,4 +1,4 @@
-"""The few figures that the main README shows, picked out of the measured tables: nothing is measured for them."""
+"""The few figures of the main README, taken from the measured tables: nothing is measured for them."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -7,13 +7,13 @@ from soccer_env.train.pages.tables.paper_page import counted
 from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
 from soccer_env.train.pages.tables.teams import PLAYERS
 
-MATCHES = (  # table, home, away, minutes of a match, what the row says
+MATCHES = (  # table, home, away, minutes of a match, words of the row
     ("learned", "learned", "sacks-2001", 4.0, "the learned team against the team of the 2001 paper"),
     ("learned", "learned", "chaser", 10.0, "the learned team against `chaser`, a scripted team"),
     ("sacks", "sacks-2001", "chaser", 4.0, "the team of the 2001 paper against `chaser`"),
 )
 LEAGUE, RULES = "legged-2001", "league"
-SPEEDS = (  # row of the benchmark, what the row says
+SPEEDS = (  # row of the benchmark, words of the row
     ("legged-2001: senses", "legged matches, 3 v 3, every robot senses and believes, one core"),
     ("middle-size-2006: senses", "the same in the middle size"),
 )
@@ -22,23 +22,23 @@ SPEEDS = (  # row of the benchmark, what the row says
 class Headline(NamedTuple):
     """A row of the table and the command that measures it."""
 
-    what: str
-    found: str
+    words: str
+    value: str
     command: str
 
 
 def headlines(data: dict[str, Any]) -> Iterator[Headline]:
-    """Yield the rows that tables.json has figures for."""
-    for table, home, away, minutes, what in MATCHES:
+    """Yield the rows whose figures tables.json holds."""
+    for table, home, away, minutes, words in MATCHES:
         for row in data.get(table, {"rows": []})["rows"]:
             played = (row["home"], row["away"], row["minutes"], row["senses"], row.get("players", PLAYERS))
             by = row["league"], row.get("rules", RULES)
             if played == (home, away, minutes, "sensors", PLAYERS) and by == (LEAGUE, RULES):
-                yield Headline(f"{what}, 3 v 3, {minutes:g} minutes", goals(row), row["command"])
+                yield Headline(f"{words}, 3 v 3, {minutes:g} minutes", goals(row), row["command"])
     speeds = {row["name"]: row["text"] for row in data.get("speed", {"rows": []})["rows"]}
-    for name, what in SPEEDS:
+    for name, words in SPEEDS:
         if name in speeds:
-            yield Headline(what, speeds[name], data["speed"]["command"])
+            yield Headline(words, speeds[name], data["speed"]["command"])
     yield Headline(
         "statements of the 2001 paper, each measured on three seeds",
         counted(SACKS_PAGE.stored(), SACKS_PAGE.claims),
@@ -60,6 +60,6 @@ def headlines_table(data: dict[str, Any]) -> str:
     rows = list(headlines(data))
     commands = list(dict.fromkeys(row.command for row in rows))
     lines = ["| what | measured (95 % interval) | command |", "|---|---|---|"]
-    lines += [f"| {row.what} | {row.found} | {commands.index(row.command) + 1} |" for row in rows]
+    lines += [f"| {row.words} | {row.value} | {commands.index(row.command) + 1} |" for row in rows]
     numbered = [f"{command}  # {number}" for number, command in enumerate(commands, 1)]
     return "\n".join([*lines, "", "```bash", *numbered, "```"])

@@ -1,8 +1,8 @@
-"""The README of the teams of 2006: what the paper says beside what was measured.
+"""The README of the teams of 2006: the paper's claims beside the measurements.
 
 `python -m soccer_env.train.pages.tables.heinemann [run FOLDER ... | write]`: see `paper_page.py`.
 
-The paper's figure, planned and travelled paths of both planners, is drawn anew each time that something is measured.
+Each measurement also redraws the paper's figure: planned and travelled paths of both planners.
 """
 
 import sys
@@ -17,7 +17,7 @@ from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.stored import FOLDERS
 from soccer_env.train.report.style import canvas, plot
 
-RUN = Path("runs/claims-heinemann")  # where all claims are measured, so that it can be stopped
+RUN = Path("runs/claims-heinemann")  # folder of the run, which can be stopped and resumed
 PATHS = "heinemann-paths.png"
 
 
@@ -27,13 +27,7 @@ def measure() -> Path:
     return RUN
 
 
-PAGE = PaperPage(
-    folder=FOLDERS[HEINEMANN],
-    paper=HEINEMANN,
-    pictures={"H10": 1, "H20": 1},
-    measure=measure,
-    tables={},
-)
+PAGE = PaperPage(folder=FOLDERS[HEINEMANN], paper=HEINEMANN, pictures={"H10": 1, "H20": 1}, measure=measure, tables={})
 
 
 @plot
@@ -55,7 +49,7 @@ def draw_paths() -> Any:
 
 
 def main(words: list[str]) -> int:
-    """Do what the words ask for; return the exit code."""
+    """Run the command and redraw the figure after a measurement; return the exit code."""
     code = PAGE.main(words)
     if code == 0 and words != ["write"]:
         write_whole(SHOWN / PATHS, draw_paths())

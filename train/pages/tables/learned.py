@@ -1,4 +1,4 @@
-"""The tables of the learned team: which evaluations they are made of, and the time that training takes."""
+"""The tables of the learned team: its evaluations, and the time of its training."""
 
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
@@ -17,8 +17,8 @@ from soccer_env.train.pages.tables.teams import row_of, row_settings
 TEAM = "learned"
 MATCHES = 200
 MINUTES = 4.0
-HELD_OUT = 2  # seed: the policy was trained with other seeds, and seeds of matches follow from it
-LONG = 10.0  # [min] of the match in which the share of points against the chaser is asked for
+HELD_OUT = 2  # seed of these evaluations: the policy was trained with other seeds
+LONG = 10.0  # [min] of the match against the chaser
 LEAGUE, SMOOTH = "legged-2001", "legged-2001-smooth"
 TEAMS = ("chaser", "sacks-2001", "sacks-2001-tuned")
 LADDER = ("sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75")
@@ -49,7 +49,7 @@ def learned_row(
 
 
 def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, Any]]:
-    """Play evaluations and return their rows, with the rules, the whistles and how the goals fell."""
+    """Play evaluations and return their rows, with the rules, the whistles and the kinds of goals."""
     rows = []
     for settings in evaluations:
         result = evaluate(settings)
@@ -58,7 +58,7 @@ def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, A
 
 
 def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the whistles against both teams, and how many of the learned team's goals fell how."""
+    """Return the whistles against both teams, and the clean and all goals of the learned team."""
     whistles = [
         sum(one.total for name, one in statistics.items() if name.startswith(WHISTLES) and name.endswith(side))
         for side in ("for", "against")
@@ -80,7 +80,7 @@ def learned_table(table: dict[str, Any]) -> str:
 
 
 def kind_of(row: dict[str, Any]) -> str:
-    """Return how a match differs from others: the team sizes, and whatever is not as usual."""
+    """Return the kind of a match in words: the team sizes, and every setting that is not the usual one."""
     sizes = row["players"] if isinstance(row["players"], str) else f"{row['players']}v{row['players']}"
     unusual = [f"{row['minutes']:g} minutes"] * (row["minutes"] != MINUTES)
     unusual += ["ideal senses"] * (row["senses"] == "ideal")
@@ -94,9 +94,9 @@ def whistles_of(row: dict[str, Any]) -> str:
     return " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
 
 
-# The reference run: how fast training is, and where its time goes
+# The reference run: the speed of training, and the time of its stages
 
-ROLLOUTS, WARM_UP = 14, 2  # the first ones are not counted: they load and compile
+ROLLOUTS, WARM_UP = 14, 2  # of all rollouts the first two are not counted: they load and compile
 WANTED = 15_000  # [decisions/s]
 STAGES = {
     "matches": "matches: physics, sensors, beliefs, opponents, observations",
@@ -120,7 +120,7 @@ def reference_settings(out: Path, rollouts: int = ROLLOUTS) -> Any:
 
 
 def measure_training(rollouts: int = ROLLOUTS) -> dict[str, Any]:
-    """Run the reference run; return its decisions a second and the time of each stage [us a decision]."""
+    """Train the reference run; return its decisions per second and the time of each stage [us per decision]."""
     from soccer_env.train.bench.benchmark import machine
     from soccer_env.train.ppo import train
     from soccer_env.train.ppo.settings import command_of

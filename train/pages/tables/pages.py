@@ -1,16 +1,16 @@
-"""The tables of the pages: measured by commands, kept as JSON beside this file, written between markers.
+"""The tables of the pages: measured by commands, stored as JSON beside this file, written between markers.
 
-PAGES says which page each belongs to; the headlines of the main README are picked out of the others.
+PAGES gives the page of each table; the headlines of the main README are taken from the other tables.
 
-    python -m soccer_env.train.pages.tables [NAME]     measure all tables, or one, anew and write file and pages
+    python -m soccer_env.train.pages.tables [NAME]     measure all tables, or one, and write file and pages
     python -m soccer_env.train.pages.tables write      write the pages again from the file, without measuring
-    python -m soccer_env.train.pages.tables states     take the final states of first pairs anew where scores
-                                                       agree, after a change of what records hold (never of play)
-    python -m soccer_env.train.pages.tables --check    replay a small part of each and fail where it no longer agrees
+    python -m soccer_env.train.pages.tables states     update the final states of first pairs whose scores agree,
+                                                       after a change to the fields of records (never to play)
+    python -m soccer_env.train.pages.tables --check    replay a small part of each table; fail if it no longer agrees
 
-The check plays the first pair of matches of every row again and compares score and final state; where versions or the
-kind of machine differ from those of the table, play differs in its last bits, and it says so instead. For speed it
-measures quickly and asks only that no ratio has grown beyond a factor.
+The check plays the first pair of matches of every row again and compares score and final state. With other versions or
+another kind of machine play differs in its last bits: the check then reports this instead. For speed it measures
+quickly and fails only if a ratio has grown beyond SLOWER.
 """
 
 import json
@@ -33,7 +33,7 @@ from soccer_env.train.pages.tables.learned import (
     measure_training,
     training_table,
 )
-from soccer_env.train.pages.tables.markers import between_markers
+from soccer_env.train.pages.tables.paper_page import between_markers
 from soccer_env.train.pages.tables.plausibility import measure_plausibility, plausibility_table
 from soccer_env.train.pages.tables.teams import (
     first_pair,
@@ -99,7 +99,7 @@ SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Mark
 
 
 def about() -> dict[str, str]:
-    """Return what a table was made with."""
+    """Return date, commit, machine and versions of a measurement."""
     import datetime
 
     versions = {name: version_of(name) for name in LIBRARIES}
@@ -108,7 +108,7 @@ def about() -> dict[str, str]:
 
 
 def machine() -> str:
-    """Return the kind of machine, on which bits depend."""
+    """Return the kind of machine, on which the last bits of play depend."""
     return f"{platform.system()} {platform.machine()}"
 
 
@@ -124,7 +124,7 @@ def speed_table(table: dict[str, Any]) -> str:
 
 
 def with_footer(text: str, table: dict[str, Any]) -> str:
-    """Return a table with the line under it."""
+    """Return a table with its footer."""
     return f"{text}\n{footer(table['about'])}"
 
 
@@ -146,12 +146,12 @@ def with_tables(text: str, page: str, data: dict[str, Any]) -> str:
 
 
 def page_text(page: str) -> str:
-    """Return what a page says now."""
+    """Return the present text of a page."""
     return (ROOT / page).read_text(encoding="utf-8")
 
 
 def check(data: dict[str, Any], quick: bool = False) -> list[str]:
-    """Return one sentence for each table, or part of it, that no longer agrees; `quick` leaves out the speed."""
+    """Return a sentence for each part of a table that no longer agrees; `quick` leaves out the speed."""
     problems = []
     for page in dict.fromkeys(PAGES.values()):
         if with_tables(page_text(page), page, data) != page_text(page):
@@ -161,7 +161,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
         if name not in data:
             continue
         made = data[name]["about"]
-        if all(made[what] == now[what] for what in (*LIBRARIES, "machine")):
+        if all(made[name] == now[name] for name in (*LIBRARIES, "machine")):
             problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
         else:
             print(f"tables: versions or machine differ from those of {name}; matches are not compared", file=sys.stderr)
@@ -169,14 +169,14 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
 
 
 def take_states(data: dict[str, Any]) -> list[str]:
-    """Put the final states of first pairs as they are now into the data; return the rows whose scores differ."""
+    """Update the final states of first pairs in the data; return the rows whose scores differ."""
     problems = []
     for row in (row for name in PLAYED for row in data.get(name, {"rows": []})["rows"]):
-        found = first_pair(row)
-        if [pair[:2] for pair in found] == [pair[:2] for pair in row["first_pair"]]:
-            row["first_pair"] = found
+        again = first_pair(row)
+        if [pair[:2] for pair in again] == [pair[:2] for pair in row["first_pair"]]:
+            row["first_pair"] = again
         else:
-            problems.append(f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}")
+            problems.append(f"{row['command']}: the first pair now ends {again}, the table has {row['first_pair']}")
     return problems
 
 
@@ -194,9 +194,9 @@ def slower_rows(table: dict[str, Any]) -> list[str]:
 
 
 def stored() -> dict[str, Any]:
-    """Return what was measured last."""
-    found: dict[str, Any] = json.loads(DATA.read_text(encoding="utf-8"))
-    return found
+    """Return the stored measurements."""
+    tables: dict[str, Any] = json.loads(DATA.read_text(encoding="utf-8"))
+    return tables
 
 
 def write_pages(data: dict[str, Any]) -> None:

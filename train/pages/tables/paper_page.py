@@ -1,10 +1,10 @@
-"""The page of a team that was built from a paper: a short row for each claim; claims.json beside the page has the rest.
+"""The page of a team that was built from a paper: a short row for each claim, with details in claims.json beside it.
 
-    python -m soccer_env.train.pages.tables.sacks                 measure each claim of the paper (goes on)
-    python -m soccer_env.train.pages.tables.sacks run FOLDER ...  take in what runs of `soccer reproduce` found
+    python -m soccer_env.train.pages.tables.sacks                 measure each claim of the paper (resumes)
+    python -m soccer_env.train.pages.tables.sacks run FOLDER ...  take over the results of runs of `soccer reproduce`
     python -m soccer_env.train.pages.tables.sacks write           write README.md again from claims.json
 
-The same of `tables.heinemann`. Tables stand between markers in the page.
+`tables.heinemann` has the same commands. Tables stand between markers in the page.
 """
 
 import json
@@ -17,7 +17,6 @@ from typing import Any
 
 from soccer_env.guards.whole_files import write_whole
 from soccer_env.train.files import read_lines
-from soccer_env.train.pages.tables.markers import between_markers
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.report import with_interval
@@ -37,9 +36,9 @@ class PaperPage:
 
     folder: Path
     paper: str
-    pictures: Mapping[str, int]  # that the page shows: a claim's figure, by its number
+    pictures: Mapping[str, int]  # on the page: a claim's id, and the number of its figure
     measure: Callable[[], Path]  # measures every claim and returns the folder of the run
-    tables: Mapping[str, Callable[[], str]]  # beside that of the claims
+    tables: Mapping[str, Callable[[], str]]  # besides the table of claims
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -47,26 +46,26 @@ class PaperPage:
         return tuple(claim.id for claim in all_claims().values() if claim.paper == self.paper and not claim.study)
 
     def stored(self) -> dict[str, dict[str, Any]]:
-        """Return what claims.json holds."""
+        """Return the contents of claims.json."""
         return read_stored(self.folder)
 
     def take(self, run: Path) -> dict[str, dict[str, Any]]:
-        """Return the paper's claims that a run of `soccer reproduce` left in a folder; ValueError without any.
+        """Return the paper's claims in the folder of a run of `soccer reproduce`; ValueError without any.
 
-        Figures that the page shows are copied; those of claims that the run lacks stay as they are.
+        The figures of the page are copied; figures of claims that the run lacks stay as they are.
         """
         about = read_settings(run / SETTINGS).get("about", {})
         names = [field.name for field in fields(ClaimResult)]
         records = read_lines(run / "claims.jsonl")
         results = [ClaimResult(**{name: record[name] for name in names}) for record in records]
-        found = {result.id: taken(result, about) for result in results if result.id in self.claims}
-        if not found:
+        claims = {result.id: taken(result, about) for result in results if result.id in self.claims}
+        if not claims:
             raise ValueError(f"{run} holds no claim of {self.paper}")
         for claim, number in self.pictures.items():
             drawn = run / plot_name(claim, number)
             if drawn.exists():
                 write_whole(SHOWN / f"claim-{claim}.png", drawn.read_bytes())
-        return found
+        return claims
 
     def with_tables(self, readme: str, measured: Measured) -> str:
         """Return the README with its tables between their markers."""
@@ -83,7 +82,7 @@ class PaperPage:
         write_whole(readme, self.with_tables(readme.read_text(encoding="utf-8"), ordered))
 
     def main(self, words: Sequence[str]) -> int:
-        """Measure, take in runs or write; return the exit code."""
+        """Measure, take over runs or write; return the exit code."""
         if not words:
             self.write(self.take(self.measure()))
         elif [*words] == ["write"]:
@@ -100,7 +99,7 @@ class PaperPage:
 
 
 def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
-    """Return what claims.json keeps of a claim's result, with the date and commit of its run."""
+    """Return the entry of claims.json for a claim's result, with the date and commit of its run."""
     return {
         **{name: getattr(result, name) for name in KEPT},
         "findings": [short(one) for one in result.findings],
@@ -109,14 +108,14 @@ def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     }
 
 
-def short(found: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what claims.json keeps of a criterion."""
-    kept = {name: found[name] for name in ("criterion", "verdict", "n")}
-    return kept | {"shown": with_interval(dict(found))}
+def short(finding: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the entry of claims.json for the finding of a criterion."""
+    kept = {name: finding[name] for name in ("criterion", "verdict", "n")}
+    return kept | {"shown": with_interval(dict(finding))}
 
 
 def claims_table(measured: Measured, claims: Sequence[str]) -> str:
-    """Return every claim of a paper in Markdown: those without a result are shown as not measured."""
+    """Return a table of every claim of a paper in Markdown; claims without a result are shown as not measured."""
     known = all_claims()
     lines = [
         "| id | the paper says | measured (95 % interval) | verdict | what was measured [what is asked] |",
@@ -130,22 +129,22 @@ def claims_table(measured: Measured, claims: Sequence[str]) -> str:
 
 
 def cells_of(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
-    """Return what was measured of a claim: the number that decides it, the verdict, and what the number is."""
+    """Return the cells of a claim: the number that decides it, the verdict, and the meaning of the number."""
     result = as_result(claim, row)
-    found = next(one for one in result.findings if one["criterion"] == result.criterion)
+    finding = next(one for one in result.findings if one["criterion"] == result.criterion)
     verdict = f"**{result.marked}**" if result.verdict == NOT else result.marked
-    return with_interval(found), verdict, f"{found['criterion']}{in_signs(found['asked'])}"
+    return with_interval(finding), verdict, f"{finding['criterion']}{in_signs(finding['asked'])}"
 
 
-def in_signs(asked: str) -> str:
-    """Return a bound in brackets and signs: " [≥80]" of "at least 80"; "" without one."""
+def in_signs(bound: str) -> str:
+    """Return a bound in brackets and signs: " [≥80]" for "at least 80"; "" without a bound."""
     for words, sign in SIGNS.items():
-        asked = asked.replace(words, sign)
-    return f" [{asked}]" if asked else ""
+        bound = bound.replace(words, sign)
+    return f" [{bound}]" if bound else ""
 
 
 def counted(measured: Measured, claims: Sequence[str]) -> str:
-    """Return how many claims got which verdict."""
+    """Return the number of claims with each verdict, in words."""
     counts = Counter(row["verdict"] for row in measured.values())
     parts = [f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict]]
     missing = len(claims) - len(measured)
@@ -155,6 +154,16 @@ def counted(measured: Measured, claims: Sequence[str]) -> str:
 
 
 def sources(measured: Measured) -> str:
-    """Return when and with which commits the rows were measured."""
+    """Return the dates and commits of the measurements, in words."""
     runs = {f"{row['about']['date']} ({row['about']['commit'] or 'no commit'})" for row in measured.values()}
     return f"Measured {', '.join(sorted(runs))}." if runs else ""
+
+
+def between_markers(text: str, name: str, table: str) -> str:
+    """Return a page with a table between its markers; ValueError for a marker that is missing."""
+    begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
+    before, opened, rest = text.partition(begin)
+    _, closed, after = rest.partition(end)
+    if not opened or not closed:
+        raise ValueError(f"the page lacks the markers of table {name}")
+    return f"{before}{begin}\n{table}\n{end}{after}"

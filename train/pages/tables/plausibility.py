@@ -1,7 +1,7 @@
-"""How teams play beside what is published of real matches: statistics of play, and whether they lie inside.
+"""Compare statistics of play with published figures of real matches.
 
-Published figures come as ranges; a measured one is inside if its interval meets the range. Little is published: of
-possession, passes or stuck balls no figure of either league was found, so those stand without a verdict.
+Published figures come as ranges; a measured figure is inside if its interval meets the range. Little is published: no
+figure of possession, passes or stuck balls was found for either league, so these have no verdict.
 """
 
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.report import table
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings
-from soccer_env.train.evaluate.statistics import Total, finite, in_pairs, told
+from soccer_env.train.evaluate.statistics import Total, finite, in_pairs, in_words
 from soccer_env.train.pages.tables.teams import row_of, row_settings
 from soccer_env.train.statistics import ratio_bootstrap
 
@@ -29,7 +29,7 @@ PAIRINGS = (  # league, home, away, players a side
 
 @dataclass(frozen=True)
 class Published:
-    """What is known of real matches: a range, and where from."""
+    """A published range of real matches, and its source."""
 
     low: float
     high: float
@@ -53,13 +53,13 @@ PUBLISHED = {  # by league and statistic
         0.0, 11 / 30, "at most 0.37 (11-1 in 30 min)", "Osnabrück's press note of Bremen 2006",
     ),
 }  # fmt: skip
-REMARKS = {  # what UNSW's diary says without a figure
+REMARKS = {  # remarks of UNSW's diary without a figure
     ("legged-2001", "in_corner"): 'scuffles in the corner "occurred so often" (1999)',
     ("legged-2001", "goals_pushed_in"): "the champions of 2000 ran the ball in",
 }
 RESTARTS = tuple(f"restarts_{phase.name.lower()}" for phase in figures.RESTARTS)
 FOULS = tuple(figure.name for figure in figures.FIGURES if figure.name.startswith("fouls_"))
-SHOWN: dict[str, tuple[str, tuple[str, ...]]] = {  # name -> in words, and the statistics that are added up
+SHOWN: dict[str, tuple[str, tuple[str, ...]]] = {  # name -> words, and the statistics to add up
     "goals": ("goals of both teams", ("goals",)),
     "one_sided": ("goals of the better team", ()),
     "in_play": ("ball in play", ("in_play",)),
@@ -87,7 +87,7 @@ def plausibility_rows() -> Iterator[EvaluateSettings]:
 
 
 def measure_plausibility() -> dict[str, Any]:
-    """Play the pairings, and keep of each what the table shows."""
+    """Play the pairings, and return their rows."""
     rows = []
     for settings in plausibility_rows():
         result = evaluate(settings)
@@ -96,7 +96,7 @@ def measure_plausibility() -> dict[str, Any]:
 
 
 def play_of(result: EvaluationResult) -> dict[str, list[Any]]:
-    """Return value, low, high and unit of what the table shows, of both teams together."""
+    """Return value, low, high and unit of each statistic of the table, of both teams together."""
     lines = [line.statistics for line in result.lines]
     better = "goals_for" if result.goals_for >= result.goals_against else "goals_against"
     added = {name: columns_of(names) or [better] for name, (_, names) in SHOWN.items()}
@@ -110,9 +110,11 @@ def play_of(result: EvaluationResult) -> dict[str, list[Any]]:
 
 
 def columns_of(names: tuple[str, ...]) -> list[str]:
-    """Return the numbers of a match that are added up for some statistics, of both teams."""
-    found = [figure_of(name) for name in names]
-    return [f"{x.name}_{side}" if x.team else x.name for x in found for side in (figures.SIDES if x.team else ("",))]
+    """Return the names of a match's numbers to add up for some statistics, of both teams."""
+    statistics = map(figure_of, names)
+    return [
+        f"{x.name}_{side}" if x.team else x.name for x in statistics for side in (figures.SIDES if x.team else ("",))
+    ]
 
 
 def figure_of(name: str) -> figures.Statistic:
@@ -121,7 +123,7 @@ def figure_of(name: str) -> figures.Statistic:
 
 
 def whole_of(name: str) -> str:
-    """Return what a number of a match is a share of, or counted in."""
+    """Return the whole that a number of a match is a share of, or counted in."""
     return figure_of(name).whole
 
 
@@ -133,9 +135,9 @@ def verdict(league: str, name: str, low: float | None, high: float | None) -> st
     return "inside" if (low if low is not None else -inf) <= known.high and (high or 0.0) >= known.low else "outside"
 
 
-def plausibility_table(found: dict[str, Any]) -> str:
-    """Return the table in Markdown: a column for each pairing, then what is published, then the commands."""
-    rows = found["rows"]
+def plausibility_table(measured: dict[str, Any]) -> str:
+    """Return the table in Markdown: a column for each pairing, then the published figures, then the commands."""
+    rows = measured["rows"]
     head = ("", *(f"{row['home']} against {row['away']}, {row['league']}, {row['players']} a side" for row in rows))
     lines = [(words, *(cell_of(row, name) for row in rows)) for name, (words, _) in SHOWN.items()]
     known = [(*where, known.text, known.source) for where, known in PUBLISHED.items()]
@@ -149,4 +151,4 @@ def plausibility_table(found: dict[str, Any]) -> str:
 def cell_of(row: dict[str, Any], name: str) -> str:
     """Return one statistic of a pairing, and whether it lies inside the published range."""
     value, low, high, unit = row["play"][name]
-    return f"{told(Total(0.0, value, low, high, unit))} {verdict(row['league'], name, low, high)}".rstrip()
+    return f"{in_words(Total(0.0, value, low, high, unit))} {verdict(row['league'], name, low, high)}".rstrip()

@@ -1,22 +1,63 @@
-"""The README of the team sacks-2001: what the paper says beside what was measured, and which numbers are the paper's.
+"""The README of the team sacks-2001: the paper's claims beside the measurements, and the paper's own numbers.
 
 `python -m soccer_env.train.pages.tables.sacks [run FOLDER ... | write]`: see `paper_page.py`.
 """
 
 import sys
+from math import pi
 from pathlib import Path
+from textwrap import wrap
+from typing import Any
 
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.train.evaluate.report import plain
 from soccer_env.train.pages.tables.claims import RUN, measure_all
 from soccer_env.train.pages.tables.paper_page import PaperPage
-from soccer_env.train.pages.tables.sacks_settings import constants_text
 from soccer_env.train.papers.claim import SACKS
 from soccer_env.train.papers.stored import FOLDERS
+
+WIDTH = 118  # of a line of text
 
 
 def measure() -> Path:
     """Measure every claim of both papers; return the folder of the run."""
     measure_all()
     return RUN
+
+
+def constants_text() -> str:
+    """Return a paragraph on the settings that are constants of the paper, and the number of assumed settings."""
+    rows = list(SacksSettings().rows())
+    assumed = [name for name, _, _, note in rows if "assumed" in note or "ours" in note]
+    numbers = [row for row in rows if is_number(row[1]) and row[0] != "strength" and row[0] not in assumed]
+    words = ", ".join(f"`{name}` {shown(value, unit_of(note))}" for name, value, _, note in numbers)
+    rest = len(rows) - len(numbers) - len(assumed) - 1
+    text = (
+        f"Of {len(rows)} settings, {len(numbers)} are numbers of the paper: {words}. {rest} are rules of the paper "
+        f"that can be switched off, or what it leaves to the future; one is the strength. {len(assumed)} are assumed "
+        "or ours."
+    )
+    return "\n".join(wrap(text, WIDTH))
+
+
+def is_number(value: Any) -> bool:
+    """Tell whether a setting is a number, not a switch or a choice."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def unit_of(note: str) -> str:
+    """Return the unit at the head of a setting's note, as "[m"."""
+    return note.partition("] ")[0] if note.startswith("[") else ""
+
+
+def shown(value: Any, unit: str) -> str:
+    """Return a setting's value with its unit, an angle also in degrees."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return str(value)
+    number = plain(float(value), 3)
+    if unit == "[rad":
+        return f"{number} rad ({value * 180.0 / pi:.0f} degrees)"
+    return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
 
 
 PAGE = PaperPage(

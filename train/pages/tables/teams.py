@@ -1,4 +1,4 @@
-"""The tables of teams against teams: which evaluations they are made of, and how a row is played again."""
+"""The tables of teams against teams: their evaluations, and the replay of a row."""
 
 from collections.abc import Iterator
 from dataclasses import asdict, replace
@@ -15,7 +15,7 @@ from soccer_env.train.pages.tables.crosstable import crosstable, goals_of
 
 SEED, PLAYERS = 1, 3
 MATCHES = {"ideal": 200, "sensors": 100}
-OPPONENTS = {  # of the chaser, by what fills the beliefs of both teams
+OPPONENTS = {  # of the chaser, by the senses of both teams
     "ideal": ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75"),
     "sensors": ("still", "random", "chaser@0", "chaser@0.5"),
 }
@@ -26,7 +26,7 @@ SACKS = (  # home, against the chaser
 )  # fmt: skip
 WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
 HEINEMANN_MINUTES = 4.0
-HEINEMANN = (  # players a side, home, away, matches; what the team is without an idea is a team as well
+HEINEMANN = (  # players a side, home, away, matches; a team without one of its ideas is a team as well
     (3, "heinemann-2006", "chaser", 200),
     *((3, f"heinemann-2006@{strength}", "chaser", 100) for strength in ("0", "0.25", "0.5", "0.75")),
     (5, "heinemann-2006", "chaser", 200), (5, "weigel-2001", "chaser", 100), (5, "heinemann-2006", "weigel-2001", 200),
@@ -47,7 +47,7 @@ def scripted_rows() -> Iterator[EvaluateSettings]:
 
 
 def sacks_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of sacks-2001: against the chaser, against itself without a part, and of its variants."""
+    """Yield the evaluations of sacks-2001: against the chaser, against itself without a part, and its variants."""
     opponents = ("chaser", *(f"sacks-2001:{off}" for off in WITHOUT))
     pairs = [("sacks-2001", away, 2 * SACKS_MATCHES) for away in opponents]
     pairs += [(home, "chaser", SACKS_MATCHES) for home in SACKS]
@@ -63,15 +63,9 @@ def heinemann_rows() -> Iterator[EvaluateSettings]:
 
 
 def row_settings(
-    league: str,
-    home: str,
-    away: str,
-    senses: str,
-    matches: int,
-    minutes: float | None = None,
-    players: int | str = PLAYERS,
-    seed: int = SEED,
-) -> EvaluateSettings:
+    league: str, home: str, away: str, senses: str, matches: int, minutes: float | None = None,
+    players: int | str = PLAYERS, seed: int = SEED,
+) -> EvaluateSettings:  # fmt: skip
     """Return the evaluation behind one row."""
     return EvaluateSettings(
         league=league, home=home, away=away, senses=senses, matches=matches, minutes=minutes, players=players,
@@ -85,17 +79,11 @@ def measure_rows(evaluations: Iterator[EvaluateSettings]) -> list[dict[str, Any]
 
 
 def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, Any]:
-    """Return what a table keeps of an evaluation."""
-    first = [[line.goals_for, line.goals_against, line.state] for line in result.lines[:2]]
+    """Return the row of a table for an evaluation."""
+    names = ("league", "home", "away", "senses", "players", "seed", "matches")
     return {
         "command": command_of(settings),
-        "league": settings.league,
-        "home": settings.home,
-        "away": settings.away,
-        "senses": settings.senses,
-        "players": settings.players,
-        "seed": settings.seed,
-        "matches": settings.matches,
+        **{name: getattr(settings, name) for name in names},
         "asked_minutes": settings.minutes,
         "minutes": result.conditions.minutes,
         "settings_hash": result.lines[0].settings,
@@ -103,16 +91,16 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
         "goal_difference": asdict(result.goal_difference),
         "points": asdict(result.points),
         "passes": [result.statistics[f"passes_{side}"].value for side in ("for", "against")],
-        "first_pair": first,
+        "first_pair": [[line.goals_for, line.goals_against, line.state] for line in result.lines[:2]],
     }
 
 
 def replay_row(row: dict[str, Any]) -> list[str]:
-    """Play the first pair of a row again; return what differs."""
-    found = first_pair(row)
-    if found == row["first_pair"]:
+    """Play the first pair of a row again; return a sentence if it differs."""
+    again = first_pair(row)
+    if again == row["first_pair"]:
         return []
-    return [f"{row['command']}: the first pair now ends {found}, the table has {row['first_pair']}"]
+    return [f"{row['command']}: the first pair now ends {again}, the table has {row['first_pair']}"]
 
 
 def first_pair(row: dict[str, Any]) -> list[list[Any]]:
@@ -125,11 +113,11 @@ def first_pair(row: dict[str, Any]) -> list[list[Any]]:
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
     seeds = seeds_for(settings.seed, 1).tolist()
-    found = []
+    results = []
     for number in (0, 1):
         (line,) = play(contest, [number], seeds, "", 1, lambda steps: None, Event())
-        found.append([line.goals_for, line.goals_against, line.state])
-    return found
+        results.append([line.goals_for, line.goals_against, line.state])
+    return results
 
 
 def scripted_table(table: dict[str, Any]) -> str:
@@ -160,13 +148,13 @@ def heinemann_table(table: dict[str, Any]) -> str:
 
 
 def heinemann_words(row: dict[str, Any]) -> dict[str, str]:
-    """Return what a row of the teams of 2006 shows of its own: the team, the sizes, and completed passes a minute."""
+    """Return the cells of a row of the teams of 2006: the team, the sizes, and completed passes a minute."""
     passed = " : ".join(f"{passes:.2f}" for passes in row["passes"]) if "passes" in row else "-"
     return {"team": f"`{row['home']}`", "sizes": f"{row['players']}v{row['players']}", "passed": passed}
 
 
 def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
-    """Return rows of evaluations in Markdown: columns of values by `names`, what was measured, and a row's command."""
+    """Return evaluations as a table in Markdown: the columns `names` (title: key), then MEASURED, and one command."""
     head = [*names, *MEASURED]
     lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
     lines += [f"| {' | '.join(str(row[name]) for name in names.values())} | {measured(row)} |" for row in rows]

@@ -3,28 +3,29 @@
 To add a claim:
 
 1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`; a module without CLAIMS
-   serves the others of its folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
-2. `rules` states under which rules its matches are made: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or
-   NO_MATCH; a match under others is refused. What reads robots skips those that are sent off (`active`).
+   holds helpers of its folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
+2. `rules` names the rule sets of its matches: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or NO_MATCH; a
+   match under other rules is refused. Measurements skip robots that are sent off (`active`).
 3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
-   returns arrays whose first axis are independent units (normally the matches); NaN stands for "no value". All
+   returns arrays whose first axis is independent units (normally the matches); NaN stands for "no value". All
    randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
    among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
-   says in a few words what the number is, the bound what is asked of it.
-5. `without=Without(ingredient, measure)` makes it by construction: the same criteria with the ingredient off.
-6. One batch should take 2 to 3 s compiled on one core; write what it takes into `seconds`, the cap into `batches`
+   names the number in a few words; the bound is the requirement.
+5. `without=Without(ingredient, measure)` marks a claim by construction: its criteria are measured without the
+   ingredient, too.
+6. One batch should take 2 to 3 s compiled on one core; write this time into `seconds`, the cap into `batches`
    (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.
 7. `soccer reproduce ID --quick`; a test in tests/train/papers holds every module to these rules.
 
-Measure what the paper's words say over the range they speak of; a claim that does not hold is a finding.
+Measure the paper's words over the range that they name; a claim that does not hold is a finding.
 
     ball/            finding and following the ball       players/         recognising and remembering other players
-    stuck/           noticing that one is stuck           dribble/         keeping the ball, past others
-    field/           the potential field                  goalkeeper.py    what a goalkeeper makes of velocities
-    planning/        the planners of 2006                 goalkeeping/     its goalkeeper and receiver
-    own_pose.py      a middle-size robot's own pose       middle_size.py   its sight in changing light
-    resolution.py    what a finer camera would bring      sensors.py       errors of all sensors over the range
+    stuck/           detecting that a robot is stuck      dribble/         keeping the ball, past others
+    field/           the potential field                  goalkeeper.py    a goalkeeper's use of ball velocities
+    planning/        the planners of 2006                 goalkeeping/     goalkeeper and receiver of 2006
+    own_pose.py      a middle-size robot's own pose       middle_size.py   middle-size vision in changing light
+    resolution.py    the gain of a finer camera           sensors.py       errors of all sensors over the range
 """
 
 from collections.abc import Iterable, Mapping
@@ -43,7 +44,7 @@ def all_claims() -> dict[str, Claim]:
 
 
 def find_claims(ids: Iterable[str], known: Mapping[str, Claim]) -> list[Claim]:
-    """Return claims by their ids, each once; ValueError for an unknown id says which exist."""
+    """Return claims by their ids, each once; ValueError, with the known ids, for an unknown one."""
     wanted = list(dict.fromkeys(ids))
     for name in wanted:
         if name not in known:

@@ -1,7 +1,7 @@
-"""What the goalkeeper makes of the ball's velocity.  [Sacks 2001, 3.2, 5]
+"""A goalkeeper's use of the ball's velocity.  [Sacks 2001, 3.2, 5]
 
 The paper's goalkeeper decides how to *block* a ball. So both claims are measured in a league whose goalkeepers can
-spread their forelegs (`soccer_env/physics/block.py`), S67 beside in the one where a sidestep is all they have.
+spread their forelegs (`soccer_env/physics/block.py`), S67 also in the league where they can only sidestep.
 """
 
 from collections.abc import Sequence
@@ -21,21 +21,19 @@ SHOTS = 32
 LOOK, SECONDS = 0.5, 4.5  # [s] of looking at the ball before it is kicked, and longest of a shot
 NEAREST, FARTHEST = 1.0, 2.2  # [m] of the ball from the middle of the goal
 WIDEST = 0.6  # [rad] of the ball off the middle of the pitch
-ARRIVES = 0.15  # [m/s] at least, on the line: slower kicks do not reach the goal
+ARRIVES = 0.15  # [m/s] least speed on the line: slower kicks do not reach the goal
 OUT = 0.30  # [m] of the goalkeeper from the middle of its goal, as it guards
-ASIDE = (
-    0.15  # [m] of it off the line from the ball to the goal at most: for 9 shots in 10 of matches it was 13 cm at most
-)
+ASIDE = 0.15  # [m] of it off the line from the ball to the goal, at most: 13 cm in 9 of 10 shots of matches
 BLOCKING = "legged-2001-block"
-BLOCKS = {"keeper_blocks": True, "keeper_speed": True}  # as sacks-2001-future has it
-FAR = (0.20, 0.35)  # [m] of it off that line at least and at most where it stands far off, assumed
+BLOCKS = {"keeper_blocks": True, "keeper_speed": True}  # as in sacks-2001-future
+FAR = (0.20, 0.35)  # [m] of it off this line, in the scenes "far", assumed
 BINS = (0.75, 0.9, 1.05, 1.2, 1.35, 1.5)  # [m/s] edges of the speed at the kick
 
 
 def face_shots(
     batch: Batch, settings: dict[str, Any], league: str = BLOCKING, far: bool = False, **more: Any
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Let shots roll at the goal of one goalkeeper; return which went in (M,) and their speeds [m/s]."""
+    """Let shots roll at the goal of one goalkeeper; return goals (M,) and the speeds [m/s]."""
     rng = batch.rng()
     team = make_team("sacks-2001", **settings)
     match = stage(batch, league, matches=SHOTS, home=2, controllers={"home": team, "away": "still"}, **more)
@@ -58,7 +56,7 @@ def face_shots(
 
 
 def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.ndarray) -> np.ndarray:
-    """Hold the ball for a moment, let it roll, and tell which shots went in (M,)."""
+    """Hold the ball for LOOK seconds, let it roll, and return the goals (M,)."""
     scored = np.zeros(match.count, bool)
     for step in range(round((LOOK + SECONDS) * match.league.control_rate)):
         if step <= LOOK * match.league.control_rate:
@@ -75,19 +73,19 @@ def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.nda
 
 
 def angular_on_and_off(batch: Batch) -> Samples:
-    """Return which shots went in with the angular velocity and without it.
+    """Return the goals (M,) with the angular velocity and without it.
 
-    With a block; "far ...": the same from far off the line to the ball, "ideal ...": that seen ideally; "step ...":
-    with sidesteps alone, where "step guards" is a goalkeeper that does not react.
+    With a block; "far ...": from far off the line to the ball; "ideal ...": far, with ideal senses; "step ...": with
+    sidesteps alone, where "step guards" is a goalkeeper that does not react.
     """
-    found: Samples = {}
+    samples: Samples = {}
     for name, settings in (("on", {}), ("off", {"angular_keeper": False})):
-        found[name], found["speed"] = face_shots(batch, {**BLOCKS, **settings})
-        found[f"far {name}"], _ = face_shots(batch, {**BLOCKS, **settings}, far=True)
-        found[f"ideal {name}"], _ = face_shots(batch, {**BLOCKS, **settings}, far=True, senses="ideal")
-        found[f"step {name}"], _ = face_shots(batch, settings, LEGGED)
-    found["step guards"], _ = face_shots(batch, {"keeper_alarm": 1e6}, LEGGED)
-    return {name: values.astype(float) for name, values in found.items()}
+        samples[name], samples["speed"] = face_shots(batch, {**BLOCKS, **settings})
+        samples[f"far {name}"], _ = face_shots(batch, {**BLOCKS, **settings}, far=True)
+        samples[f"ideal {name}"], _ = face_shots(batch, {**BLOCKS, **settings}, far=True, senses="ideal")
+        samples[f"step {name}"], _ = face_shots(batch, settings, LEGGED)
+    samples["step guards"], _ = face_shots(batch, {"keeper_alarm": 1e6}, LEGGED)
+    return {name: values.astype(float) for name, values in samples.items()}
 
 
 def saved(samples: Samples, name: str) -> float:
@@ -161,18 +159,18 @@ S67 = Claim(
 
 
 def speeds_and_layers(batch: Batch) -> Samples:
-    """Return which shots went in, with keeper_speed on and off, at both resolutions."""
-    found: Samples = {}
+    """Return the goals (M,) with keeper_speed on and off, at both resolutions."""
+    samples: Samples = {}
     for layer in LAYERS:
         for name, on in (("on", True), ("off", False)):
             settings = {**BLOCKS, "keeper_speed": on}
             scored, speed = face_shots(batch, settings, sensors={"resolution": layer})
-            found[f"{name} {layer}"], found["speed"] = scored.astype(float), speed
-    return found
+            samples[f"{name} {layer}"], samples["speed"] = scored.astype(float), speed
+    return samples
 
 
 def gain(samples: Samples, layer: str) -> float:
-    """Return how many more shots [%] are saved with reactions by speed."""
+    """Return the share of saves with reactions by speed minus the share without [%]."""
     return saved(samples, f"on {layer}") - saved(samples, f"off {layer}")
 
 

@@ -1,4 +1,4 @@
-"""What a middle-size robot sees while the light changes, by a fixed colour table and an adapting one.  [H. 2006, 1]"""
+"""Middle-size vision in changing light, with a fixed and with an adapting colour table.  [Heinemann et al. 2006, 1]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,11 +11,11 @@ from soccer_env.train.papers.values import middles_of, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 64
-SECONDS = 16.0  # [s] of play: about an eighth of the light's period, which begins anywhere in it
+SECONDS = 16.0  # [s] of play: about an eighth of the light's period, from a random phase
 NEAR, FAR = 1.0, 5.0  # [m] of ball and player
-BINS = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)  # [1] edges of the light's distance from the one that the table is made for
-CHANGED = 3  # first bin in which the light counts as changed: half of what "glaring" is
-CLEAN = {"false_balls": 0.0}  # what is read as a ball is one
+BINS = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)  # [1] edges of the light's distance from the table's own light
+CHANGED = 3  # first bin in which the light counts as changed: half of "glaring"
+CLEAN = {"false_balls": 0.0}  # no false balls
 DRIFT = CLEAN | {"light_drift": 1.0}  # from dark to glaring
 VARIANTS: dict[str, dict[str, Any]] = {
     "constant": CLEAN | {"light_drift": 0.0},
@@ -27,7 +27,7 @@ THINGS = ("ball", "player", "own goal", "opponents' goal")
 
 
 def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return, for each frame (M, T): the light, how many of the four THINGS are seen, the ball's range error [m]."""
+    """Return for each frame (M, T): the light, the number of THINGS seen, the ball's range error [m]."""
     rng = batch.rng()
     match = stage(batch, MIDDLE, matches=MATCHES, sensors=sensors, senses={"home": "sensors", "away": "ideal"})
     x, y = rng.uniform(-0.8, 0.8, (2, MATCHES))
@@ -36,7 +36,7 @@ def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
     away, beyond = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(NEAR, FAR, MATCHES)
     put_ball(match, x + away * np.cos(course), y + away * np.sin(course))
     put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
-    match.rebuild()  # not begun anew: the table has followed the light before
+    match.rebuild()  # without `begin`: the table has adapted to the light before
     true, _ = from_robot(match, 0, match.balls["x"], match.balls["y"])
     frames: dict[str, list[np.ndarray]] = {"light": [], "found": [], "error": []}
     for step in play(match, SECONDS):
@@ -55,8 +55,8 @@ def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
 def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
     """Return counts, things found and squared errors (M, bins) of each variant, by the light of the changing runs.
 
-    All three see the same scenes; under constant light the same frames count as under the changing one. `adaptive`:
-    further settings of the sensors of the variant whose table adapts.
+    All three variants see the same scenes, and their frames are binned by the changing light. `adaptive`: further
+    settings of the sensors of the variant whose table adapts.
     """
     seen = {name: watch_under(batch, VARIANTS[name] | (adaptive if name == "adaptive" else {})) for name in VARIANTS}
     place = np.digitize(np.abs(seen["fixed"]["light"]), BINS[1:-1])
@@ -74,27 +74,27 @@ def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
 
 
 def shares(samples: Samples, name: str) -> np.ndarray:
-    """Return the share of things that are seen in each bin of light [1]."""
+    """Return the share of things seen in each bin of light [1]."""
     frames = samples[f"frames {name}"].sum(axis=0)
-    found: np.ndarray = samples[f"found {name}"].sum(axis=0) / np.maximum(len(THINGS) * frames, 1.0)
-    return np.where(frames > 0, found, np.nan)
+    share: np.ndarray = samples[f"found {name}"].sum(axis=0) / np.maximum(len(THINGS) * frames, 1.0)
+    return np.where(frames > 0, share, np.nan)
 
 
 def errors(samples: Samples, name: str) -> np.ndarray:
     """Return the root mean square range error [m] in each bin of light."""
     read = samples[f"read {name}"].sum(axis=0)
-    found: np.ndarray = np.sqrt(samples[f"square {name}"].sum(axis=0) / np.maximum(read, 1.0))
-    return np.where(read > 0, found, np.nan)
+    error: np.ndarray = np.sqrt(samples[f"square {name}"].sum(axis=0) / np.maximum(read, 1.0))
+    return np.where(read > 0, error, np.nan)
 
 
 def over_best(samples: Samples, name: str, quantity: Any) -> np.ndarray:
-    """Return a quantity in each bin over that of constant light in the same frames."""
+    """Return a quantity in each bin over its value under constant light in these frames."""
     ratio: np.ndarray = quantity(samples, name) / quantity(samples, "constant")
     return ratio
 
 
 def seen_in_changed_light(samples: Samples, name: str) -> float:
-    """Return the share of things that are seen in light that has changed, over that of constant light."""
+    """Return the share of things seen in changed light over the share under constant light."""
     frames, best = (samples[f"found {kind}"][:, CHANGED:].sum() for kind in (name, "constant"))
     return float(frames / max(best, 1.0))
 
@@ -102,11 +102,11 @@ def seen_in_changed_light(samples: Samples, name: str) -> float:
 def light_figures(samples: Samples) -> Sequence[Figure]:
     """Draw detection and range error against the light."""
     middles = middles_of(BINS)
-    found = [Curve(label, middles, list(100 * shares(samples, name))) for name, label in LABELS.items()]
+    seen = [Curve(label, middles, list(100 * shares(samples, name))) for name, label in LABELS.items()]
     erring = [Curve(label, middles, list(100 * errors(samples, name))) for name, label in LABELS.items()]
     light = "difference of light from the table's own [1]"
     return (
-        Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(found)),
+        Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(seen)),
         Figure("Range error of the ball under changing light", light, "rms error [cm]", tuple(erring)),
     )
 
@@ -120,42 +120,24 @@ H26 = Claim(
     "that a picture shows and range error of the ball in bins of the light's change, against the same frames under "
     "constant light.",
     criteria=(
-        measured(
-            "adapting table: share seen in the worst light, of constant light",
-            lambda samples: 100 * float(np.nanmin(over_best(samples, "adaptive", shares))),
-            unit="%",
-            at_least=90.0,
-        ),
-        measured(
-            "adapting table: range error in the worst light, of constant light",
-            lambda samples: 100 * float(np.nanmax(over_best(samples, "adaptive", errors))),
-            unit="%",
-            at_most=110.0,
-        ),
-        measured(
-            f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
-            lambda samples: 100 * seen_in_changed_light(samples, "fixed"),
-            unit="%",
-            at_most=50.0,
-        ),
-        reported(
-            f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-            lambda samples: 100 * float(over_best(samples, "fixed", shares)[1]),
-            unit="%",
-        ),
-        reported(
-            f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-            lambda samples: 100 * float(over_best(samples, "fixed", errors)[1]),
-            unit="%",
-        ),
+        measured("adapting table: share seen in the worst light, of constant light",
+                 lambda samples: 100 * float(np.nanmin(over_best(samples, "adaptive", shares))), unit="%",
+                 at_least=90.0),
+        measured("adapting table: range error in the worst light, of constant light",
+                 lambda samples: 100 * float(np.nanmax(over_best(samples, "adaptive", errors))), unit="%",
+                 at_most=110.0),
+        measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
+                 lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
+        reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+                 lambda samples: 100 * float(over_best(samples, "fixed", shares)[1]), unit="%"),
+        reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+                 lambda samples: 100 * float(over_best(samples, "fixed", errors)[1]), unit="%"),
         reported("range error under constant light", lambda samples: 100 * rms(errors(samples, "constant")), unit="cm"),
     ),
     rules=STAGED,
     measure=compare_tables,
-    without=Without(
-        "the own pose, by which the table knows what a pixel must show: here no white line tells it",
-        lambda batch: compare_tables(batch, line_miss=1.0),
-    ),
+    without=Without("the own pose, by which the table knows what a pixel must show: here no white line tells it",
+                    lambda batch: compare_tables(batch, line_miss=1.0)),
     figures=light_figures,
     ingredients=(
         "sensors.table_width and the laws of perception/omni/lighting.py",
@@ -168,6 +150,6 @@ H26 = Claim(
     "of its algorithm: its speed and reach are assumed. Where light changes fastest the table lags by "
     "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion "
     "hangs on that.",
-)
+)  # fmt: skip
 
 CLAIMS = (H26,)

@@ -1,4 +1,4 @@
-"""How well a middle-size robot knows where it is, and how fast it finds out when carried away.  [H. 2006, 1]"""
+"""The accuracy of a middle-size robot's own pose, and its recovery after it is carried away.  [H. 2006, 1]"""
 
 from collections.abc import Sequence
 
@@ -11,16 +11,16 @@ from soccer_env.train.papers.values import median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 80
-OTHERS = 9  # as many as in a match of 5 v 5; they drive about as well and stand in the way of sight
-SETTLE = 5.0  # [s] to find out where it is, untold
+OTHERS = 9  # as in a match of 5 v 5; they drive about as well and block the view
+SETTLE = 5.0  # [s] to localise from an unknown pose
 SECONDS = 6.0  # [s] measured
-LONGEST = 6.0  # [s] after which one that is still lost counts as not recovered
-LOST = 0.5  # [m] within which a robot is not lost
-TURNED = 20.0 * np.pi / 180.0  # [rad] the same
-HELD = 1.0  # [s] for which it must not be lost to count as recovered
-CARRIED = 2.0  # [m] least distance over which a robot is carried
-SPEED = 1.3  # [m/s] at which robots drive about: half of their top speed
-COUNTED_ON = 0.05  # [m] error of the own place that CAMBADA's code of the league reckons with (cambada.conf.xml)
+LONGEST = 6.0  # [s] after which a lost robot counts as not recovered
+LOST = 0.5  # [m] error beyond which a robot is lost
+TURNED = 20.0 * np.pi / 180.0  # [rad] error of the heading beyond which a robot is lost
+HELD = 1.0  # [s] without being lost that count as recovered
+CARRIED = 2.0  # [m] least distance of the carry
+SPEED = 1.3  # [m/s] of driving robots: half of their top speed
+COUNTED_ON = 0.05  # [m] error of the own place that CAMBADA's code of this league assumes (cambada.conf.xml)
 NEAR = 0.15  # [m] a third of a robot's width
 EVERY = 5  # frames between two samples, and between two commands
 REACHED = 0.5  # [m] from a target at which the next one is drawn
@@ -63,7 +63,7 @@ def errors_of(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def carry_away(match: Match, rng: np.random.Generator) -> None:
-    """Carry robot 0 to another place on the field, at least CARRIED away and off the others, and tell it nothing."""
+    """Carry robot 0 to another place, at least CARRIED away and clear of the others, without telling it."""
     pitch, robots = match.league.pitch, match.robots
     for m in range(match.count):
         while True:
@@ -109,7 +109,7 @@ def drive_and_carry(batch: Batch) -> Samples:
 
 
 def recovery(lost: np.ndarray, dt: float) -> np.ndarray:
-    """Return the time [s] (M,) from which on a robot is not lost (M, T) for HELD; NaN if there is no such time."""
+    """Return the first time [s] (M,) after which a robot is not lost (M, T) for HELD; NaN if there is none."""
     held = round(HELD / dt)
     apart = np.cumsum(np.pad(lost, ((0, 0), (1, 0))), axis=1)
     calm = apart[:, held:] == apart[:, :-held]  # no lost frame from i to i + held
@@ -117,7 +117,7 @@ def recovery(lost: np.ndarray, dt: float) -> np.ndarray:
 
 
 def pose_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw how many robots know their place again against the time since they were carried."""
+    """Draw the share of recovered robots against the time since they were carried, and the error while driving."""
     times = np.linspace(0.0, LONGEST, 41)
     share = [100 * float(np.mean(samples["time"] <= time)) for time in times]
     bounds = np.linspace(0.0, 0.5, 26)
@@ -138,18 +138,9 @@ H27 = Claim(
     f"of the own pose from {SETTLE:g} s on for {SECONDS:g} s. Then each is carried {CARRIED:g} m or more and told "
     f"nothing: recovered if within {LONGEST:g} s it is right to {LOST:g} m and 20 degrees for {HELD:g} s.",
     criteria=(
-        measured(
-            "median error of the place",
-            lambda samples: 100 * median(samples["place"]),
-            unit="cm",
-            below=100 * COUNTED_ON,
-        ),
-        measured(
-            "error of the place in 95 % of the time",
-            lambda samples: 100 * quantile(samples["place"], 0.95),
-            unit="cm",
-            below=100 * NEAR,
-        ),
+        measured("median error of the place", lambda s: 100 * median(s["place"]), unit="cm", below=100 * COUNTED_ON),
+        measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
+                 unit="cm", below=100 * NEAR),
         counted("recovered after being carried", "recovered", "one", at_least=95.0),
         reported("median error of the heading", lambda samples: median(samples["heading"]), unit="deg"),
         reported("median time to recover", lambda samples: median(samples["time"]), unit="s"),
@@ -161,6 +152,6 @@ H27 = Claim(
     figures=pose_figures,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
     pose="particles",
-)
+)  # fmt: skip
 
 CLAIMS = (H27,)

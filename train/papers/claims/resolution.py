@@ -1,4 +1,4 @@
-"""What the camera's finer layer would bring: steadier ranges and velocities.  [Sacks 2001, 5]"""
+"""The gain of the camera's finer layer: steadier ranges and velocities.  [Sacks 2001, 5]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -44,17 +44,17 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
 
 
 def compare_layers(batch: Batch, **fine: Any) -> Samples:
-    """Return the scatter with both layers; `fine` are sensor settings of the finer one. "... rules": all rules on."""
+    """Return the scatter with both layers; `fine`: sensor settings of the finer one; "... rules": all rules on."""
     samples: Samples = {}
     for layer, sensors in zip(LAYERS, ({}, fine), strict=True):
         for name, override in (("", False), (" rules", True)):
-            found = watch_still_balls(batch, layer, override, **sensors)
-            samples |= {f"{part} {layer}{name}": found[part] for part in ("range", "velocity")}
-    return samples | {"true": found["true"]}
+            runs = watch_still_balls(batch, layer, override, **sensors)
+            samples |= {f"{part} {layer}{name}": runs[part] for part in ("range", "velocity")}
+    return samples | {"true": runs["true"]}
 
 
 def as_much_flicker(batch: Batch) -> Samples:
-    """Return the same where edges flicker by as large an angle in both layers: by twice as many of the finer pixels."""
+    """Return `compare_layers` with an equal angle of flicker in both layers: twice as many of the finer pixels."""
     from soccer_env.leagues import find_league
     from soccer_env.train.papers.staging import LEGGED
 
@@ -88,18 +88,9 @@ S66 = Claim(
     "radial velocity from zero, frames that show the ball, same seeds; ranges by size, the ranger's rule off, because "
     "no camera mends what the ranger does. About half: 0.4 to 0.6.",
     criteria=(
-        measured(
-            "deviation of the range at 176x144 over that at 88x72",
-            lambda samples: ratio(samples, "range"),
-            at_least=0.4,
-            at_most=0.6,
-        ),
-        measured(
-            "deviation of the velocity, the same",
-            lambda samples: ratio(samples, "velocity"),
-            at_least=0.4,
-            at_most=0.6,
-        ),
+        measured("deviation of the range at 176x144 over that at 88x72", lambda samples: ratio(samples, "range"),
+                 at_least=0.4, at_most=0.6),
+        measured("deviation of the velocity, the same", lambda s: ratio(s, "velocity"), at_least=0.4, at_most=0.6),
         reported("range, ranger included", lambda samples: ratio(samples, "range", " rules")),
         reported("velocity, ranger included", lambda samples: ratio(samples, "velocity", " rules")),
         reported("range at 88x72", lambda samples: 100 * rms(samples["range 88x72"]), unit="cm"),
@@ -116,6 +107,6 @@ S66 = Claim(
     ingredients=("sensors.dither", "pixels of half the size"),
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
     "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",
-)
+)  # fmt: skip
 
 CLAIMS = (S66,)

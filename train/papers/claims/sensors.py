@@ -33,14 +33,14 @@ PLAIN = {"patches": 0.0, "red_as_orange": 0.0}
 LEGGED_EDGES = (0.2, 0.4, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5)  # [m]
 MIDDLE_EDGES = (0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # [m]
 EDGES = {LEGGED: LEGGED_EDGES, MIDDLE: MIDDLE_EDGES}
-BACK = {LEGGED: -1.25, MIDDLE: -5.5}  # [m] where the robot that looks stands, facing the other goal
+BACK = {LEGGED: -1.25, MIDDLE: -5.5}  # [m] x of the robot that looks, facing the other goal
 ASIDE = 0.15  # [rad] bearings to either side
 LEVEL = -0.15  # [rad] tilt of a head that looks for players
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A quantity whose error is shown, of one kind of scene."""
+    """A quantity whose error is shown."""
 
     league: str
     name: str
@@ -49,7 +49,7 @@ class Estimate:
 
     @property
     def key(self) -> str:
-        """Return the name of its samples."""
+        """Return the key of its samples."""
         return f"{self.league} {self.name}"
 
 
@@ -73,37 +73,37 @@ ESTIMATES = tuple(
 
 def look_at_things(batch: Batch) -> Samples:
     """Return errors (M, T) of every estimate, and true distances (M,), of still balls and players at all ranges."""
-    found: Samples = {}
+    samples: Samples = {}
     for league in (LEGGED, MIDDLE):
         place = batch.rng(1).uniform(EDGES[league][0], EDGES[league][-1], MATCHES)
         bearing = batch.rng(2).uniform(-ASIDE, ASIDE, MATCHES)
-        found[f"{league} place"] = place
+        samples[f"{league} place"] = place
         ball = watch_ball(batch, league, place, bearing)
         if league == LEGGED:
             by_ranger = watch_ball(batch, league, place, bearing, memory={"ball_range": "infrared"})
             ball["ball, range by infrared"] = by_ranger["ball, range"]
         seen = ball | watch_player(batch, league, place, bearing)
-        found |= {f"{league} {name}": values for name, values in seen.items()}
-    return found
+        samples |= {f"{league} {name}": values for name, values in seen.items()}
+    return samples
 
 
 def set_up(batch: Batch, league: str, **settings: Any) -> Match:
     """Return matches in which a robot stands in front of its own goal and looks across the field."""
     if league == LEGGED:
-        settings["sensors"] = PLAIN  # what is taken for a ball and is none has no range to be wrong about
+        settings["sensors"] = PLAIN  # a false ball has no true range
     match = stage(batch, league, matches=MATCHES, actions="full", **settings)
     put(match, 0, BACK[league], batch.rng(3).uniform(-0.1, 0.1, MATCHES), 0.0)
     return match
 
 
 def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray, **settings: Any) -> Samples:
-    """Return the errors of what robots believe of a still ball, NaN in frames that do not show it."""
+    """Return the errors of robots' beliefs about a still ball, NaN in frames that do not show it."""
     match = set_up(batch, league, **settings)
     put_ball(match, *ahead_of(match, 0, place, bearing))
     begin(match)
     true, off = from_robot(match, 0, match.balls["x"], match.balls["y"])
     if match.league.head.pan_limit > 0.0:
-        look_first(match, SETTLE)  # the search is no matter here
+        look_first(match, SETTLE)  # so that no search is needed
     rows: dict[str, list[np.ndarray]] = {}
     for _ in watch(match, SECONDS, settle=SETTLE):
         ball = match.beliefs["ball"][:, 0]
@@ -120,7 +120,7 @@ def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray
 
 
 def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray) -> Samples:
-    """Return the errors of what robots believe of an opponent that stands any way round, as `watch_ball`."""
+    """Return the errors of robots' beliefs about an opponent with a random heading, as `watch_ball`."""
     match = set_up(batch, league)
     put_ball(match, -BACK[league], 0.45 * match.league.pitch.width)  # far off, out of the way
     put(match, 1, *ahead_of(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
@@ -144,33 +144,33 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
 
 
 def fresh(match: Match) -> float:
-    """Return the age [s] below which a thing is seen in the newest picture, which may be delivered late."""
+    """Return the greatest age [s] of a thing in the newest picture, which may be delivered late."""
     late = getattr(match.league.sensors, "camera_delay", 0)
     return (late + 0.5) * match.league.dt
 
 
 def note(rows: dict[str, list[np.ndarray]], errors: dict[str, np.ndarray], seen: np.ndarray, name: str) -> None:
-    """Append the errors of one frame where the thing is seen, and whether it is."""
+    """Append the errors of one frame, NaN where the thing is not seen, and whether it is seen."""
     for key, error in errors.items():
         rows.setdefault(key, []).append(np.where(seen, error, np.nan))
     rows.setdefault(name, []).append(seen.astype(float))
 
 
 def profile(samples: Samples, estimate: Estimate) -> list[float]:
-    """Return the rms error in each bin of the distance, or the share of frames for what is seen."""
+    """Return the rms error in each bin of the distance, or for "... seen" the share of frames."""
     edges, place = EDGES[estimate.league], samples[f"{estimate.league} place"]
     value = mean if estimate.name.endswith("seen") else rms
     return [estimate.scale * value(samples[estimate.key][there]) for there in in_bins(place, edges)]
 
 
 def sensor_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw, for each league, everything of one unit together."""
+    """Draw one figure for each league and unit."""
     figures = []
     for league in (LEGGED, MIDDLE):
         middles = middles_of(EDGES[league], 100)
         for unit in ("cm", "deg", "cm/s", "%"):
-            those = [one for one in ESTIMATES if one.league == league and one.unit == unit]
-            curves = tuple(Curve(one.name, middles, profile(samples, one)) for one in those)
+            estimates = [one for one in ESTIMATES if one.league == league and one.unit == unit]
+            curves = tuple(Curve(one.name, middles, profile(samples, one)) for one in estimates)
             label = "share of frames [%]" if unit == "%" else f"rms error [{unit}]"
             figures.append(Figure(f"Sensors of {league}", "distance [cm]", label, curves))
     return figures

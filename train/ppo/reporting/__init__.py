@@ -1,4 +1,4 @@
-"""What people see of a training run beside its logs.
+"""Reports of a training run besides its own log.
 
 loggers.py   TensorBoard, Weights & Biases and CSV, through stable-baselines3's own logger
 page.py      the report as a page for the browser

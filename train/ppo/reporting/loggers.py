@@ -24,14 +24,14 @@ PROJECT, RUN = "soccer_env", "run.txt"  # of Weights & Biases: the project, and 
 
 
 def check_packages(kinds: Sequence[str]) -> None:
-    """Raise ImportError, which says what to install, for a log whose package is missing."""
+    """Raise ImportError, naming the package to install, for a log whose package is missing."""
     for kind in kinds:
         if any(find_spec(package) is None for package in PACKAGES[kind]):
             raise ImportError(f'--log {kind} needs another package: pip install "soccer_env[{kind}]"')
 
 
 class Logs:
-    """The logs that a run asked for; `logger` is for stable-baselines3 to record into."""
+    """The further logs of a run; stable-baselines3 records into `logger`."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder, step: int) -> None:
         kinds = settings.logs
@@ -40,12 +40,12 @@ class Logs:
         if WANDB in kinds:
             self._end = begin_wandb(settings, folder.path / WANDB)
         formats = [make_output_format(CSV, str(folder.path / CSV), f"-{step}")] if CSV in kinds else []
-        if TENSORBOARD in kinds or WANDB in kinds:  # Weights & Biases takes what TensorBoard is told
+        if TENSORBOARD in kinds or WANDB in kinds:  # Weights & Biases reads TensorBoard's log
             formats.append(make_output_format(TENSORBOARD, str(folder.path / TENSORBOARD)))
         self.logger = Logger(None, formats)
 
     def write(self, record: Mapping[str, Any]) -> None:
-        """Write what stable-baselines3 recorded of an update, and the line of our log."""
+        """Write stable-baselines3's statistics of an update, and the line of our log."""
         for group in ("points", "rating", "seconds"):
             for name, value in record[group].items():
                 self.logger.record(f"{group}/{name}", value)
@@ -61,13 +61,13 @@ class Logs:
         self.logger.dump(step)
 
     def close(self) -> None:
-        """End the logs."""
+        """Close the logs."""
         self.logger.close()
         self._end()
 
 
 def begin_wandb(settings: TrainSettings, folder: Path) -> Callable[[], None]:
-    """Begin a run of Weights & Biases, or go on with it; return what ends it. WANDB_MODE=offline needs no network."""
+    """Start or resume a run of Weights & Biases; return its end. WANDB_MODE=offline needs no network."""
     import wandb
 
     folder.mkdir(exist_ok=True)

@@ -1,4 +1,4 @@
-"""The report of a training run as a page: its learning curve, evaluations, how PPO went, and its settings."""
+"""The report of a training run as a page: its learning curve, evaluations, statistics of PPO, and settings."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -67,7 +67,7 @@ def add_evaluations(page: ReportPage, settings: TrainSettings, evaluations: Line
 
 
 def opponents_table(evaluations: Lines) -> bytes:
-    """Draw goal differences by opponent and evaluation; of many evaluations some, the last among them."""
+    """Draw goal differences by opponent and evaluation; of many evaluations a selection that includes the last."""
     every = -(-len(evaluations) // MOST_COLUMNS)
     shown = list(range(len(evaluations) - 1, -1, -every))[::-1]
     decisions = decisions_of(evaluations)

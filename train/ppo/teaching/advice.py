@@ -1,11 +1,11 @@
-"""Learn from a teacher that watches: the actor plays, and a scripted team says at every step what it would do there.
+"""Learn from a teacher that watches: the actor plays, and a scripted team labels every step with its own action.
 
-The teacher knows the truth, the actor only what its robots believe: fitted to its advice it does what is best on the
-average over all that may be true, given the beliefs [learning by cheating: Chen et al. 2019]. The actor plays itself,
-so that it learns in the situations that it gets into [DAgger: Ross, Gordon, Bagnell 2011].
+The teacher knows the truth, the actor only its robots' beliefs: fitted to the advice, the actor does what is best on
+average over all states that agree with the beliefs [learning by cheating: Chen et al. 2019]. The actor plays itself,
+so it learns in the situations that it causes [DAgger: Ross, Gordon, Bagnell 2011].
 
-Two things a robot cannot do by the truth alone: find a ball that it does not see, and tell when it is well enough
-aimed for a kick. There the advice is that of the same team by the robot's own beliefs.
+The truth does not teach a robot to find an unseen ball, or to judge whether it is aimed well enough for a kick. There
+the advice is that of the teacher by the robot's own beliefs.
 """
 
 from typing import Any, Literal
@@ -17,21 +17,21 @@ from soccer_env.agents.learned import first_decision
 from soccer_env.match import Match
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, WALK, Rows
 
-KNOWN = 1.5  # [s] since the ball was seen: for longer the robot has to search for it, by its beliefs
-BEND = 0.1  # [1] error of a walk beyond which it counts by its size, not its square: the middle of what may be best
-WALK_WEIGHT, KICK_WEIGHT = 5.0, 2.0  # of a walk's error; of decisions in which there is a kick, which are few
+KNOWN = 1.5  # [s] since the ball was seen: after this the robot searches for it, by its beliefs
+BEND = 0.1  # [1] error of a walk beyond which its size counts, not its square, so that the fit is a median
+WALK_WEIGHT, KICK_WEIGHT = 5.0, 2.0  # of a walk's error; of the few decisions with a kick
 
 
 class Adviser:
-    """A team that watches another match and says what it would do for its home robots."""
+    """A team that watches another match and returns its own commands for the home robots."""
 
     def __init__(self, teacher: Any, senses: Literal["ideal", "sensors"], **settings: Any) -> None:
-        """`senses`: "ideal" to advise by the truth, "sensors" by what the robots of the match themselves believe."""
+        """`senses`: "ideal" to advise by the truth, "sensors" by the beliefs of the match's own robots."""
         self.match = Match(controllers={"home": teacher, "away": "still"}, senses=senses, **settings)
         self.by_beliefs = senses == "sensors"
 
     def commands(self, watched: Match) -> np.ndarray:
-        """Return what the team would command now (M, home, 4): forward, left, turn, kick."""
+        """Return the team's commands for the present state (M, home, 4): forward, left, turn, kick."""
         for name in ("matches", "balls", "robots"):
             getattr(self.match, name)[:] = getattr(watched, name)
         if self.by_beliefs:
@@ -80,7 +80,7 @@ def advice_of(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: 
 
 
 def advice_error(actions: torch.Tensor, asked: torch.Tensor) -> torch.Tensor:
-    """Return how far actions (n, 4) are from advice: for a walk mostly by size, for a kick by the square."""
+    """Return the error of actions (n, 4) against advice: for a walk mostly by size, for a kick by the square."""
     walk = torch.nn.functional.huber_loss(actions[:, :3], asked[:, :3], delta=BEND)
     weights = torch.where(asked[:, 3] > 0.0, KICK_WEIGHT, 1.0)
     return WALK_WEIGHT * walk + (weights * (actions[:, 3] - asked[:, 3]) ** 2).mean()

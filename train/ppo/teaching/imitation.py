@@ -1,8 +1,7 @@
 """Learn from a scripted teacher before learning from rewards: its decisions are recorded and the actor fitted to them.
 
-The teacher plays home, by the same senses as the learner will; what is recorded at each of the learner's decisions is
-the learner's observation and the walk that the teacher asked for at that moment, with the strongest kick of the time
-until the next decision.
+The teacher plays home with the learner's senses. At each decision of the learner, its observation is recorded with the
+teacher's walk at this moment, and the teacher's strongest kick until the next decision.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,7 +18,7 @@ from soccer_env.train.ppo.settings import TrainSettings
 
 Rows = tuple[np.ndarray, np.ndarray]  # observations (n, entries), actions (n, 4)
 WALK = ("forward", "left", "turn")
-NO_KICK = -0.4  # so near a kick (0.3) that the noise of a learner finds one now and then; at -1 it never did
+NO_KICK = -0.4  # near enough to a kick (0.3) for a learner's noise to find one; with -1 it never did
 HOLD_RATE = 1e-4  # learning rate of the fits between updates at the start, HOLD_PARTS of HOLD_PART rows each time
 HOLD_PARTS, HOLD_PART = 8, 4096
 
@@ -83,15 +82,15 @@ def fit(
 
 
 def holding(settings: TrainSettings, step: int) -> float:
-    """Return how strongly the actor is held to its teacher after so many steps: from 1 down to 0."""
+    """Return the weight of the imitation loss after a number of steps: from 1 down to 0."""
     last = settings.teacher_until * settings.steps
     return max(1.0 - step / last, 0.0) if settings.teacher and last > 0.0 else 0.0
 
 
 def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
-    """Fit the actor a little to what was recorded: without it, what is seldom and pays late, as kicks do, is forgotten.
+    """Fit the actor a little to the recorded decisions, so that it does not forget rare actions such as kicks.
 
-    The optimiser is made anew each time, so that a run that is cut has nothing of it to keep.
+    The optimiser is made anew each time, so that checkpoints need not keep it.
     """
     optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=HOLD_RATE * strength)
     chosen = np.random.default_rng(seed).integers(0, len(rows[0]), (HOLD_PARTS, HOLD_PART))
@@ -106,8 +105,8 @@ def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
 def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
     """Shuffle the entries that hold the robot's last command over all rows.
 
-    A teacher decides at every control step, so that its last command nearly tells the next one, and a pupil that sees
-    it learns to go on as before [the copycat problem: de Haan, Jayaraman, Levine 2019].
+    A teacher decides at every control step, so its last command nearly determines the next, and a pupil that sees it
+    learns to repeat it [the copycat problem: de Haan, Jayaraman, Levine 2019].
     """
     columns = [index for index, entry in enumerate(entries) if entry.group == OWN_COMMAND]
     order = np.random.default_rng(seed).permutation(len(observations))

@@ -1,4 +1,4 @@
-"""The rounds of advice that a run has had so far, on the disk: a run that is cut among them goes on after the last."""
+"""The rounds of advice so far, on the disk: an interrupted run resumes after the last round."""
 
 import io
 import shutil
@@ -51,5 +51,5 @@ class KeptRounds:
         return kept
 
     def forget(self) -> None:
-        """Remove them."""
+        """Remove all rounds."""
         shutil.rmtree(self.folder, ignore_errors=True)

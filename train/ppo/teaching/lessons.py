@@ -1,4 +1,4 @@
-"""What the actor of a run learns from its teacher, in all kinds of matches that the run has."""
+"""The lessons of a run's actor from its teacher, in every match setting of the run."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
@@ -23,12 +23,12 @@ LAST_EPOCHS = 2  # times as many epochs after the last round
 
 
 def cases_of(settings: TrainSettings) -> list[Any]:
-    """Return the kinds of matches that a teacher is recorded in: players, opponent, and senses with their share."""
+    """Return the match settings in which a teacher is recorded: players, opponent, and senses with their share."""
     return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
 
 
 def shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
-    """Yield of each kind of match the opponent, the team sizes, a robot's decisions in an episode, and its settings."""
+    """Yield for each match setting the opponent, the team sizes, a robot's decisions an episode, and the settings."""
     cases = cases_of(settings)
     decisions = max(1, round(60.0 * settings.minutes * settings.played.control_rate / settings.action_repeat))
     for index, (players, opponent, (weight, senses)) in enumerate(cases):
@@ -44,7 +44,7 @@ def shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int,
 def lessons(
     settings: TrainSettings, entries: Sequence[Entry], advance: Callable[[float], None] = lambda cases: None
 ) -> Rows:
-    """Record the teacher of a run in all kinds of matches that it has: observations and actions, always the same."""
+    """Record the teacher's observations and actions in every match setting of the run, from fixed seeds."""
     parts = []
     for opponent, players, decisions, given in shares(settings):
         given |= {"observe": settings.observe}
@@ -61,7 +61,7 @@ def together(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[E
 
 
 class Lessons:
-    """What the actor of a run learns from its teacher: before the rewards, and beside them for a while."""
+    """The lessons of a run's actor from its teacher: before the rewards, and beside them for a while."""
 
     def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
         self.settings, self.network = settings, network
@@ -70,16 +70,16 @@ class Lessons:
 
     @property
     def rows(self) -> Rows:
-        """Return what was recorded; a run that goes on records it again."""
+        """Return the recorded decisions; a resumed run records them again."""
         if self._rows is None:
             self._rows = lessons(self.settings, self.network.entries)
         return self._rows
 
     def teach(self) -> Iterator[int]:
-        """Give the actor what it starts with: a policy's weights, or what its teacher does, if there is either.
+        """Initialise the actor from a policy file or from its teacher, if the settings name one.
 
-        After each round, and once without rounds, it yields the decisions that were advised so far; what the caller
-        does then, as an evaluation, is repeated if the run is cut before the round is kept.
+        Yields the number of advised decisions after each round, and once without rounds; the caller's work at a yield,
+        such as an evaluation, is repeated if the run is interrupted before the round is kept.
         """
         settings = self.settings
         if settings.start:
@@ -92,7 +92,7 @@ class Lessons:
         yield 0
 
     def _imitate(self) -> None:
-        """Fit the actor to what its teacher does."""
+        """Fit the actor to its teacher's decisions."""
         settings, epochs = self.settings, self.settings.teacher_epochs
         with Progress(f"learning from {settings.teacher}", len(cases_of(settings)) + epochs / 2) as progress:
             self._rows = lessons(settings, self.network.entries, progress.advance)
@@ -111,7 +111,7 @@ class Lessons:
             self.kept.keep(number, rounds[-1], self.network)
 
     def _round(self, number: int, progress: Progress) -> Rows:
-        """Play a round in all kinds of matches; return what was seen and advised."""
+        """Play a round in every match setting; return observations and advice."""
         settings, parts = self.settings, []
         player = self._player() if number or settings.start else settings.teacher
         for opponent, players, _, given in shares(settings):

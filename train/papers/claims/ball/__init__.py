@@ -2,10 +2,10 @@
 
 filter.py        How steady the believed ball is: averaging four estimates, and bearing against range.
 gap.py           Velocities after a time without sight of the ball.
-in_play.py       The ball in play: how often the head keeps it centred, and what is mistaken for it.
-memory.py        The ball that is remembered while it is not seen, and the robot's own motion.
-occlusion.py     A ball that other robots hide in part, and what the rules make of it.
-ranger.py        A ball hidden in both dimensions, and the infrared ranger that knows better.
-range.py         How far away a legged robot takes the ball to be: by size, by infrared, and what a pixel is worth.
-velocity.py      The relative velocity of the ball: how often to read it, and what a reading is worth.
+in_play.py       The ball in play: how often the head keeps it centred, and false sightings.
+memory.py        The memory of an unseen ball, and the robot's own motion.
+occlusion.py     A ball that other robots hide in part, and its estimated range.
+ranger.py        A ball hidden in both dimensions, and the correction by the infrared ranger.
+range.py         The estimated range of the ball: by size, by infrared, and the worth of a pixel.
+velocity.py      The relative velocity of the ball: how often to read it, and the accuracy of a reading.
 """

@@ -22,14 +22,14 @@ SETTLE = 1.0  # [s]
 SECONDS = 2.0  # [s] measured
 NEAR, FAR = 0.20, 1.50  # [m] of the balls, along the ground from the camera
 STEADY = {"dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0, "patches": 0.0}  # a camera without noise
-JUMP = 0.30  # [m] by which a ball is moved at once, to see when the filter has forgotten the old place
+JUMP = 0.30  # [m] step of a ball, to measure when the filter has forgotten the old place
 BINS = (0.60, 0.75, 0.90, 1.05, 1.20, 1.50)  # [m] edges for bearing against range, from where the criterion begins
 
 
 def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None) -> Samples:
     """Return deviations (M, T) [m] of estimates from each robot's own mean, and the ball's range (M,) [m].
 
-    hold: frames for which the camera flickers in the same way; radius: of the ball [m], None for the league's.
+    hold: frames that share one draw of camera noise; radius: of the ball [m], None for the league's.
     """
     rng = batch.rng()
     league = find_league(LEGGED)
@@ -47,7 +47,7 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
     before = draws.copy()
     for step in play(match, SECONDS):
         if (step + 1) % hold:
-            draws[:] = before  # the next frame flickers as this one did
+            draws[:] = before  # the next frame repeats the noise of this one
         before = draws.copy()
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
@@ -59,7 +59,7 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
 
 
 def span_of(batch: Batch) -> float:
-    """Return the time [s] over which the filter averages: frames in which a ball moved at once is still two places."""
+    """Return the time [s] over which the filter averages: until it has left the old place of a moved ball."""
     match = stage(batch, matches=1, actions="full", sensors=STEADY)
     put(match, 0, 0.0, 0.0)
     put_ball(match, 0.5, 0.0)
@@ -74,12 +74,12 @@ def span_of(batch: Batch) -> float:
 
 
 def ratio(samples: Samples) -> float:
-    """Return the deviation of the filtered range over that of the raw one."""
+    """Return the deviation of the filtered range over the deviation of the raw range."""
     return rms(samples["filtered"]) / max(rms(samples["raw"]), 1e-12)
 
 
 def radial_over_tangential(samples: Samples) -> list[float]:
-    """Return the deviation along the line of sight over that across it, in each bin of BINS."""
+    """Return the deviation along the line of sight over the deviation across it, in each bin of BINS."""
     inside = in_bins(samples["range"], BINS)
     return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
 
@@ -128,22 +128,17 @@ S17 = Claim(
     method=f"{HOW} Raw estimates, along the line of sight and across it, in bins of "
     f"{', '.join(f'{100 * edge:.0f}' for edge in BINS)} cm; the bin where they differ least counts.",
     criteria=(
-        measured(
-            "deviation of the range over that across, from 60 cm on",
-            lambda samples: float(np.min(radial_over_tangential(samples))),
-            at_least=3.0,
-        ),
+        measured("deviation of the range over that across, from 60 cm on",
+                 lambda samples: float(np.min(radial_over_tangential(samples))), at_least=3.0),
     ),
     rules=STAGED,
     measure=look_at_still_balls,
-    without=Without(
-        "a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
-        lambda batch: look_at_still_balls(batch, radius=LARGE),
-    ),
+    without=Without("a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
+                    lambda batch: look_at_still_balls(batch, radius=LARGE)),
     figures=filter_figure,
     ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),
     seconds=0.5,
     batches=32,
-)
+)  # fmt: skip
 
 CLAIMS = (S16, S17)

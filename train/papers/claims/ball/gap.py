@@ -31,9 +31,9 @@ Steer = Callable[[], None]
 
 
 def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Return matches in which a robot walks to and fro before a ball that is kicked about, and stares at it.
+    """Return matches, their actions, and a function that steers them.
 
-    With them their actions, and what steers them.
+    A robot walks to and fro before a ball that is kicked about, and stares at it.
     """
     match = stage(batch, matches=MATCHES, actions="full", sensors=CLEAN, memory={"velocity_gate": gate})
     put(match, 0, START, 0.0)
@@ -62,7 +62,7 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
 
 
 def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Return the same for a robot that follows a ball with which three opponents play, who have ideal senses."""
+    """Return matches, actions and steering of a robot that follows a ball of three opponents with ideal senses."""
     match = stage(
         batch, matches=MATCHES, away=3, opponents="chaser", senses={"home": "sensors", "away": "ideal"},
         sensors=CLEAN, memory={"velocity_gate": gate},
@@ -77,7 +77,7 @@ def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
 
 
 def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
-    """Return in which steps (T,) nobody sees the ball, the same for all matches and variants."""
+    """Return the steps (T,) without sight of the ball, equal for all matches and variants."""
     rng = batch.rng(1)
     dark = np.zeros(steps + 1, bool)
     at = 0
@@ -90,7 +90,7 @@ def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
 
 
 def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Steer) -> tuple[np.ndarray, np.ndarray]:
-    """Return the gap before each radial velocity that is read (M, T) [s] and its error [m/s]; NaN: none read."""
+    """Return the gap before each reading of the radial velocity (M, T) [s] and its error [m/s]; NaN: no reading."""
     dt = match.league.dt
     dark = schedule(batch, round(SECONDS / dt), dt)
     before, age = np.zeros(MATCHES), np.full(MATCHES, NEVER)
@@ -115,17 +115,17 @@ def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Stee
 def with_and_without_gate(batch: Batch) -> Samples:
     """Return sums of squared errors and counts of readings (M, bins of the gap) with the rule and without, both scenes.
 
-    Sums for each match instead of every reading: the bootstrap goes over matches, thousands of times.
+    They are summed for each match, because the bootstrap resamples matches thousands of times.
     """
-    found = {}
+    samples = {}
     for scene, set_up in (("kicked", kicked_about), ("play", in_play)):
         for word, gate in (("on", True), ("off", False)):
             gaps, errors = read_velocities(batch, *set_up(batch, gate))
             inside = [there & np.isfinite(errors) for there in in_bins(gaps, BINS)]
             squares = [np.where(there, errors, 0.0) ** 2 for there in inside]
-            found[f"squares {scene} {word}"] = np.stack([values.sum(axis=1) for values in squares], axis=1)
-            found[f"readings {scene} {word}"] = np.stack([there.sum(axis=1) for there in inside], axis=1)
-    return found
+            samples[f"squares {scene} {word}"] = np.stack([values.sum(axis=1) for values in squares], axis=1)
+            samples[f"readings {scene} {word}"] = np.stack([there.sum(axis=1) for there in inside], axis=1)
+    return samples
 
 
 def error_in(samples: Samples, name: str, first: int, last: int) -> float:
@@ -141,19 +141,15 @@ def by_gap(samples: Samples, name: str) -> list[float]:
 
 
 def long_over_none(samples: Samples, name: str) -> float:
-    """Return the error after gaps above the limit over that without a gap."""
+    """Return the error after gaps above the limit over the error without a gap."""
     return error_in(samples, name, BINS.index(LIMIT), len(BINS)) / error_in(samples, name, 0, 1)
 
 
 def gap_figure(samples: Samples) -> Sequence[Figure]:
     """Draw the errors against the gap."""
-    names = (
-        ("kicked on", "rule on"),
-        ("kicked off", "rule off"),
-        ("play on", "in play, rule on"),
-        ("play off", "in play, rule off"),
-    )
-    curves = tuple(Curve(title, GAPS, by_gap(samples, name)) for name, title in names)
+    names = {"kicked on": "rule on", "kicked off": "rule off", "play on": "in play, rule on",
+             "play off": "in play, rule off"}  # fmt: skip
+    curves = tuple(Curve(title, GAPS, by_gap(samples, name)) for name, title in names.items())
     return (Figure("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", curves),)
 
 
@@ -167,21 +163,12 @@ S19 = Claim(
     "sight before it, with the rule and without. Beside it the same in play, where a robot follows at 50 cm a ball "
     "that three chasers have, and which mostly creeps.",
     criteria=(
-        measured(
-            "without the rule: error after long gaps over that without",
-            lambda samples: long_over_none(samples, "kicked off"),
-            above=1.0,
-        ),
-        measured(
-            "with the rule: error after long gaps over that without",
-            lambda samples: long_over_none(samples, "kicked on"),
-            at_most=1.25,
-        ),
-        reported(
-            "without the rule, least rise from bin to bin of the gap",
-            lambda samples: least_rise(by_gap(samples, "kicked off")),
-            unit="cm/s",
-        ),
+        measured("without the rule: error after long gaps over that without",
+                 lambda samples: long_over_none(samples, "kicked off"), above=1.0),
+        measured("with the rule: error after long gaps over that without",
+                 lambda samples: long_over_none(samples, "kicked on"), at_most=1.25),
+        reported("without the rule, least rise from bin to bin of the gap",
+                 lambda samples: least_rise(by_gap(samples, "kicked off")), unit="cm/s"),
         reported("without the rule, no gap", lambda samples: by_gap(samples, "kicked off")[0], unit="cm/s"),
         reported("in play, without the rule: the first ratio", lambda samples: long_over_none(samples, "play off")),
         reported("in play, with the rule: the second ratio", lambda samples: long_over_none(samples, "play on")),
@@ -195,6 +182,6 @@ S19 = Claim(
     "too. Neither cause was tested.",
     seconds=1.5,
     batches=24,
-)
+)  # fmt: skip
 
 CLAIMS = (S19,)

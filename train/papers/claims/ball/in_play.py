@@ -1,4 +1,4 @@
-"""The ball in play: how often the head keeps it centred, and what is mistaken for it.  [Sacks 2001, 3.1.1]"""
+"""The ball in play: how often the head keeps it centred, and false sightings.  [Sacks 2001, 3.1.1]"""
 
 from typing import Any
 
@@ -16,13 +16,13 @@ WATCHED, TIME = 48, 20.0  # matches with one robot that watches, [s]: S11
 KEPT = 0.5  # [m] from the ball, S11
 JUMP = 0.5  # [m] in a frame, S11
 RIGHT = 0.25  # [1] of the true distance within which a sighting is right
-MOVED = 0.2  # [m] a ball that moves farther in a frame was put elsewhere by the referee
+MOVED = 0.2  # [m] a ball that moves farther in a frame was moved by the referee
 
 
 def heads_in_play(batch: Batch) -> Samples:
-    """Count what `heads_of` counts, of chasers, and beside it of the paper's team."""
-    found = heads_of(batch, "chaser")
-    return found | {f"{name} by the paper's team": counts for name, counts in heads_of(batch, "sacks-2001").items()}
+    """Return the counts of `heads_of` for the chaser and for the paper's team."""
+    paper = {f"{name} by the paper's team": counts for name, counts in heads_of(batch, "sacks-2001").items()}
+    return heads_of(batch, "chaser") | paper
 
 
 def heads_of(batch: Batch, team: str) -> Samples:
@@ -33,9 +33,8 @@ def heads_of(batch: Batch, team: str) -> Samples:
         if (step + 1) * match.league.dt <= SETTLE:
             continue
         for r in range(match.robots.shape[1]):
-            tracking = (match.beliefs["ball"][:, r]["age"] < 0.5 * match.league.dt) & (
-                match.robots["active"][:, r] == 1
-            )
+            fresh = match.beliefs["ball"][:, r]["age"] < 0.5 * match.league.dt
+            tracking = fresh & (match.robots["active"][:, r] == 1)
             distance, angle = ball_in_sight(match, r)
             seen += tracking
             on_ball += tracking & (angle <= ball_angle(match, distance))
@@ -44,14 +43,14 @@ def heads_of(batch: Batch, team: str) -> Samples:
 
 
 class Counter:
-    """Counts of one run with its own rules: jumps to a wrong place, and right sightings, for each match (M,)."""
+    """Counts of one run: jumps to a wrong place and right sightings, for each match (M,)."""
 
     def __init__(self, match: Match) -> None:
         self.jumps, self.right = np.zeros(match.count), np.zeros(match.count)
         self.before, self.place = self._believed(match), self._place(match)
 
     def note(self, match: Match) -> None:
-        """Count what the last frame brought."""
+        """Count the last frame."""
         now = self._believed(match)
         place = self._place(match)
         true = ball_from(match)[0]
@@ -72,7 +71,7 @@ class Counter:
 
 
 def watch_three(batch: Batch, **memory: Any) -> Counter:
-    """Let a robot follow the true ball, with which three opponents with ideal senses play, always in the same way."""
+    """Let a robot follow the true ball of three opponents with ideal senses, who play alike in every call."""
     senses = {"home": "sensors", "away": "ideal"}
     match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
@@ -88,15 +87,15 @@ def watch_three(batch: Batch, **memory: Any) -> Counter:
 def false_balls(batch: Batch) -> Samples:
     """Count jumps and right sightings with both rules, with each of them, and with none."""
     rules = {"none": (False, False), "both": (True, True), "horizon": (True, False), "area": (False, True)}
-    found: Samples = {}
+    samples: Samples = {}
     for name, (horizon, area) in rules.items():
         counter = watch_three(batch, horizon=horizon, double_area=area)
-        found[f"jumps {name}"], found[f"right {name}"] = counter.jumps, counter.right
-    return found
+        samples[f"jumps {name}"], samples[f"right {name}"] = counter.jumps, counter.right
+    return samples
 
 
 def fewer_jumps(samples: Samples, name: str) -> float:
-    """Return by how much jumps are fewer with some rules than with none [%]."""
+    """Return the reduction of jumps by some rules against none [%]."""
     without = samples["jumps none"].sum()
     return float(100 * (1.0 - samples[f"jumps {name}"].sum() / without)) if without else float("nan")
 

@@ -1,4 +1,4 @@
-"""The ball that is remembered while it is not seen, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
+"""The memory of an unseen ball, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -26,7 +26,7 @@ DRIBBLE, PUSHED = 0.07, 5.0  # [m/s] 3.5 cm per half-second step, [s]: S14
 
 
 def misplaced(match: Match) -> np.ndarray:
-    """Return how far the believed ball is from the true one (M,) [m]."""
+    """Return the distance between the believed and the true ball (M,) [m]."""
     true, bearing = ball_from(match)
     ball = match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
@@ -61,9 +61,9 @@ def walk_unseeing(batch: Batch, odometry: str) -> Samples:
     true, bearing = ball_from(match)
     ball = match.beliefs["ball"][:, 0]
     off = np.abs(wrapped(ball["bearing"] - bearing))
-    found = {"place": misplaced(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
+    samples = {"place": misplaced(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
     match.close()
-    return found
+    return samples
 
 
 def compare_updates(batch: Batch) -> Samples:
@@ -104,7 +104,7 @@ def error_by_way(samples: Samples) -> list[float]:
 
 
 def push_unseen(batch: Batch, update: bool, turn: float) -> np.ndarray:
-    """Dribble a ball that is seen no more, turning by so much in [-1, 1]; return the error of its memory (M,) [m]."""
+    """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its memory (M,) [m]."""
     rng = batch.rng()
     memory = {"odometry_while_dribbling": update}
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
@@ -134,7 +134,7 @@ def way_figure(samples: Samples) -> Sequence[Figure]:
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:
-    """Return the median of one error over that of another."""
+    """Return the ratio of the medians of two errors."""
     return median(samples[above]) / max(median(samples[below]), 1e-9)
 
 
@@ -145,33 +145,20 @@ S12 = Claim(
     method=f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
     f"{WAY:g} m on an arc of 0 to 90 degrees; error of the believed place at the end, same seeds for each memory.",
     criteria=(
-        measured(
-            "full update: median error of the place",
-            lambda samples: 100 * median(samples["place full"]),
-            unit="cm",
-            at_most=15.0,
-        ),
-        measured(
-            "full update: median error of the bearing",
-            lambda samples: median(samples["bearing full"]),
-            unit="deg",
-            at_most=10.0,
-        ),
-        measured(
-            "rotation only: error over that of the full update",
-            lambda samples: ratio(samples, "place rotation", "place full"),
-            at_least=3.0,
-        ),
-        reported(
-            "no update: median error of the place", lambda samples: 100 * median(samples["place none"]), unit="cm"
-        ),
+        measured("full update: median error of the place", lambda samples: 100 * median(samples["place full"]),
+                 unit="cm", at_most=15.0),
+        measured("full update: median error of the bearing", lambda samples: median(samples["bearing full"]),
+                 unit="deg", at_most=10.0),
+        measured("rotation only: error over that of the full update",
+                 lambda samples: ratio(samples, "place rotation", "place full"), at_least=3.0),
+        reported("no update: median error of the place", lambda s: 100 * median(s["place none"]), unit="cm"),
         reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
     ),
     rules=STAGED,
     measure=compare_updates,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
     seconds=1.5,
-)
+)  # fmt: skip
 
 S13 = Claim(
     id="S13",
@@ -180,24 +167,18 @@ S13 = Claim(
     method=f"As S12, but the unseen ball rolls off at 0 to {FASTEST:g} m/s in any direction; error after "
     f"{', '.join(f'{time:g}' for time in TIMES)} s against the way that the ball has made.",
     criteria=(
-        measured(
-            "least rise of the median error with the ball's way",
-            lambda samples: least_rise(error_by_way(samples)),
-            unit="cm",
-            above=0.0,
-        ),
+        measured("least rise of the median error with the ball's way",
+                 lambda samples: least_rise(error_by_way(samples)), unit="cm", above=0.0),
     ),
     rules=STAGED,
     measure=lambda batch: ball_rolls(batch, seen=False),
-    without=Without(
-        "a memory that leaves an unseen ball where it was: here it stays in sight",
-        lambda batch: ball_rolls(batch, seen=True),
-    ),
+    without=Without("a memory that leaves an unseen ball where it was: here it stays in sight",
+                    lambda batch: ball_rolls(batch, seen=True)),
     figures=way_figure,
     ingredients=("memory.odometry = full",),
     seconds=0.5,
     batches=64,
-)
+)  # fmt: skip
 
 S14 = Claim(
     id="S14",
@@ -206,11 +187,7 @@ S14 = Claim(
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     criteria=(
-        measured(
-            "median error without the update over that with it",
-            lambda samples: ratio(samples, "off", "on"),
-            at_most=0.5,
-        ),
+        measured("median error without the update over that with it", lambda s: ratio(s, "off", "on"), at_most=0.5),
         reported("without the update", lambda samples: 100 * median(samples["off"]), unit="cm"),
         reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
     ),

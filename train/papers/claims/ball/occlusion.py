@@ -1,7 +1,7 @@
-"""A ball that other robots hide in part, and what the rules make of it.  [Sacks 2001, 3.1.1]
+"""A ball that other robots hide in part, and its estimated range.  [Sacks 2001, 3.1.1]
 
 Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random before a part of
-it, on the ground plan. What they hide is measured in two pictures without noise, with them and without.
+it, on the ground plan. The hidden share follows from two pictures without noise, with and without the others.
 """
 
 from collections.abc import Sequence
@@ -34,14 +34,14 @@ NEAR, FAR = 0.45, 0.75  # [m] of the ball from the body's centre: 30 to 60 cm fr
 LOOK, SETTLE = 0.75, 1.25  # [s] turned to the ball, until measuring begins
 SECONDS = 0.5  # [s] measured
 APART, CLEAR = 0.30, 0.205  # [m] between two robots' middles, and from a robot's middle to the ball's: nothing overlaps
-SIGHT = 0.25  # [m] from the line of sight within which others are put
-START = -0.3  # [m] where the robot stands that looks, ahead along the field
+SIGHT = 0.25  # [m] greatest distance of others from the line of sight
+START = -0.3  # [m] x of the robot that looks
 BODY, CAMERA_AHEAD = find_league(LEGGED).body, find_league(LEGGED).head.camera_ahead
 SIDE, ENDS = BODY.hind_y + BODY.tip_radius, (BODY.hind_x - BODY.tip_radius, BODY.front)  # [m] of a trunk over its legs
 TRUNK = np.array([(x, y) for x in ENDS for y in (-SIDE, SIDE)])  # [m] its corners
 FINE = {"resolution": "176x144", "dither": 0.0, "scale_error": 0.0, "ball_miss": 0.0}
 PLAIN = {"patches": 0.0, "red_as_orange": 0.0}  # nothing but the ball is orange
-CUT = 0.9  # [1] share of a dimension that is left, below which it counts as cut; a pixel is up to 5 % of it
+CUT = 0.9  # [1] a dimension counts as cut if less than this share is visible; a pixel is up to 5 % of it
 HIDDEN = (0.0, 0.05, 0.25, 0.50, 0.75)  # [1] edges of the hidden share of the picture
 WELL_BEFORE = 0.10  # [m] before the ball's middle: two of its radii and the ranger's error
 
@@ -49,7 +49,7 @@ Scene = dict[str, np.ndarray]
 
 
 def draw_scene(batch: Batch) -> Scene:
-    """Draw the ball's place and those of two others in the axes of the robot that looks; NaN: not there."""
+    """Draw the places of the ball and of two others in the axes of the robot that looks; NaN: absent."""
     rng = batch.rng()
     scene = {"distance": rng.uniform(NEAR, FAR, MATCHES), "bearing": rng.uniform(-0.3, 0.3, MATCHES)}
     scene["others"] = np.full((MATCHES, 2, 3), np.nan)  # x, y, heading
@@ -65,7 +65,7 @@ def draw_scene(batch: Batch) -> Scene:
 
 
 def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarray]) -> np.ndarray | None:
-    """Return a random place (x, y, heading) of a robot that is free and before a part of the ball, None without any."""
+    """Return a random free place (x, y, heading) of a robot before a part of the ball, None without one."""
     along = ball / np.linalg.norm(ball)
     for _ in range(200):
         share, aside = rng.uniform(0.3, 1.0), rng.uniform(-SIGHT, SIGHT)
@@ -88,7 +88,7 @@ def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
 
 
 def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
-    """Return matches of the scene, with the others or without."""
+    """Return matches of the scene, with or without the others."""
     match = stage(batch, matches=MATCHES, away=2, actions="full", **settings)
     put(match, 0, START, 0.0, 0.0)
     put_ball(match, *ahead_of(match, 0, scene["distance"], scene["bearing"]))
@@ -103,7 +103,7 @@ def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
 
 
 def hidden_parts(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return what is left (M,) [1] of the ball's width, height and area in the picture; NaN if it cannot be told."""
+    """Return the visible shares (M,) [1] of the ball's width, height and area in the picture; NaN: unknown."""
     sizes = []
     for others in (False, True):
         match = set_up(batch, scene, others, sensors=PLAIN | FINE)
@@ -122,8 +122,8 @@ def hidden_parts(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np
 def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory: dict[str, Any]) -> Samples:
     """Return relative errors of the range (M, T) in frames that show the ball, and true ranges from the camera [m].
 
-    Heads are turned to the true ball; then, unless they go on staring, they are left to track what they take for it.
-    "centred": the axis meets the ball; "short": the ranger reads something well before it.
+    Heads are first turned to the true ball; then, unless `staring`, they track the believed ball. "centred": the axis
+    meets the ball; "short": the ranger reads less than the ball's distance by WELL_BEFORE.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
     actions, dt = standing(match), match.league.dt
@@ -149,12 +149,12 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
 
 
 def by_dimension(batch: Batch, **memory: Any) -> Samples:
-    """Return the errors by width, by height and by the closer of them, of hidden balls, and what is left of them."""
+    """Return the range errors of hidden balls by width, by height and by the closer of both, and the visible shares."""
     scene = draw_scene(batch)
-    found = dict(zip(("width left", "height left", "area left"), hidden_parts(batch, scene), strict=True))
+    samples = dict(zip(("width left", "height left", "area left"), hidden_parts(batch, scene), strict=True))
     for size in ("width", "height", "closer"):
-        found[size] = watch_scene(batch, scene, True, True, OLD | {"ball_size": size} | memory)["error"]
-    return found
+        samples[size] = watch_scene(batch, scene, True, True, OLD | {"ball_size": size} | memory)["error"]
+    return samples
 
 
 def bias_by_share(samples: Samples) -> list[float]:
@@ -166,14 +166,14 @@ def bias_by_share(samples: Samples) -> list[float]:
 
 
 def cuts(samples: Samples) -> np.ndarray:
-    """Return in how many dimensions each ball is cut (M,): 0, 1 or 2; NaN if it cannot be told."""
+    """Return the number of cut dimensions of each ball (M,): 0, 1 or 2; NaN: unknown."""
     width, height = samples["width left"], samples["height left"]
-    found: np.ndarray = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
-    return found
+    count: np.ndarray = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
+    return count
 
 
 def bias_of_cut(samples: Samples, dimensions: int, size: str = "closer") -> float:
-    """Return the median error [%] of balls that are cut in so many dimensions."""
+    """Return the median error [%] of balls with that number of cut dimensions."""
     return 100 * median(samples[size][cuts(samples) == dimensions])
 
 
@@ -199,12 +199,8 @@ S07 = Claim(
     method=f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
     f"({', '.join(f'{100 * edge:.0f}' for edge in HIDDEN)} % and more).",
     criteria=(
-        measured(
-            "least rise of the median error from bin to bin",
-            lambda samples: least_rise(bias_by_share(samples)),
-            unit="%",
-            above=0.0,
-        ),
+        measured("least rise of the median error from bin to bin", lambda samples: least_rise(bias_by_share(samples)),
+                 unit="%", above=0.0),
         measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
     rules=STAGED,
@@ -215,7 +211,7 @@ S07 = Claim(
     ),
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
-)
+)  # fmt: skip
 
 S08 = Claim(
     id="S08",
@@ -223,24 +219,10 @@ S08 = Claim(
     statement="The closer of height and width estimates guards against obstruction, unless in both dimensions.",
     method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     criteria=(
-        measured(
-            "cut in one dimension: median error",
-            lambda samples: abs(bias_of_cut(samples, 1)),
-            unit="%",
-            at_most=10.0,
-        ),
-        measured(
-            "cut in both: median error",
-            lambda samples: bias_of_cut(samples, 2),
-            unit="%",
-            at_least=30.0,
-        ),
+        measured("cut in one dimension: median error", lambda s: abs(bias_of_cut(s, 1)), unit="%", at_most=10.0),
+        measured("cut in both: median error", lambda samples: bias_of_cut(samples, 2), unit="%", at_least=30.0),
         reported("not cut: median error", lambda samples: bias_of_cut(samples, 0), unit="%"),
-        reported(
-            "cut in one dimension, by width alone: median error",
-            lambda samples: bias_of_cut(samples, 1, "width"),
-            unit="%",
-        ),
+        reported("cut in one dimension, by width alone: median error", lambda s: bias_of_cut(s, 1, "width"), unit="%"),
     ),
     rules=STAGED,
     measure=by_dimension,

@@ -1,4 +1,4 @@
-"""How far away a legged robot takes the ball to be: by size, by infrared, and what a pixel is worth.
+"""The estimated range of the ball for a legged robot: by size, by infrared, and the worth of a pixel.
 
 [Sacks 2001, 3.1.1]
 """
@@ -23,26 +23,26 @@ OLD = {
     "infrared_override": False, "horizon": False, "double_area": False, "odometry": "rotation", "averaged": 1,
 }  # fmt: skip
 MATCHES = 128
-SETTLE = 0.75  # [s] in which the head is turned to the ball; then it tracks by itself
+SETTLE = 0.75  # [s] during which the head is turned to the ball; then it tracks by itself
 SECONDS = 1.0  # [s] that are measured
-FRESH = 1e-6  # [s] age of a ball that is seen in this frame
-CAMERA_AHEAD = 0.15  # [m] of the body's centre, roughly: only where balls are put
-# Ranges that a claim about sensors names count along the ground from the camera, as those of the tables of sizes do.
+FRESH = 1e-6  # [s] greatest age of a ball seen in this frame
+CAMERA_AHEAD = 0.15  # [m] of the body's centre, roughly: used only to place balls
+# Claims about sensors count ranges along the ground from the camera, like the tables of sizes.
 NEAR, FAR = 0.05, 0.60  # [m] from a ball before the paws to the range that the criterion names
 LEAST_RANGE, MOST_RANGE = 0.15, 0.90  # [m] S06
 WIDTH = 0.05  # [m] of its bins
 CROSSING = (0.35, 0.45)  # [m] "about 40 cm"
 BEYOND = (0.45, 0.80)  # [m] where the ranger must be the worse one
-STEPS = ((0.05, 0.52, 0.64), (0.10, 0.74, 0.90))  # [m] worth of a pixel, and the ranges between which it falls: S15
+STEPS = ((0.05, 0.52, 0.64), (0.10, 0.74, 0.90))  # [m] worth of a pixel, and the ranges where it is expected: S15
 RANGE_LABEL = "range along the ground from the camera [cm]"
-SMALLEST, LARGEST = 3, 60  # [px] sizes of the ball that S15 looks at
+SMALLEST, LARGEST = 3, 60  # [px] sizes of the ball in S15
 
 
 def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **settings: Any) -> Samples:
-    """Return what robots that stand and look at a ball believe: arrays (M, T), NaN in frames that do not show it.
+    """Return the beliefs of robots that stand and look at a ball: arrays (M, T), NaN in frames that do not show it.
 
     place (M,) [m] from the camera, roughly; pose, heading and bearing are random, nothing else is orange. "true" is the
-    distance from the body's centre, "range" that from the camera, "distance" and "bearing" are errors.
+    distance from the body's centre, "range" from the camera; "distance" and "bearing" are errors.
     """
     rng = batch.rng()
     count = len(place)
@@ -89,37 +89,28 @@ S05 = Claim(
     method=f"{MATCHES} standing robots a batch track an unobstructed ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm from "
     "the camera, along the ground, for 1 s; raw estimate against truth, frames that show it.",
     criteria=(
-        measured(
-            "median range error over the distance",
-            lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]),
-            unit="%",
-            at_most=10.0,
-        ),
-        measured(
-            "median bearing error",
-            lambda samples: np.degrees(median(np.abs(samples["bearing"]))),
-            unit="deg",
-            at_most=2.0,
-        ),
+        measured("median range error over the distance",
+                 lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]), unit="%", at_most=10.0),
+        measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
     rules=STAGED,
     measure=old_system,
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
     seconds=0.7,
-)
+)  # fmt: skip
 
 
 def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
     """Watch the same balls by size and by infrared alone: true range (M, T) and the error of each [m]."""
     place = batch.rng(1).uniform(LEAST_RANGE - 0.05, MOST_RANGE + 0.05, 2 * MATCHES)
     rule = OLD | {"under_head": False}
-    found = {}
+    samples = {}
     for kind in ("size", "infrared"):
         seen = watch_ball(batch, place, 0.5, memory=rule | {"ball_range": kind}, sensors=sensors)
-        found[kind] = seen["distance"]
-        found["range"] = seen["range"]
-    return found
+        samples[kind] = seen["distance"]
+        samples["range"] = seen["range"]
+    return samples
 
 
 def binned_rms(samples: Samples, kind: str) -> tuple[np.ndarray, np.ndarray]:
@@ -130,7 +121,7 @@ def binned_rms(samples: Samples, kind: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def crossing(samples: Samples) -> float:
-    """Return the range [cm] from which on, up to 60 cm, infrared errs more than size; interpolated between bins."""
+    """Return the least range [cm] beyond which, up to 60 cm, infrared errs more than size; interpolated in bins."""
     middles, by_size = binned_rms(samples, "size")
     ratio = np.log(binned_rms(samples, "infrared")[1] / by_size)
     better = np.flatnonzero((ratio <= 0.0) & (middles < FAR))
@@ -142,7 +133,7 @@ def crossing(samples: Samples) -> float:
 
 
 def least_ratio(samples: Samples) -> float:
-    """Return the smallest ratio of the rms errors, infrared over size, of the bins beyond the crossing."""
+    """Return the smallest ratio of the rms errors, infrared over size, in the bins beyond the crossing."""
     middles, by_size = binned_rms(samples, "size")
     there = (middles > BEYOND[0]) & (middles < BEYOND[1])
     return float(np.min((binned_rms(samples, "infrared")[1] / by_size)[there]))
@@ -158,7 +149,7 @@ def crossing_figure(samples: Samples) -> Sequence[Figure]:
 
 
 def table_steps(resolution: str) -> Samples:
-    """Return the calibration table's ranges [m] between neighbouring sizes, and how far they are apart."""
+    """Return the calibration table's ranges [m] between neighbouring sizes, and their differences."""
     league = find_league(LEGGED)
     sensors = replace(league.sensors, resolution=resolution)
     table = calibrate(replace(league, sensors=sensors))["ball_width"][0, SMALLEST : LARGEST + 1]
@@ -172,7 +163,7 @@ def range_of_step(samples: Samples, step: float) -> float:
 
 
 def step_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw what a pixel is worth against the range."""
+    """Draw the worth of a pixel against the range."""
     curve = Curve("88x72", list(100 * samples["range"][0]), list(100 * samples["step"][0]))
     return (Figure("One pixel of the ball's width", "range [cm]", "worth in range [cm]", (curve,), rules=(5.0, 10.0)),)
 
@@ -184,29 +175,22 @@ S06 = Claim(
     method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger "
     "(by size in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     criteria=(
-        measured(
-            "range from which infrared is the worse one",
-            crossing,
-            unit="cm",
-            at_least=100 * CROSSING[0],
-            at_most=100 * CROSSING[1],
-        ),
+        measured("range from which infrared is the worse one", crossing, unit="cm", at_least=100 * CROSSING[0],
+                 at_most=100 * CROSSING[1]),
         measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
     rules=STAGED,
     measure=size_and_infrared,
     figures=crossing_figure,
-    without=Without(
-        "sensors.infrared_growth = 0: a ranger as good far away as near",
-        lambda b: size_and_infrared(b, infrared_growth=0.0),
-    ),
+    without=Without("sensors.infrared_growth = 0: a ranger as good far away as near",
+                    lambda b: size_and_infrared(b, infrared_growth=0.0)),
     ingredients=(
         "sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
         "sensors.dither",
     ),
     seconds=2.5,
     batches=32,
-)
+)  # fmt: skip
 
 S15 = Claim(
     id="S15",
@@ -214,13 +198,8 @@ S15 = Claim(
     statement="A single pixel can change the ball's distance by 5 or 10 cm.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     criteria=tuple(
-        exact(
-            f"range at which a pixel is worth {100 * step:.0f} cm",
-            partial(range_of_step, step=step),
-            unit="cm",
-            at_least=100 * low,
-            at_most=100 * high,
-        )
+        exact(f"range at which a pixel is worth {100 * step:.0f} cm", partial(range_of_step, step=step), unit="cm",
+              at_least=100 * low, at_most=100 * high)
         for step, low, high in STEPS
     ),
     rules=NO_MATCH,
@@ -230,6 +209,6 @@ S15 = Claim(
     ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
     seconds=0.5,
     batches=1,
-)
+)  # fmt: skip
 
 CLAIMS = (S05, S06, S15)

@@ -1,49 +1,43 @@
-"""A ball hidden in both dimensions, and the infrared ranger that knows better.  [Sacks 2001, 3.1.1]"""
+"""A ball hidden in both dimensions, and the correction by the infrared ranger.  [Sacks 2001, 3.1.1]"""
 
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.claims.ball.occlusion import (
-    CUT,
-    SCENES,
-    draw_scene,
-    hidden_parts,
-    watch_scene,
-)
+from soccer_env.train.papers.claims.ball.occlusion import CUT, SCENES, draw_scene, hidden_parts, watch_scene
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.values import known, mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
-DEEP = 2.0 / 3.0  # [1] share of both dimensions below which a right reading is less than 2/3 of the range by size
+DEEP = 2.0 / 3.0  # [1] visible share of both dimensions below which a right reading is under 2/3 of the range by size
 FAR = 0.60  # [m] range along the ground from the camera
 
 
 def with_and_without_infrared(batch: Batch) -> Samples:
     """Return errors (M, T) [m] of balls cut in both dimensions, with the rule and without, and triggers on free balls.
 
-    "on", "off": cut below DEEP, the axis meets the ball; "all ...": the same balls in every frame that shows them;
+    "on", "off": cut below DEEP, the axis meets the ball; "all ...": these balls in every frame that shows them;
     "mild ...": cut below CUT, the axis meets the ball.
     """
     scene = draw_scene(batch)
     width, height, _ = hidden_parts(batch, scene)
-    found = {}
+    samples = {}
     for name, rule in (("on", True), ("off", False)):
         seen = watch_scene(batch, scene, True, False, OLD | {"infrared_override": rule})
         error, near = np.abs(seen["error"] * seen["range"]), seen["range"] <= FAR
         deep, mild = (((width < share) & (height < share))[:, None] & near for share in (DEEP, CUT))
-        found[name] = np.where(deep & seen["centred"], error, np.nan)
-        found[f"all {name}"] = np.where(deep, error, np.nan)
-        found[f"mild {name}"] = np.where(mild & seen["centred"], error, np.nan)
-        found[f"short {name}"] = np.where(deep & seen["centred"], seen["short"], np.nan)
-        found[f"free {name}"] = watch_scene(batch, scene, False, True, OLD | {"infrared_override": rule})["believed"]
-    judged = np.isfinite(found["free off"])
-    found["triggers"] = (judged & (np.abs(found["free on"] - found["free off"]) > 1e-6)).sum(axis=1)
-    found["judged"] = judged.sum(axis=1)
-    return found
+        samples[name] = np.where(deep & seen["centred"], error, np.nan)
+        samples[f"all {name}"] = np.where(deep, error, np.nan)
+        samples[f"mild {name}"] = np.where(mild & seen["centred"], error, np.nan)
+        samples[f"short {name}"] = np.where(deep & seen["centred"], seen["short"], np.nan)
+        samples[f"free {name}"] = watch_scene(batch, scene, False, True, OLD | {"infrared_override": rule})["believed"]
+    judged = np.isfinite(samples["free off"])
+    samples["triggers"] = (judged & (np.abs(samples["free on"] - samples["free off"]) > 1e-6)).sum(axis=1)
+    samples["judged"] = judged.sum(axis=1)
+    return samples
 
 
 def error_ratio(samples: Samples, frames: str = "") -> float:
-    """Return the mean absolute error with the rule over that without it, in some frames."""
+    """Return the mean absolute error with the rule over the error without it, in some frames."""
     return mean(samples[f"{frames}on"]) / max(mean(samples[f"{frames}off"]), 1e-9)
 
 
@@ -58,23 +52,18 @@ S09 = Claim(
         measured("mean error with the rule over that without", error_ratio, at_most=0.5),
         counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
         reported("the first ratio in all frames of these balls", lambda samples: error_ratio(samples, "all ")),
-        reported(
-            f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both",
-            lambda samples: error_ratio(samples, "mild "),
-        ),
+        reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both",
+                 lambda samples: error_ratio(samples, "mild ")),
         reported("mean error without the rule", lambda samples: 100 * mean(samples["off"]), unit="cm"),
         reported("the same in all frames of these balls", lambda samples: 100 * mean(samples["all off"]), unit="cm"),
-        reported(
-            "frames in which the ranger reads something more than 10 cm before the ball",
-            lambda samples: 100 * mean(samples["short off"]),
-            unit="%",
-        ),
+        reported("frames in which the ranger reads something more than 10 cm before the ball",
+                 lambda samples: 100 * mean(samples["short off"]), unit="%"),
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
     rules=STAGED,
     measure=with_and_without_infrared,
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
-)
+)  # fmt: skip
 
 CLAIMS = (S09,)

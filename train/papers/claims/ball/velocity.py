@@ -1,4 +1,4 @@
-"""The relative velocity of the ball: how often to read it, and what a reading is worth.  [Sacks 2001, 3.2, 3.3]"""
+"""The relative velocity of the ball: how often to read it, and the accuracy of a reading.  [Sacks 2001, 3.2, 3.3]"""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,16 +18,16 @@ from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, 
 MATCHES = 96
 TOP_SPEED = 0.12  # [m/s] "our robots' fastest speed", Sacks 2001, 3.3
 READING = 1.0 / 3.0  # [s] between two readings, Sacks 2001, 3.2
-HALF_WAY = -0.5 * TOP_SPEED  # [m/s] a radial velocity below it is judged to be an approach
+HALF_WAY = -0.5 * TOP_SPEED  # [m/s] a radial velocity below this counts as an approach
 SETTLE = 1.5  # [s] until filter and velocity have forgotten the beginning
-LOOK = 0.5  # [s] in which the head is turned to the ball; then it tracks by itself
+LOOK = 0.5  # [s] during which the head is turned to the ball; then it tracks by itself
 INTERVALS = (0.08, 0.17, 0.33, 0.67)  # [s] of the claim
 PIXEL_JUMP = 0.05  # [m] "even a difference of 5 cm between successive readings", Sacks 2001, 3.3
 PLACE, AROUND = 0.60, 0.05  # [m] from the camera, where single readings are judged
 READINGS = 9
 NEAREST = 0.15  # [m] from the camera, nearest ball of a stuck robot: nearer ones lie between the paws
-LONG, SHORT = 1.10, 0.70  # [m] from the camera, where walks begin: S18
-WALK = 0.25  # [m] half of a walk and what comes before it: who stands is as far off as who walks is on the mean
+LONG, SHORT = 1.10, 0.70  # [m] from the camera, starts of walks: S18
+WALK = 0.25  # [m] half of a walk with its start: standing robots are at the mean distance of walking ones
 
 
 def true_radial(match: Match, r: int = 0) -> np.ndarray:
@@ -44,8 +44,7 @@ def walk_to_ball(
 ) -> Samples:
     """Let robots walk straight to a still ball `start` (M,) [m] from the camera: radial velocities (M, T), "range" [m].
 
-    Stuck robots stand on ice: their legs walk, their odometry counts it, and they stay, whatever is in sight. At pace 0
-    they stand.
+    Stuck robots have no traction: their legs walk and their odometry counts, but they stay. At pace 0 they stand.
     """
     count = len(start)
     rng = batch.rng()
@@ -80,18 +79,18 @@ def sweep_intervals(batch: Batch) -> Samples:
     """Return the errors (M, T) of the radial velocity for each interval, walking towards a ball and standing."""
     rng = batch.rng(1)
     starts = {"walking": rng.uniform(SHORT, LONG, MATCHES), "standing": rng.uniform(SHORT - WALK, LONG - WALK, MATCHES)}
-    found = {}
+    samples = {}
     for name, start in starts.items():
         pace = 1.0 if name == "walking" else 0.0
         for interval in INTERVALS:
             memory: dict[str, Any] = {"velocity_interval": interval}
             seen = walk_to_ball(batch, start, 1.5, stuck=False, pace=pace, memory=memory)
-            found[f"{name} {interval}"] = seen["radial"] - seen["rate"]
+            samples[f"{name} {interval}"] = seen["radial"] - seen["rate"]
     for interval in INTERVALS[1:3]:
         memory = {"velocity_interval": interval, "radial_from": "raw"}
         seen = walk_to_ball(batch, starts["walking"], 1.5, stuck=False, memory=memory)
-        found[f"raw {interval}"] = seen["radial"] - seen["rate"]
-    return found
+        samples[f"raw {interval}"] = seen["radial"] - seen["rate"]
+    return samples
 
 
 def interval_errors(samples: Samples, how: str) -> list[float]:
@@ -100,18 +99,18 @@ def interval_errors(samples: Samples, how: str) -> list[float]:
 
 
 def least_fall(samples: Samples, how: str) -> float:
-    """Return by how much the error falls least from an interval to the next longer one [cm/s]."""
+    """Return the least fall of the error from an interval to the next longer one [cm/s]."""
     return least_rise([-error for error in interval_errors(samples, how)])
 
 
 def error_over(samples: Samples, how: str, one: int, other: int = 2) -> float:
-    """Return the error at one interval over that at another, by their places in INTERVALS."""
+    """Return the ratio of the errors at two intervals, given as indices of INTERVALS."""
     errors = interval_errors(samples, how)
     return errors[one] / max(errors[other], 1e-9)
 
 
 def readings_at_60(batch: Batch, **settings: Any) -> Samples:
-    """Count readings of stuck and of walking robots about 60 cm from the ball, and those judged wrongly."""
+    """Count readings of stuck and of walking robots about 60 cm from the ball, and the wrong judgements."""
     shifts = batch.rng(1).uniform(-AROUND, AROUND, MATCHES)
     free = walk_to_ball(batch, PLACE + TOP_SPEED * (SETTLE + 0.5) + shifts, 1.0, stuck=False, **settings)
     stuck = walk_to_ball(batch, PLACE + shifts, 1.0, stuck=True, **settings)
@@ -160,28 +159,17 @@ S18 = Claim(
     "and as many stand so far from one; error of the believed radial velocity (filtered positions) for four intervals "
     f"between readings ({', '.join(f'{interval:g}' for interval in INTERVALS)} s), same seeds.",
     criteria=(
-        measured(
-            "walking: least fall of the rms error from interval to interval",
-            lambda samples: least_fall(samples, "walking"),
-            unit="cm/s",
-            above=0.0,
-        ),
+        measured("walking: least fall of the rms error from interval to interval",
+                 lambda samples: least_fall(samples, "walking"), unit="cm/s", above=0.0),
         measured("standing: the same", lambda samples: least_fall(samples, "standing"), unit="cm/s", above=0.0),
         reported("walking: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 1)),
         reported("walking: rms error at 0.08 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 0)),
         reported("walking: rms error at 0.67 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 3)),
-        reported(
-            "standing: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "standing", 1)
-        ),
-        reported(
-            "walking, by raw positions: 0.17 s over 0.33 s",
-            lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9),
-        ),
-        reported(
-            "walking: rms error at 0.17 s, against a real movement of 12 cm/s",
-            lambda samples: interval_errors(samples, "walking")[1],
-            unit="cm/s",
-        ),
+        reported("standing: rms error at 0.17 s over that at 0.33 s", lambda s: error_over(s, "standing", 1)),
+        reported("walking, by raw positions: 0.17 s over 0.33 s",
+                 lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9)),
+        reported("walking: rms error at 0.17 s, against a real movement of 12 cm/s",
+                 lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
     rules=STAGED,
@@ -191,7 +179,7 @@ S18 = Claim(
     note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
     "a part of their error.",
     seconds=3.0,
-)
+)  # fmt: skip
 
 S20 = Claim(
     id="S20",
@@ -206,9 +194,7 @@ S20 = Claim(
     ),
     rules=STAGED,
     measure=readings_at_60,
-    without=Without(
-        "sensors.dither = 0: blobs without flicker", lambda batch: readings_at_60(batch, sensors={"dither": 0.0})
-    ),
+    without=Without("sensors.dither = 0: blobs without flicker", lambda b: readings_at_60(b, sensors={"dither": 0.0})),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
     seconds=0.8,
     batches=32,

@@ -1,8 +1,8 @@
 """Keeping the ball between the paws, past other players and to the goal.
 
 dribbling.py     Keeping the ball between the paws: step length, angle off straight ahead, a robot in the way.
-or_shoot.py      Dribbling round blockers against what the team did before: orbit and shoot.
-past.py          Dribbling past players who stand, past one who walks.
-classes.py       A mover among players who stand, class by class.
+or_shoot.py      Dribbling round blockers against the team's former play: orbit and shoot.
+past.py          Dribbling past standing players, and past a walking one.
+classes.py       A mover among standing players, by class of situation.
 replanning.py    How often a dribbler has to decide.
 """

@@ -1,4 +1,4 @@
-"""Dribbling past a mover among players who stand, class by class.  [Sacks 2001, 4.2, 4.3.4]"""
+"""Dribbling past a mover among standing players, by class of situation.  [Sacks 2001, 4.2, 4.3.4]"""
 
 from functools import partial
 from math import pi
@@ -11,21 +11,13 @@ from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import drill, put_at, send_mover, start_dribble
 from soccer_env.scenes.scene import Draw
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.claims.dribble.past import (
-    BODIES,
-    MATCHES,
-    MOVING,
-    RULES,
-    Plan,
-    clean,
-    play_both_ways,
-)
+from soccer_env.train.papers.claims.dribble.past import BODIES, MATCHES, MOVING, RULES, Plan, clean, play_both_ways
 from soccer_env.train.papers.drill_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 
 def place_still_behind(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put a mover as in dribble-past-mover-far, and a still player on the way behind where it crosses."""
+    """Put a mover as in dribble-past-mover-far, and a still player on the way behind its crossing."""
     robot, (still, mover), way = start_dribble(league, ball, robots, draw, 2)
     put_at(league, robot, still, draw.between(0.95, 1.1), way + draw.between(-0.1, 0.1), draw.between(-pi, pi))
     aside = draw.side() * draw.between(0.35, 0.7)
@@ -44,23 +36,23 @@ OPPOSITE = len(CLASSES) - 1
 
 
 def pass_classes(batch: Batch) -> Samples:
-    """Dribble in all classes; arrays (M, classes): a class of several drills is their mean; "middle ..." as well."""
+    """Dribble in all classes; arrays (M, classes), the mean over the drills of a class, also under "middle ..."."""
     plan: Plan = [(scene, {}, PAPER) for _, scenes in CLASSES for scene in scenes]
-    found = play_both_ways(batch, plan, MATCHES)
+    runs = play_both_ways(batch, plan, MATCHES)
     ends = np.cumsum([0] + [len(scenes) for _, scenes in CLASSES])
     return {
         name: np.stack([values[:, a:b].mean(axis=1) for a, b in zip(ends, ends[1:], strict=False)], axis=1)
-        for name, values in found.items()
+        for name, values in runs.items()
     }
 
 
 def best_less_next(samples: Samples, name: str = "clean") -> float:
-    """Return the clean share [%] with one still player less the best of the other classes."""
+    """Return the clean share [%] with one still player minus the best of the other classes."""
     return clean(samples, name, 0) - max(clean(samples, name, i) for i in range(1, len(CLASSES)))
 
 
 def others_less_opposite(samples: Samples, name: str = "clean") -> float:
-    """Return the least clean share [%] of the other classes less that of mover and still on opposite sides."""
+    """Return the least clean share [%] of the other classes minus the share with players on opposite sides."""
     return min(clean(samples, name, i) for i in range(OPPOSITE)) - clean(samples, name, OPPOSITE)
 
 

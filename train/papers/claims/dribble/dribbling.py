@@ -1,7 +1,7 @@
 """Keeping the ball between the paws: step length, angle off straight ahead, a robot in the way.  [Sacks 2001, 4.3]
 
-Each is measured in both worlds: in `legged-2001`, whose legs swing, which decides (MS51), and beside it with the body
-of one piece of `legged-2001-smooth`. Geometry and gait decide in both; none of their numbers is drawn from a claim.
+Each claim is measured in two leagues: in `legged-2001`, whose legs swing, which decides (MS51), and with the one-piece
+body of `legged-2001-smooth`. Geometry and gait decide in both; none of their numbers is fitted to a claim.
 """
 
 from collections.abc import Callable, Sequence
@@ -11,15 +11,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import (
-    COUNTED,
-    LOST,
-    NO_SHOTS,
-    dribblers,
-    losses,
-    place_with_ball,
-    run,
-)
+from soccer_env.train.papers.dribble_runs import COUNTED, LOST, NO_SHOTS, dribblers, losses, place_with_ball, run
 from soccer_env.train.papers.staging import LEGGED, put, stage, standing
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -29,19 +21,19 @@ PAPER_STEP = 0.035  # [m] Sacks 2001, 4.3.2
 SECONDS = 22.0  # [s] of a dribble: 1.5 m at 7 cm/s
 ANGLES = (0.0, 15.0, 30.0, 40.0, 45.0, 50.0, 55.0, 60.0, 65.0, 70.0, 75.0)  # [degrees] off straight ahead
 ASIDE_SECONDS = 8.0  # [s] of a walk at one angle: half a metre
-KNEE, KNEE_ROOM = 45.0, 10.0  # [degrees] Sacks 2001, 4.3.3; "near" it
-LIMITS = (45.0, 55.0)  # [degrees] the same
+KNEE, KNEE_ROOM = 45.0, 10.0  # [degrees] Sacks 2001, 4.3.3; tolerance for "near"
+LIMITS = (45.0, 55.0)  # [degrees] Sacks 2001, 4.3.3
 PUSH_SECONDS = 8.0  # [s] of a walk against a robot that stands right ahead
-NEAREST, FARTHEST = 0.335, 0.40  # [m] of it: the ball between the two, or nearly
-CAUGHT = 0.01  # [m/s] a robot that touches another and moves more slowly is caught in it; it wants 7 cm/s
+NEAREST, FARTHEST = 0.335, 0.40  # [m] distance of this robot: the ball between the two, or nearly
+CAUGHT = 0.01  # [m/s] a robot that touches another and is slower than this is caught; it wants 7 cm/s
 WORLDS = {"": LEGGED, "smooth ": "legged-2001-smooth"}  # prefix of the samples: league
 
 
 def in_both_worlds(measure: Callable[[Batch, str], Samples]) -> Callable[[Batch], Samples]:
-    """Return a measurement with legs, and with the body of one piece under "smooth ..."."""
+    """Return a measurement with legs, and with the one-piece body under "smooth ..."."""
 
     def both(batch: Batch) -> Samples:
-        return {f"{name}{key}": found for name, world in WORLDS.items() for key, found in measure(batch, world).items()}
+        return {f"{name}{key}": array for name, world in WORLDS.items() for key, array in measure(batch, world).items()}
 
     return both
 
@@ -51,13 +43,13 @@ def in_both_worlds(measure: Callable[[Batch, str], Samples]) -> Callable[[Batch]
 
 def dribble_steps(batch: Batch, world: str) -> Samples:
     """Let the team dribble towards an empty goal; arrays (M, len(STEPS)) of `losses`."""
-    rng, found = batch.rng(), []
+    rng, runs = batch.rng(), []
     y, turned = rng.uniform(-0.5, 0.5, MATCHES), rng.uniform(-0.5, 0.5, MATCHES)
     for step in STEPS:
         match = dribblers(batch, find_league(world), MATCHES, 1, NO_SHOTS | {"step_length": step})
         place_with_ball(match, y=y, heading=turned)
-        found.append(losses(run(match, SECONDS)))
-    columns = {name: np.stack([one[name] for one in found], axis=1).astype(float) for name in found[0]}
+        runs.append(losses(run(match, SECONDS)))
+    columns = {name: np.stack([one[name] for one in runs], axis=1).astype(float) for name in runs[0]}
     at = STEPS.index(PAPER_STEP)
     return columns | {"kept at 3.5": columns["kept"][:, at], "tried at 3.5": columns["tried"][:, at]}
 
@@ -69,13 +61,13 @@ def per_metre(samples: Samples, world: str = "") -> list[float]:
 
 
 def rise(samples: Samples, world: str = "") -> float:
-    """Return by how much the losses per metre at 4 cm exceed twice those at 3.5 cm."""
+    """Return the losses per metre at 4 cm minus twice the losses at 3.5 cm."""
     by_step = per_metre(samples, world)
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
 def share(samples: Samples, hits: str, trials: str) -> float:
-    """Return hits among trials [%]."""
+    """Return the share of hits among trials [%]."""
     return 100.0 * float(samples[hits].sum()) / max(float(samples[trials].sum()), 1.0)
 
 
@@ -122,7 +114,7 @@ S51 = Claim(
 
 
 def walk_aside(batch: Batch, world: str) -> Samples:
-    """Let robots push the ball at each angle off straight ahead, half with it on the left; "lost" (M, angles)."""
+    """Let robots push the ball at each angle off straight ahead, half of them to the left; "lost" (M, angles)."""
     side, lost = batch.rng().choice([-1.0, 1.0], MATCHES), []
     for angle in ANGLES:
         match = stage(batch, world, matches=MATCHES, senses="ideal")
@@ -146,13 +138,13 @@ def by_angle(samples: Samples, world: str = "") -> list[float]:
 
 
 def beyond_less_within(samples: Samples, world: str = "") -> float:
-    """Return how many more balls [%] are lost at 60 degrees and more than at 45 and less."""
+    """Return the share of balls lost [%] at 60 degrees and more minus the share at 45 degrees and less."""
     shares, angles = np.array(by_angle(samples, world)), np.array(ANGLES)
     return float(shares[angles >= 60.0].mean() - shares[angles <= KNEE].mean())
 
 
 def knee(samples: Samples, world: str = "") -> float:
-    """Return the angle [degrees] at which losses reach half of their greatest share, between those measured."""
+    """Return the angle [degrees] at which losses reach half of their maximum, by linear interpolation."""
     shares = by_angle(samples, world)
     half = 0.5 * max(shares)
     above = next((i for i, value in enumerate(shares) if value > half), 0)
@@ -182,8 +174,7 @@ S59 = Claim(
     criteria=(
         measured("lost at 60 degrees and more, less lost at 45 and less", beyond_less_within, unit="%", above=10.0),
         measured("knee", knee, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
-        reported("body of one piece: the difference", lambda s: beyond_less_within(s, "smooth "),
-                 unit="%"),
+        reported("body of one piece: the difference", lambda s: beyond_less_within(s, "smooth "), unit="%"),
         reported("body of one piece: the knee", lambda s: knee(s, "smooth "), unit="degrees"),
     ),
     rules=STAGED,
@@ -202,7 +193,7 @@ S59 = Claim(
 def push_on(batch: Batch, world: str) -> Samples:
     """Let robots walk at 45 and 55 degrees with the ball and a robot right ahead.
 
-    "caught": share of time (M, 2) caught in it; "past": distance [m] made.
+    "caught": share of time (M, 2) caught in the robot; "made": distance walked [m].
     """
     rng = batch.rng()
     shares = []
@@ -221,7 +212,7 @@ def push_on(batch: Batch, world: str) -> Samples:
 
 
 def caught_more(samples: Samples, world: str = "") -> float:
-    """Return how much more of the time [%] robots are caught at 45 degrees than at 55."""
+    """Return the share of time caught [%] at 45 degrees minus the share at 55."""
     by_limit = samples[f"{world}caught"].mean(axis=0)
     return 100.0 * float(by_limit[0] - by_limit[1])
 
@@ -232,7 +223,7 @@ def caught_at(samples: Samples, index: int, world: str = "") -> float:
 
 
 def made_at(samples: Samples, index: int, world: str = "") -> float:
-    """Return the distance [cm] made at one of the two angles."""
+    """Return the distance walked [cm] at one of the two angles."""
     return 100.0 * float(samples[f"{world}made"][:, index].mean())
 
 
@@ -250,8 +241,7 @@ S60 = Claim(
         reported("caught at 55 degrees", lambda s: caught_at(s, 1), unit="%"),
         reported("distance made at 45 degrees", lambda s: made_at(s, 0), unit="cm"),
         reported("distance made at 55 degrees", lambda s: made_at(s, 1), unit="cm"),
-        reported("body of one piece: caught at 45 degrees", lambda s: caught_at(s, 0, "smooth "),
-                 unit="%"),
+        reported("body of one piece: caught at 45 degrees", lambda s: caught_at(s, 0, "smooth "), unit="%"),
         reported("body of one piece: caught at 55 degrees", lambda s: caught_at(s, 1, "smooth "), unit="%"),
         reported("body of one piece: the difference", lambda s: caught_more(s, "smooth "), unit="%"),
     ),

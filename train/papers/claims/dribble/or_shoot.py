@@ -1,4 +1,4 @@
-"""Dribbling round blockers against what the team did before: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
+"""Dribbling round blockers against the team's former play: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -14,12 +14,13 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 
 MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
-SCENE = "dribble-past-three"  # three players who stand on the way to the goal
-STRATEGIES: dict[str, dict[str, Any]] = {
-    "dribble": {},
-    "orbit and shoot": {"avoidance": False},
-}
-BLOCKERS = {"": "chaser", " still": "still", " alone": None}  # suffix of the samples: who plays the three; nobody
+SCENE = "dribble-past-three"  # three standing players on the way to the goal
+STRATEGIES: dict[str, dict[str, Any]] = {"dribble": {}, "orbit and shoot": {"avoidance": False}}
+BLOCKERS = {
+    "": "chaser",
+    " still": "still",
+    " alone": None,
+}  # suffix of the samples: team; None: no blockers
 MORE: dict[str, dict[str, Any]] = {
     "dribble, distances from the middle": FROM_MIDDLE,
     "dribble, no shots": {"shoots": False},
@@ -30,7 +31,7 @@ MORE: dict[str, dict[str, Any]] = {
 def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -> tuple[np.ndarray, ...]:
     """Play until a goal or the end against blockers of a team, or nobody.
 
-    Return goals and goals against (M,), the ball's progress [m] towards the goal, and when it ended.
+    Return goals and goals against (M,), the ball's progress [m] towards the goal, and the time of the end [s].
     """
     match = start_drill(batch, SCENE, settings, MATCHES, 0.0, opponents=blockers, rules=batch.play_rules)
     if blockers is None:
@@ -56,26 +57,26 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
 
 
 def both_strategies(batch: Batch) -> Samples:
-    """Return goals, goals against, progress and time of both strategies, by what blockers do, and of MORE."""
-    found: Samples = {}
+    """Return goals, goals against, progress and time of both strategies for each kind of blockers, and of MORE."""
+    samples: Samples = {}
     plan = [(name, settings, where) for name, settings in STRATEGIES.items() for where in BLOCKERS]
     plan += [(name, settings, "") for name, settings in MORE.items()]
     for name, settings, where in plan:
         runs = play_to_goal(batch, settings, BLOCKERS[where])
-        for what, values in zip(("goals", "against", "progress", "ended"), runs, strict=True):
-            found[f"{what} {name}{where}"] = values
-    return found
+        for quantity, values in zip(("goals", "against", "progress", "ended"), runs, strict=True):
+            samples[f"{quantity} {name}{where}"] = values
+    return samples
 
 
-def more(samples: Samples, what: str, where: str = "", factor: float = 100.0) -> float:
-    """Return how much more of something dribbling brings than orbit and shoot."""
-    new, old = (samples[f"{what} {name}{where}"].mean() for name in STRATEGIES)
+def more(samples: Samples, quantity: str, where: str = "", factor: float = 100.0) -> float:
+    """Return the mean of a quantity when dribbling minus its mean with orbit and shoot."""
+    new, old = (samples[f"{quantity} {name}{where}"].mean() for name in STRATEGIES)
     return factor * float(new - old)
 
 
-def share_of(samples: Samples, name: str, what: str = "goals") -> float:
-    """Return the share of runs [%] with a goal among blockers, or with one against."""
-    return 100.0 * float(samples[f"{what} {name}"].mean())
+def share_of(samples: Samples, name: str, quantity: str = "goals") -> float:
+    """Return the share of runs [%] with a goal, or with a goal against."""
+    return 100.0 * float(samples[f"{quantity} {name}"].mean())
 
 
 def goal_figure(samples: Samples) -> Sequence[Figure]:
@@ -105,7 +106,7 @@ S31 = Claim(
         measured("goals, dribbling less orbit and shoot, blockers after the ball",
                  lambda s: more(s, "goals"), unit="%", above=0.0),
         *(reported(f"goals, {name}", partial(share_of, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", partial(share_of, name=name, what="against"), unit="%")
+        *(reported(f"goals against, {name}", partial(share_of, name=name, quantity="against"), unit="%")
           for name in (*STRATEGIES, *MORE)),
         reported("ball's progress, dribbling less orbit and shoot", lambda s: more(s, "progress"), unit="cm"),
         reported("blockers stand: goals, dribbling less orbit and shoot", lambda s: more(s, "goals", " still"),

@@ -1,7 +1,7 @@
-"""Dribbling past players who stand and past one who walks.  [Sacks 2001, 4.3.4]
+"""Dribbling past standing players and past a walking one.  [Sacks 2001, 4.3.4]
 
-A player's distance counts from the camera to its surface, as the sensors gave it (MS42): that decides. Beside it the
-same runs with distances from middle to middle, 25 cm more for a player straight ahead.
+Verdicts count a player's distance from the camera to its surface, as the sensors gave it (MS42). The runs are repeated
+with distances from middle to middle, 25 cm more for a player straight ahead.
 """
 
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 Plan = Sequence[tuple[str | Scene, dict[str, Any], float]]  # scene, settings of the team, speed of movers [m/s]
 
-MATCHES, FEWER = 24, 12  # of each scene in a batch; where a batch has many scenes
+MATCHES, FEWER = 24, 12  # of each scene in a batch; fewer in a batch of many scenes
 STILL = ("dribble-past-one", "dribble-past-two", "dribble-past-three")
 MOVING = ("dribble-past-mover-near", "dribble-past-mover-far", "dribble-past-mover-head-on")
 SPEEDS = (0.03, 0.06, 0.09, 0.12)  # [m/s] of a mover: up to a robot's top speed
@@ -36,31 +36,31 @@ BODIES = "The field takes robots for points (MS44); bodies count as touching whe
 
 
 def clean(samples: Samples, name: str = "clean", columns: Any = slice(None)) -> float:
-    """Return a share [%] over runs and some columns."""
+    """Return the share [%] of a result over runs and some columns."""
     return 100.0 * float(samples[name][:, columns].mean())
 
 
 def play_all(batch: Batch, plan: Plan, matches: int) -> Samples:
     """Play scenes, each with settings of the team and a mover's speed; arrays (M, len(plan)) of `play_drill`."""
-    found = [play_drill(batch, scene, settings, matches, speed) for scene, settings, speed in plan]
-    return {name: np.stack([one[name] for one in found], axis=1) for name in found[0]}
+    runs = [play_drill(batch, scene, settings, matches, speed) for scene, settings, speed in plan]
+    return {name: np.stack([one[name] for one in runs], axis=1) for name in runs[0]}
 
 
 def play_both_ways(batch: Batch, plan: Plan, matches: int) -> Samples:
-    """Play scenes with either count of distances: what `play_all` returns, and the same under "middle ..."."""
-    found: Samples = {}
+    """Play scenes with both counts of distances: the arrays of `play_all`, and others under "middle ..."."""
+    samples: Samples = {}
     for prefix, way in WAYS.items():
         runs = play_all(batch, [(scene, {**settings, **way}, speed) for scene, settings, speed in plan], matches)
-        found |= {f"{prefix}{name}": values for name, values in runs.items()}
-    return found
+        samples |= {f"{prefix}{name}": values for name, values in runs.items()}
+    return samples
 
 
-# Players who stand
+# Standing players
 
 
 def pass_still(batch: Batch) -> Samples:
-    """Dribble past one, two and three players who stand; one also with ideal senses, with twice k2, with both."""
-    found = play_both_ways(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
+    """Dribble past one, two and three standing players; past one also with ideal senses and with twice k2."""
+    samples = play_both_ways(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
     variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (
         ("ideal", {}, "ideal"),
@@ -69,14 +69,14 @@ def pass_still(batch: Batch) -> Samples:
     )
     for name, settings, senses in variants:
         one = play_drill(batch, STILL[0], settings, MATCHES, senses=senses)
-        found |= {f"{key} {name}": values for key, values in one.items()}
+        samples |= {f"{key} {name}": values for key, values in one.items()}
     rng = batch.rng()
     start, crowd = starts(rng, MATCHES), one_ahead(rng, 0.0, 0.25, MATCHES)
-    return found | {f"{prefix}clean afar": runs.is_clean for prefix, runs in run_both_ways(batch, start, crowd)}
+    return samples | {f"{prefix}clean afar": runs.is_clean for prefix, runs in run_both_ways(batch, start, crowd)}
 
 
 def still_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw what became of the runs by the number of players."""
+    """Draw the outcome of the runs against the number of players."""
     names = {
         "clean": "past, without a touch",
         "free": "past, no touch that stops or turns",
@@ -127,14 +127,14 @@ S62 = Claim(
     batches=8,
 )  # fmt: skip
 
-# One who moves
+# A moving player
 
 
 def pass_mover(batch: Batch) -> Samples:
     """Dribble past one mover: columns by drill, then by speed; "middle ..." by drill at SLOW and less."""
-    found = play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
+    samples = play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
     slow = [(scene, FROM_MIDDLE, speed) for scene in MOVING for speed in SPEEDS if speed <= SLOW]
-    return found | {f"middle {name}": values for name, values in play_all(batch, slow, FEWER).items()}
+    return samples | {f"middle {name}": values for name, values in play_all(batch, slow, FEWER).items()}
 
 
 def of_drill(index: int, most: float = 1.0) -> list[int]:

@@ -1,4 +1,4 @@
-"""How often a dribbler has to decide on its way.  [Sacks 2001, 4.3.2]"""
+"""How often a dribbler has to decide.  [Sacks 2001, 4.3.2]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -18,8 +18,8 @@ DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a be
 def pass_by_replan(batch: Batch) -> Samples:
     """Dribble past two still players and past a mover that starts afar: arrays (M, times), the mean of both."""
     plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
-    found, count = play_both_ways(batch, plan, FEWER), len(REPLANS)
-    return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in found.items()}
+    runs, count = play_both_ways(batch, plan, FEWER), len(REPLANS)
+    return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in runs.items()}
 
 
 def at_time(samples: Samples, *times: float) -> float:
@@ -28,18 +28,18 @@ def at_time(samples: Samples, *times: float) -> float:
 
 
 def fitted(samples: Samples, *times: float, name: str = "clean") -> float:
-    """Return the clean share [%] at some times (mean) of the curve that fits all times best."""
+    """Return the clean share [%] at some times (mean) by the curve fitted to all times."""
     curve = np.polyfit(np.log2(REPLANS), 100.0 * samples[name].mean(axis=0), DEGREE)
     return float(np.polyval(curve, np.log2(times)).mean())
 
 
 def gained(samples: Samples, name: str = "clean") -> float:
-    """Return by how much [%] the curve is higher at a quarter and an eighth of a second than at half a second."""
+    """Return the curve [%] at an eighth and a quarter of a second (mean) minus its value at half a second."""
     return fitted(samples, 0.125, 0.25, name=name) - fitted(samples, 0.5, name=name)
 
 
 def worse(samples: Samples, name: str = "clean") -> float:
-    """Return by how much [%] the curve is lower at a second than at half a second."""
+    """Return the curve [%] at half a second minus its value at a second."""
     return fitted(samples, 0.5, name=name) - fitted(samples, 1.0, name=name)
 
 

@@ -1,4 +1,4 @@
-"""Which constants the potential field needs, and whether those of points serve robots.  [Sacks 2001, 4.3]"""
+"""The constants of the potential field, and the transfer of constants from points to robots.  [Sacks 2001, 4.3]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -16,16 +16,16 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 GAINS = (0.1, 0.2, 0.4, 0.8, 1.6, 3.2)  # [m] k2 in metres: 100 to 3200 for distances in mm
 RANGES = (0.3, 0.5, 0.75, 1.0, 1.5, 2.0)  # [m] x0
 PAPER = (0.8, 1.0)  # [m] of the paper
-TRIED = {"k2": (0.2, 0.4, 0.8, 1.6), "x0": (0.5, 0.75, 1.0, 1.5)}  # [m] with robots, the other one the paper's
+TRIED = {"k2": (0.2, 0.4, 0.8, 1.6), "x0": (0.5, 0.75, 1.0, 1.5)}  # [m] with robots; the other constant the paper's
 FEW = 12  # robots of each kind of scene and setting
-NEARLY = 10.0  # [pp] of success below the best that still suffices
-FINE = 201  # values of a curve
+NEARLY = 10.0  # [pp] below the best success: a constant suffices within this distance
+FINE = 201  # points of a fitted curve
 KINDS = ("standing", "moving")
 AXES = {"k2": GAINS, "x0": RANGES}
 
 
 def scenes(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return starts, and a player that stands up to 25 cm beside the way, or one that comes straight for the start."""
+    """Return starts, and players: one stands up to 25 cm beside the way, or one comes straight for the start."""
     return starts(rng), {"standing": one_ahead(rng, 0.0, 0.25), "moving": one_comes(rng)}
 
 
@@ -35,7 +35,7 @@ def setting(axis: str, value: float) -> dict[str, Any]:
 
 
 def along_lines(batch: Batch) -> Samples:
-    """Return success (M,) of points and of robots (NaN where none was played) for each kind, constant and value."""
+    """Return success (M,) of points and of robots (NaN: not played) for each kind of scene, constant and value."""
     start, crowds = scenes(batch.rng())
     samples: Samples = {}
     for kind, crowd in crowds.items():
@@ -48,26 +48,26 @@ def along_lines(batch: Batch) -> Samples:
             for value in TRIED[axis]:
                 play = setting(axis, value)
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
-                samples |= {f"{prefix}robots {kind} {axis} {value:g}": found for prefix, found in robots.items()}
+                samples |= {f"{prefix}robots {kind} {axis} {value:g}": clean for prefix, clean in robots.items()}
     return samples
 
 
 def robots_succeed(
     batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int
 ) -> dict[str, np.ndarray]:
-    """Return the success (M,) of the first scenes with robots, NaN for the rest, by prefix of the distances."""
-    runs = run_both_ways(batch, start[:count], crowd[:count], **play)
-    return {prefix: filled(found.is_clean) for prefix, found in runs}
+    """Return the success (M,) of robots in the first scenes, NaN in the rest, by prefix of the distances."""
+    both = run_both_ways(batch, start[:count], crowd[:count], **play)
+    return {prefix: filled(runs.is_clean) for prefix, runs in both}
 
 
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
-    """Return the success [%] for each value that was tried."""
+    """Return the success [%] for each tried value."""
     values = AXES[axis] if who == "points" else TRIED[axis]
     return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values]
 
 
 def least_sufficient(samples: Samples, who: str, kind: str, axis: str) -> float:
-    """Return the least value [m] at which the curve that fits the success best is within NEARLY of its best."""
+    """Return the least value [m] at which the fitted curve of success is within NEARLY of its maximum."""
     values = AXES[axis] if who == "points" else TRIED[axis]
     fine = np.linspace(np.log2(values[0]), np.log2(values[-1]), FINE)
     curve = np.polyval(np.polyfit(np.log2(values), success(samples, who, kind, axis), len(values) // 2), fine)
@@ -75,7 +75,7 @@ def least_sufficient(samples: Samples, who: str, kind: str, axis: str) -> float:
 
 
 def larger(samples: Samples, who: str, axis: str) -> float:
-    """Return how many times as large the least sufficient value is for movers."""
+    """Return the least sufficient value for moving players over that for standing ones."""
     return least_sufficient(samples, who, "moving", axis) / least_sufficient(samples, who, "standing", axis)
 
 
@@ -113,20 +113,14 @@ S53 = Claim(
     f"{NEARLY:.0f} points of its best.",
     criteria=(
         *(
-            measured(
-                f"{who}: least sufficient {axis}, moving over standing",
-                partial(larger, who=who, axis=axis),
-                above=1.0,
-            )
+            measured(f"{who}: least sufficient {axis}, moving over standing", partial(larger, who=who, axis=axis),
+                     above=1.0)
             for who in ("points", "robots")
             for axis in AXES
         ),
         *(
-            reported(
-                f"{who}: least sufficient {axis}, {kind}",
-                partial(least_sufficient, who=who, kind=kind, axis=axis),
-                unit="m",
-            )
+            reported(f"{who}: least sufficient {axis}, {kind}",
+                     partial(least_sufficient, who=who, kind=kind, axis=axis), unit="m")
             for who in ("points", "robots")
             for axis in AXES
             for kind in KINDS
@@ -147,7 +141,7 @@ S53 = Claim(
     least=2,
     batches=5,
     figures=line_figures,
-)
+)  # fmt: skip
 
 
 def tuned_in_points(batch: Batch) -> Samples:
@@ -161,17 +155,17 @@ def tuned_in_points(batch: Batch) -> Samples:
             runs = run_points(batch.rng(1), start, crowd, None, **play)
             samples[f"points {kind} {name}"] = is_clean(runs).astype(float)
             robots = robots_succeed(batch, start, crowd, play, ROBOTS)
-            samples |= {f"{prefix}robots {kind} {name}": found for prefix, found in robots.items()}
+            samples |= {f"{prefix}robots {kind} {name}": clean for prefix, clean in robots.items()}
     gain, far = tune(start, {"standing": crowds["standing"]})
     short: dict[str, Any] = {"player_gain": gain, "player_range": far}
     samples["points standing short"] = is_clean(run_points(batch.rng(1), start, crowds["standing"], None, **short))
     robots = robots_succeed(batch, start, crowds["standing"], short, FEW)
-    samples |= {f"{prefix}robots standing short": found for prefix, found in robots.items()}
+    samples |= {f"{prefix}robots standing short": clean for prefix, clean in robots.items()}
     return samples | {"short gain": np.full(SCENES, gain), "short range": np.full(SCENES, far)}
 
 
 def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float]:
-    """Return the gain and range [m] with which most points pass cleanly, of several those with the shortest ways."""
+    """Return the gain and range [m] with the most clean passes of points, and of equal ones the shortest paths."""
     best, chosen = (-1.0, 0.0), (0.8, 1.0)
     for gain in GAINS:
         for far in RANGES:
@@ -184,7 +178,7 @@ def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float
 
 
 def dropped(samples: Samples, name: str, who: str = "robots", kinds: Sequence[str] = KINDS) -> float:
-    """Return how many more points than robots [pp] pass cleanly."""
+    """Return the clean passes of points minus those of robots [pp]."""
     return passing(samples, "points", name, kinds) - passing(samples, who, name, kinds)
 
 
@@ -201,30 +195,17 @@ S65 = Claim(
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
     criteria=(
-        reported(
-            "clean passes, points less robots, constants of the points", partial(dropped, name="tuned"), unit="pp"
-        ),
+        reported("clean passes, points less robots, constants of the points", partial(dropped, name="tuned"),
+                 unit="pp"),
         reported("the same with the paper's constants", partial(dropped, name="paper"), unit="pp"),
-        reported(
-            "tuned past standing players alone: the same there",
-            partial(dropped, name="short", kinds=KINDS[:1]),
-            unit="pp",
-        ),
-        reported(
-            "distances from the middle: constants of the points",
-            partial(dropped, name="tuned", who="middle robots"),
-            unit="pp",
-        ),
-        reported(
-            "distances from the middle: the paper's constants",
-            partial(dropped, name="paper", who="middle robots"),
-            unit="pp",
-        ),
-        reported(
-            "distances from the middle: tuned past standing players alone",
-            partial(dropped, name="short", who="middle robots", kinds=KINDS[:1]),
-            unit="pp",
-        ),
+        reported("tuned past standing players alone: the same there", partial(dropped, name="short", kinds=KINDS[:1]),
+                 unit="pp"),
+        reported("distances from the middle: constants of the points",
+                 partial(dropped, name="tuned", who="middle robots"), unit="pp"),
+        reported("distances from the middle: the paper's constants",
+                 partial(dropped, name="paper", who="middle robots"), unit="pp"),
+        reported("distances from the middle: tuned past standing players alone",
+                 partial(dropped, name="short", who="middle robots", kinds=KINDS[:1]), unit="pp"),
         reported("k2 tuned past standing players alone", lambda s: mean(s["short gain"]), unit="m"),
         reported("x0 tuned past standing players alone", lambda s: mean(s["short range"]), unit="m"),
         reported("k2 tuned with points", lambda s: mean(s["gain"]), unit="m"),
@@ -244,6 +225,6 @@ S65 = Claim(
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
     "than the paper's; tuned past standing players alone they get by with weak ones.",
-)
+)  # fmt: skip
 
 CLAIMS = (S53, S65)

@@ -1,4 +1,4 @@
-"""What the potential field costs to compute.  [Sacks 2001, 4.2]"""
+"""The computing time of the potential field.  [Sacks 2001, 4.2]"""
 
 from time import perf_counter
 
@@ -16,11 +16,11 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 OTHERS = 5  # that a dribbler of 3 v 3 can know of
 STEPS = 8  # frames in a repetition: about as long as the runs of points
 WARM = 64  # frames before: 4 s of play
-QUIET = 0.1  # [1] of the repetitions that nothing else on the machine disturbs, assumed
+QUIET = 0.1  # [1] share of repetitions that no other program disturbs, assumed
 
 
 def time_decisions(batch: Batch) -> Samples:
-    """Return how long decisions among five others take [us] in each of 32 repetitions, and a robot's whole frame."""
+    """Return the times of a decision among five others and of a robot's whole frame [us], in 32 repetitions."""
     rng, repetitions = batch.rng(), 32
     start = starts(rng, 64)
     crowd = players(np.stack([rng.uniform(-0.8, 1.2, (64, OTHERS)), rng.uniform(-0.9, 0.9, (64, OTHERS))], axis=-1))
@@ -42,12 +42,12 @@ def time_decisions(batch: Batch) -> Samples:
 
 
 def undisturbed(times: np.ndarray) -> float:
-    """Return how long something takes [us] where nothing else disturbs it."""
+    """Return the time [us] of a repetition that no other program disturbs."""
     return quantile(times, QUIET)
 
 
 def planning(samples: Samples, steps: float = 1.0) -> float:
-    """Return the time of decisions [%] over that of a robot's frames, so many decisions (steps) every half second."""
+    """Return the time of `steps` decisions every half second over the time of a robot's frames [%]."""
     each = SacksSettings().replan * find_league(LEGGED).control_rate  # [frames]
     return 100.0 * steps * undisturbed(samples["time"]) / (each * undisturbed(samples["frame"]))
 

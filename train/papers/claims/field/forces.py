@@ -26,31 +26,31 @@ from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 EXPONENTS = (1, 2, 3)
-FEW_MORE = 2.0  # [pp] of runs that collide more with the factor: no extra collisions
-REACTS = np.radians(5.0)  # [rad] off the goal's direction from which the robot has begun to go round, assumed
+FEW_MORE = 2.0  # [pp] more collisions with the factor that still count as no extra collisions
+REACTS = np.radians(5.0)  # [rad] off the goal's direction at which a robot has begun to go round a player, assumed
 DEGREES = 180.0 / np.pi
 NEAR_GOAL, FAR_GOAL = 0.8, 2.5  # [m]
-GOAL_X = 1.6  # [m] of the point that a dribbler makes for
+GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 
 def matched_exponents(batch: Batch) -> Samples:
-    """Return onset [m], peak and mean turn [rad], clearance [m] (scenes, exponents), equal forces at 444 mm."""
+    """Return onset [m], peak turn [rad] and clearance [m] (scenes, exponents), for equal forces at 444 mm."""
     rng = batch.rng()
     start, crowd = starts(rng), one_ahead(rng, 0.0, 0.25)
-    found: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
+    columns: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
     for exponent in EXPONENTS:
         runs = run_points(rng, start, crowd, exponent=exponent, player_gain=matched_gain(exponent))
         away = np.linalg.norm(runs.others[:-1, :, 0] - runs.path[:-1], axis=-1)
         reacts = np.abs(runs.off) > REACTS
         first = reacts.argmax(axis=0)
-        found["onset"].append(np.where(reacts.any(axis=0), away[first, np.arange(SCENES)], np.nan))
-        found["peak"].append(np.nanmax(np.abs(runs.turns), axis=0))
-        found["clearance"].append(runs.clearance)
-    return {name: np.stack(values, axis=1) for name, values in found.items()}
+        columns["onset"].append(np.where(reacts.any(axis=0), away[first, np.arange(SCENES)], np.nan))
+        columns["peak"].append(np.nanmax(np.abs(runs.turns), axis=0))
+        columns["clearance"].append(runs.clearance)
+    return {name: np.stack(values, axis=1) for name, values in columns.items()}
 
 
 def matched_gain(exponent: int) -> float:
-    """Return the gain [m^n] with which a player's force is 1 at 444 mm, whatever the exponent."""
+    """Return the gain [m^n] for which a player's force is 1 at 444 mm."""
     return 0.8 * UNIT ** (exponent - 1)
 
 
@@ -89,18 +89,10 @@ S44 = Claim(
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
     criteria=(
-        measured(
-            "least fall of the first reaction's distance with the exponent",
-            lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()),
-            unit="cm",
-            above=0.0,
-        ),
-        measured(
-            "greatest turn rises with the exponent (least rise of the median)",
-            lambda samples: float(np.diff(of_exponents(samples, "peak", DEGREES)).min()),
-            unit="deg",
-            above=0.0,
-        ),
+        measured("least fall of the first reaction's distance with the exponent",
+                 lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()), unit="cm", above=0.0),
+        measured("greatest turn rises with the exponent (least rise of the median)",
+                 lambda samples: float(np.diff(of_exponents(samples, "peak", DEGREES)).min()), unit="deg", above=0.0),
         *(
             reported(f"exponent {n}: first reaction", partial(of_exponent, n=n, name="onset", scale=100.0), unit="cm")
             for n in EXPONENTS
@@ -116,11 +108,11 @@ S44 = Claim(
     batches=8,
     figures=exponent_figures,
     ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
-)
+)  # fmt: skip
 
 
 def reactions(batch: Batch, **play: Any) -> Samples:
-    """Return how far off the goal robots go [degrees] past a player at the same place, near the goal and far away."""
+    """Return deviations from the goal's direction [degrees] past a player in one relative place, near and far."""
     rng, samples = batch.rng(), {}
     distance, bearing = rng.uniform(0.25, 0.7, SCENES), rng.uniform(-1.0, 1.0, SCENES)
     for name, away in (("near", NEAR_GOAL), ("far", FAR_GOAL)):
@@ -133,7 +125,7 @@ def reactions(batch: Batch, **play: Any) -> Samples:
 
 
 def difference(samples: Samples, kind: str) -> np.ndarray:
-    """Return how much reactions differ [degrees] (M,) between near the goal and far from it."""
+    """Return the difference of the reactions near the goal and far from it (M,) [degrees]."""
     values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
     return values
 
@@ -145,9 +137,8 @@ S46 = Claim(
     method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
     criteria=(
-        measured(
-            "unit force: greatest difference", lambda s: float(difference(s, "unit").max()), unit="deg", at_most=1e-6
-        ),
+        measured("unit force: greatest difference", lambda s: float(difference(s, "unit").max()), unit="deg",
+                 at_most=1e-6),
         reported("proportional force: mean difference", lambda s: mean(difference(s, "proportional")), unit="deg"),
         reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
         reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
@@ -156,11 +147,9 @@ S46 = Claim(
     measure=reactions,
     seconds=0.5,
     batches=4,
-    without=Without(
-        "a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
-        partial(reactions, goal_force="proportional"),
-    ),
-)
+    without=Without("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
+                    partial(reactions, goal_force="proportional")),
+)  # fmt: skip
 
 
 def with_and_without_cosine(batch: Batch) -> Samples:
@@ -191,7 +180,7 @@ def cosine_figures(samples: Samples) -> Sequence[Figure]:
 
 
 def saved(samples: Samples, name: str) -> float:
-    """Return by which share [%] the factor lessens the median of a quantity."""
+    """Return the reduction of a quantity's median by the factor [%]."""
     return 100.0 * (1.0 - median(samples[f"{name} with"]) / median(samples[f"{name} without"]))
 
 
@@ -204,35 +193,24 @@ S47 = Claim(
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
     criteria=(
         measured("deviation is less by (medians)", lambda s: saved(s, "deviation"), unit="%", at_least=20.0),
-        measured(
-            "collisions with the factor less those without",
-            lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])),
-            unit="pp",
-            at_most=FEW_MORE,
-        ),
+        measured("collisions with the factor less those without",
+                 lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
         reported("deviation with the factor", lambda s: 100 * median(s["deviation with"]), unit="cm"),
         reported("deviation without", lambda s: 100 * median(s["deviation without"]), unit="cm"),
-        measured(
-            "robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%", at_least=20.0
-        ),
+        measured("robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%",
+                 at_least=20.0),
         reported("robots: clean with the factor", lambda s: 100 * mean(s["robots clean with"]), unit="%"),
         reported("robots: clean without", lambda s: 100 * mean(s["robots clean without"]), unit="%"),
-        reported(
-            "robots, distances from the middle: deviation is less by",
-            lambda s: saved(s, "middle robots deviation"),
-            unit="%",
-        ),
-        reported(
-            "extra length of the path is less by",
-            lambda s: 100 * (median(s["length without"]) - median(s["length with"])),
-            unit="cm",
-        ),
+        reported("robots, distances from the middle: deviation is less by",
+                 lambda s: saved(s, "middle robots deviation"), unit="%"),
+        reported("extra length of the path is less by",
+                 lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),
     rules=STAGED,
     measure=with_and_without_cosine,
     seconds=4.0,
     batches=6,
     figures=cosine_figures,
-)
+)  # fmt: skip
 
 CLAIMS = (S44, S46, S47)

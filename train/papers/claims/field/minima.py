@@ -1,4 +1,4 @@
-"""Local minima and what is left of indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
+"""Local minima and remaining indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -9,24 +9,16 @@ import numpy as np
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, bounced, hard_set
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import (
-    NOISE,
-    SCENES,
-    START,
-    draw_field,
-    gap_ahead,
-    run_points,
-    starts,
-)
+from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
 from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, filled, run_both_ways, run_robots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 NO_LIMIT: dict[str, Any] = {"clamp": False, "body_clamp": False}
-STRAIGHT = 0.01  # [m] that a player right ahead stands off the way at most
-SOMETIMES = 10.0  # [%] of the runs, at least: "sometimes", assumed
-LEFT = 5.0  # [%] of the runs in which indecision remains, at least, assumed
-BACK = 0.07  # [m] farther from the goal than before: two steps, more than a body's sway
+STRAIGHT = 0.01  # [m] greatest distance from the way of a player "right ahead"
+SOMETIMES = 10.0  # [%] least share of runs for "sometimes", assumed
+LEFT = 5.0  # [%] least share of runs for "indecision remains", assumed
+BACK = 0.07  # [m] of retreat from the goal: two steps, more than a body's sway
 DECISIONS: dict[str, dict[str, Any]] = {"all rules": {}, "decisive": {"decisive": True}}
 LIMITS: dict[str, dict[str, Any]] = {"off": NO_LIMIT, "on": {}}
 
@@ -38,9 +30,9 @@ def right_ahead(rng: np.random.Generator) -> np.ndarray:
 
 
 def before_minima(batch: Batch) -> Samples:
-    """Return for head-on and gap scenes, limits off and on, what became of points and of robots (M,), a row for each.
+    """Return stalls and retreats (M,) of points and of robots, in head-on and gap scenes, with the limits off and on.
 
-    NaN where the full simulator, in which fewer scenes are played, has no value.
+    NaN in scenes that the full simulator did not play: it plays fewer.
     """
     rng, samples = batch.rng(), {}
     start = np.column_stack([np.full(SCENES, START), np.zeros(SCENES)])
@@ -58,8 +50,8 @@ def before_minima(batch: Batch) -> Samples:
 
 
 def trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
-    """Return 1 for each run that stalls or retreats, NaN for one that was not played."""
-    stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {what}"] for what in ("stalls", "retreats"))
+    """Return 1 for each run that stalls or retreats, NaN for runs not played."""
+    stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {kind}"] for kind in ("stalls", "retreats"))
     worse: np.ndarray = np.maximum(stalls, retreats)
     return worse
 
@@ -70,12 +62,12 @@ def share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head
 
 
 def more(samples: Samples, who: str) -> float:
-    """Return how many more runs [pp] stall or retreat without the limits."""
+    """Return the share of runs that stall or retreat without the limits minus the share with them [pp]."""
     return share(samples, who, "off") - share(samples, who, "on")
 
 
 def minimum_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the way that ends before a player right ahead."""
+    """Draw the path that ends before a player right ahead."""
     crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0]
@@ -94,15 +86,10 @@ S54 = Claim(
     f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
     f"{SECONDS:.0f} s (robots).",
     criteria=(
-        measured(
-            "points without limits that stall or retreat",
-            partial(share, who="points", limit="off"),
-            unit="%",
-            above=SOMETIMES,
-        ),
-        measured(
-            "robots that do so: without limits less with them", partial(more, who="robots"), unit="pp", above=SOMETIMES
-        ),
+        measured("points without limits that stall or retreat", partial(share, who="points", limit="off"), unit="%",
+                 above=SOMETIMES),
+        measured("robots that do so: without limits less with them", partial(more, who="robots"), unit="pp",
+                 above=SOMETIMES),
         reported("points with the limits", partial(share, who="points", limit="on"), unit="%"),
         *(
             reported(f"{who} without limits, {scene}", partial(share, who=who, limit="off", scenes=(scene,)), unit="%")
@@ -110,14 +97,12 @@ S54 = Claim(
             for scene in ("head-on", "gap")
         ),
         *(
-            reported(
-                f"robots with the limits, {scene}", partial(share, who="robots", limit="on", scenes=(scene,)), unit="%"
-            )
+            reported(f"robots with the limits, {scene}", partial(share, who="robots", limit="on", scenes=(scene,)),
+                     unit="%")
             for scene in ("head-on", "gap")
         ),
-        reported(
-            "robots, distances from the middle: the same difference", partial(more, who="middle robots"), unit="pp"
-        ),
+        reported("robots, distances from the middle: the same difference", partial(more, who="middle robots"),
+                 unit="pp"),
     ),
     rules=STAGED,
     measure=before_minima,
@@ -126,11 +111,11 @@ S54 = Claim(
     figures=minimum_figures,
     note="Robots that lose the ball, or touch a player, stall or go back as well: that is what they do with "
     "the limits.",
-)
+)  # fmt: skip
 
 
 def hard_runs(batch: Batch) -> Samples:
-    """Count flips (M,) in the harder set with all of the paper's rules, points and robots; and of decisive ones."""
+    """Count flips (M,) of points and robots in the harder set, with all of the paper's rules and when decisive."""
     rng, samples = batch.rng(), {}
     start, crowd = starts(rng, SCENES, 0.2), hard_set(rng)
     for name, play in DECISIONS.items():
@@ -144,7 +129,7 @@ def hard_runs(batch: Batch) -> Samples:
 
 
 def flips_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how often runs change sides."""
+    """Draw the distribution of changes of side."""
     count = np.arange(13)
     curves = []
     for name in ("points all rules", "points decisive", "robots all rules", "robots decisive"):
@@ -170,16 +155,10 @@ S68 = Claim(
         reported("robots that see all (ideal senses) (mean)", lambda s: mean(s["robots that see all"])),
         reported("robots that pass and touch nobody", lambda s: 100 * mean(s["clean all rules"]), unit="%"),
         reported("the same of decisive ones", lambda s: 100 * mean(s["clean decisive"]), unit="%"),
-        reported(
-            "robots, distances from the middle: runs with a change of side",
-            partial(bounced, name="middle robots all rules"),
-            unit="%",
-        ),
-        reported(
-            "robots, distances from the middle: that pass and touch nobody",
-            lambda s: 100 * mean(s["middle clean all rules"]),
-            unit="%",
-        ),
+        reported("robots, distances from the middle: runs with a change of side",
+                 partial(bounced, name="middle robots all rules"), unit="%"),
+        reported("robots, distances from the middle: that pass and touch nobody",
+                 lambda s: 100 * mean(s["middle clean all rules"]), unit="%"),
     ),
     rules=STAGED,
     measure=hard_runs,
@@ -189,7 +168,7 @@ S68 = Claim(
     note="Most changes of robots come from what they see: with ideal senses there are few. Decisive points "
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",
-)
+)  # fmt: skip
 
 
 CLAIMS = (S54, S68)

@@ -1,4 +1,4 @@
-"""Keeping one's side more often, when others move.  [Sacks 2001, 4.3.3]"""
+"""A stronger preference for the present side, with moving players.  [Sacks 2001, 4.3.3]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -15,24 +15,24 @@ PATIENCE = (0, 1, 2, 4, 8)  # decisions for which a change of side has to last
 ANGLES = (135.0, 90.0, 45.0, 0.0)  # [degrees] beyond which the side is kept
 SPEEDS = (0.03, 0.12)  # [m/s] of movers, up to a robot's top speed
 MOVERS = {"comes": "one comes", "both": "one comes, one stands on the other side", "crosses": "one crosses"}
-PAPERS = ("comes", "both")  # the classes that the paper speaks of
+PAPERS = ("comes", "both")  # the classes in the paper
 
 
 def met(batch: Batch) -> Samples:
-    """Return collisions (M,) in each class of scenes with a mover, by how stubborn the robot is."""
+    """Return collisions (M,) in each class of scenes with a mover, for each patience and angle."""
     rng, samples = batch.rng(), {}
     start = starts(rng)
     for scene, crowd in (("comes", one_comes(rng)), ("both", one_on_each_side(rng)), ("crosses", one_crosses(rng))):
         for name, values in (("patience", PATIENCE), ("keep_side_angle", ANGLES)):
             for value in values:
-                asked = np.radians(value) if name == "keep_side_angle" else value
-                runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **{name: asked})
+                play = {name: np.radians(value) if name == "keep_side_angle" else value}
+                runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
                 samples[f"{scene} {name} {value:g}"] = collided(runs).astype(float)
     return samples
 
 
 def one_comes(rng: np.random.Generator) -> np.ndarray:
-    """Return a player (M, 1) that comes from ahead, straight for where the dribbler starts."""
+    """Return a player (M, 1) that comes from ahead, straight for the dribbler's start."""
     place = np.stack([rng.uniform(-0.2, 1.0, SCENES), rng.uniform(-0.3, 0.3, SCENES)], axis=-1)
     goal = np.stack([np.full(SCENES, START), rng.uniform(-0.15, 0.15, SCENES)], axis=-1)
     return players(place[:, None], towards(place, goal, rng)[:, None])
@@ -48,7 +48,7 @@ def one_on_each_side(rng: np.random.Generator) -> np.ndarray:
 
 
 def one_crosses(rng: np.random.Generator) -> np.ndarray:
-    """Return a player (M, 1) that crosses the way within 3 s of when a dribbler that goes straight on is there."""
+    """Return a player (M, 1) that crosses the way within 3 s of a dribbler that goes straight on."""
     x, side = rng.uniform(-0.5, 0.2, SCENES), rng.choice([-1.0, 1.0], SCENES)
     when = (x - START) / 0.07 + rng.uniform(-3.0, 3.0, SCENES)
     velocity = towards(np.zeros((SCENES, 2)), np.stack([rng.uniform(-0.6, 0.0, SCENES), side], axis=-1), rng)
@@ -74,9 +74,9 @@ def of_patience(samples: Samples, n: int) -> float:
 
 
 def rise(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
-    """Return how many more runs [pp] collide at the last value than at the first."""
-    found = sweep(samples, name, values, scenes)
-    return found[-1] - found[0]
+    """Return the share of collisions [pp] at the last value minus the share at the first."""
+    shares = sweep(samples, name, values, scenes)
+    return shares[-1] - shares[0]
 
 
 def stubborn_figures(samples: Samples) -> Sequence[Figure]:
@@ -101,22 +101,15 @@ S58 = Claim(
     f"last for {', '.join(map(str, PATIENCE))} decisions before it is made; beside it the side is kept beyond smaller "
     "angles than 135 degrees.",
     criteria=(
-        measured(
-            f"collisions at {PATIENCE[-1]} decisions less those at 0",
-            lambda s: rise(s, "patience", PATIENCE),
-            unit="pp",
-            above=0.0,
-        ),
+        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", lambda s: rise(s, "patience", PATIENCE),
+                 unit="pp", above=0.0),
         *(reported(f"collisions at {n} decisions", partial(of_patience, n=n), unit="%") for n in PATIENCE),
         *(
             reported(f"{title}: rise", partial(rise, name="patience", values=PATIENCE, scenes=(key,)), unit="pp")
             for key, title in MOVERS.items()
         ),
-        reported(
-            "side kept beyond 0 degrees less beyond 135",
-            partial(rise, name="keep_side_angle", values=ANGLES),
-            unit="pp",
-        ),
+        reported("side kept beyond 0 degrees less beyond 135", partial(rise, name="keep_side_angle", values=ANGLES),
+                 unit="pp"),
     ),
     rules=NO_MATCH,
     measure=met,
@@ -125,6 +118,6 @@ S58 = Claim(
     figures=stubborn_figures,
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
-)
+)  # fmt: skip
 
 CLAIMS = (S58,)

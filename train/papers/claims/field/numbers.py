@@ -1,4 +1,4 @@
-"""The numbers of the potential field: who exerts no force, where a force is 1, players and walls.  [Sacks 2001, 4.3]"""
+"""The numbers of the potential field: zero forces, unit forces, players and walls.  [Sacks 2001, 4.3]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -35,7 +35,7 @@ def forces_aside(batch: Batch, **play: Any) -> Samples:
 
 
 def push_of(x: float, y: float, goal_x: float, goal_y: float, record: np.void) -> float:
-    """Return the force of a player whose middle a robot that heads along x knows to be at x, y [m]."""
+    """Return the force of a player with its middle at x, y [m] on a robot that heads along x."""
     belief, tracks = np.zeros(1, BELIEF), np.zeros(1, TRACK)
     tracks["present"], tracks["x"], tracks["y"] = 1, x, y
     force: Any = force_of_players  # a kernel
@@ -49,27 +49,24 @@ S48 = Claim(
     method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
     criteria=(
         exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
-        reported(
-            "players that exert none as seen from the robot's middle, and some as seen from its camera",
-            lambda s: 100.0 * mean(s["middles"] > 1e-12),
-            unit="%",
-        ),
+        reported("players that exert none as seen from the robot's middle, and some as seen from its camera",
+                 lambda s: 100.0 * mean(s["middles"] > 1e-12), unit="%"),
     ),
     rules=NO_MATCH,
     measure=forces_aside,
     batches=1,
     seconds=0.1,
     without=Without("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
-)
+)  # fmt: skip
 
 
 def unit_distance(batch: Batch, **play: Any) -> Samples:
     """Return the distance [m] between middles at which a robot's force from a player straight ahead is 1.
 
-    Found by bisection: "middles" with the paper's distance, from camera to surface; "middle" with that between middles;
-    "distance" is the first as the sensors gave it.
+    By bisection: "middles" for the paper's distance, from camera to surface; "middle" for the distance between middles;
+    "distance" is "middles" as the sensors gave it.
     """
-    found = {}
+    samples = {}
     for name, way in (("middles", "surface"), ("middle", "middle")):
         record = SacksSettings(distance_from=way, **play).record()[0]
         near, far = 0.05, 2.0
@@ -77,8 +74,8 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
             half = 0.5 * (near + far)
             pushes = push_of(half, 0.0, 1.0, 0.0, record) > 1.0
             near, far = (half, far) if pushes else (near, half)
-        found[name] = np.array([near])
-    return found | {"distance": found["middles"] - K["head_camera_ahead"] - K["body_front"]}
+        samples[name] = np.array([near])
+    return samples | {"distance": samples["middles"] - K["head_camera_ahead"] - K["body_front"]}
 
 
 S49 = Claim(
@@ -104,7 +101,7 @@ S49 = Claim(
 
 
 def walls_against_players(batch: Batch, **play: Any) -> Samples:
-    """Return the greatest ratio of a wall's force to a player's, and who comes through near walls with and without."""
+    """Return the greatest ratio of a wall's force to a player's, and passes near walls with and without walls."""
     record = SacksSettings(**play).record()[0]
     ratios = [
         abs(FIELD.wall_force(1.0 - x, 1.0, record)) / np.hypot(*FIELD.player_force(x, 0.0, 1.0, 0.0, record))
@@ -122,7 +119,7 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
 
 
 def walls_with_robots(batch: Batch, **play: Any) -> Samples:
-    """Return the same, and which robots come through cleanly in the first of the scenes."""
+    """Return `walls_against_players`, and the clean passes of robots in the first scenes."""
     start, crowd = along_wall(batch.rng())
     robots = {
         f"{prefix}robots {name}": filled(runs.is_clean)

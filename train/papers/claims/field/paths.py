@@ -1,4 +1,4 @@
-"""Ways through the potential field: steadiness, retreat, indecision.  [Sacks 2001, 4.3.1, 4.3.3]"""
+"""Paths through the potential field: steadiness, retreat, indecision.  [Sacks 2001, 4.3.1, 4.3.3]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -33,14 +33,12 @@ HARD_GAPS = (0.35, 0.70)  # [m] of a harder set
 def far_players(batch: Batch) -> Samples:
     """Return the rms change of direction [degrees] (M,) from step to step, with the cut-off and without it.
 
-    "unmatched": without it k2 is the same, so that forces are stronger everywhere as well.
+    "unmatched": without it and with an unchanged k2, so that all forces are stronger as well.
     """
     rng, samples = batch.rng(), {}
     start = starts(rng, SCENES, 0.3)
-    x, y = (
-        rng.uniform(-0.4, 1.2, (SCENES, 3)),
-        rng.uniform(0.3, 0.9, (SCENES, 3)) * rng.choice([-1.0, 1.0], (SCENES, 3)),
-    )
+    x = rng.uniform(-0.4, 1.2, (SCENES, 3))
+    y = rng.uniform(0.3, 0.9, (SCENES, 3)) * rng.choice([-1.0, 1.0], (SCENES, 3))
     crowd = players(np.stack([x, y], axis=-1))
     for seen, world in JITTERS.items():
         for name, play in CUT_OFFS.items():
@@ -50,7 +48,7 @@ def far_players(batch: Batch) -> Samples:
 
 
 def less_jitter(samples: Samples, seen: str, other: str = "without") -> float:
-    """Return by which share [%] the cut-off lessens the mean jitter."""
+    """Return the reduction of the mean jitter by the cut-off [%]."""
     return 100.0 * (1.0 - mean(samples[f"{seen} with"]) / mean(samples[f"{seen} {other}"]))
 
 
@@ -67,29 +65,26 @@ S45 = Claim(
         reported("jitter without", lambda s: mean(s["noise and blobs without"]), unit="deg"),
         reported("less by, noise alone", partial(less_jitter, seen="noise"), unit="%"),
         reported("less by, false blobs alone", partial(less_jitter, seen="blobs"), unit="%"),
-        reported(
-            "less by, against the same k2 without the cut-off",
-            partial(less_jitter, seen="noise and blobs", other="unmatched"),
-            unit="%",
-        ),
+        reported("less by, against the same k2 without the cut-off",
+                 partial(less_jitter, seen="noise and blobs", other="unmatched"), unit="%"),
     ),
     rules=NO_MATCH,
     measure=far_players,
     seconds=0.8,
     batches=8,
     ingredients=("how often blobs are false, and where they seem to be: 0.5 to 2.5 m",),
-)
+)  # fmt: skip
 
 
 def crowds(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     """Return starts and one to three standing players anywhere before the goal."""
     place = np.stack([rng.uniform(-0.7, 1.0, (SCENES, 3)), rng.uniform(-0.5, 0.5, (SCENES, 3))], axis=-1)
-    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = (0.0, 50.0)  # far off the field: one, two or three are left
+    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = (0.0, 50.0)  # far off the field: one to three players remain
     return starts(rng, SCENES, 0.5), players(place)
 
 
 def steps_away(batch: Batch, **play: Any) -> Samples:
-    """Count the steps of each run, and those that lead away from the goal."""
+    """Count the steps of each run, and the steps away from the goal."""
     start, crowd = crowds(batch.rng())
     runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
     return {"steps": runs.steps, "away": runs.retreats, "arrived": runs.arrived.astype(float)}
@@ -127,16 +122,15 @@ def through_gaps(batch: Batch) -> Samples:
         for seen, world in (("", {}), (" noisy", {"range_noise": NOISE})):
             runs = run_points(batch.rng(1), start, crowd, world, keep_side=keep)
             samples[name + seen] = runs.flips.astype(float)
-            samples[f"{name}{seen} askew"] = run_points(batch.rng(1), start, askew, world, keep_side=keep).flips.astype(
-                float
-            )
+            runs = run_points(batch.rng(1), start, askew, world, keep_side=keep)
+            samples[f"{name}{seen} askew"] = runs.flips.astype(float)
         runs = run_points(batch.rng(1), hard_start, hard_crowd, {"range_noise": NOISE}, keep_side=keep)
         samples[f"{name} hard"] = runs.flips.astype(float)
     return samples
 
 
 def gaps_with_robots(batch: Batch) -> Samples:
-    """Return the same, and the flips of robots in the first of the scenes, with the rule and without."""
+    """Return `through_gaps`, and the flips of robots in the first scenes, with the rule and without."""
     rng = batch.rng()
     start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
     samples = through_gaps(batch)
@@ -148,12 +142,12 @@ def gaps_with_robots(batch: Batch) -> Samples:
 
 
 def fewer(samples: Samples, who: str = "", seen: str = "") -> float:
-    """Return how many times as many changes of side there are without the rule as with it (means)."""
+    """Return the mean changes of side without the rule over those with it."""
     return mean(samples[f"{who}limit{seen}"]) / max(mean(samples[f"{who}rule{seen}"]), 1e-3)
 
 
 def bounced(samples: Samples, name: str) -> float:
-    """Return the share of runs [%] with a change of side or more."""
+    """Return the share of runs [%] with at least one change of side."""
     flips = samples[name]
     return 100.0 * mean(np.where(np.isfinite(flips), flips > 0.0, np.nan))
 
@@ -166,22 +160,16 @@ def hard_set(rng: np.random.Generator) -> np.ndarray:
 
 
 def gap_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw paths before a gap, and how often runs flip."""
+    """Draw paths before a gap, and the distribution of flips."""
     crowd, start = players([[0.0, 0.25], [0.0, -0.25]]), np.array([[START, 0.01]])
     kinds: dict[str, dict[str, Any]] = {
-        "no limit": {"clamp": False},
-        "70 degrees": {"keep_side": False},
-        "and the side kept": {},
-    }
+        "no limit": {"clamp": False}, "70 degrees": {"keep_side": False}, "and the side kept": {},
+    }  # fmt: skip
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0] for name, play in kinds.items()
     }
-    names = {
-        "limit": "limit alone",
-        "limit noisy": "limit, noise",
-        "rule": "side kept",
-        "rule noisy": "side kept, noise",
-    }
+    names = {"limit": "limit alone", "limit noisy": "limit, noise", "rule": "side kept",
+             "rule noisy": "side kept, noise"}  # fmt: skip
     count = np.arange(41)
     curves = tuple(
         Curve(title, list(count), [100 * mean(samples[name] >= n) for n in count]) for name, title in names.items()
@@ -225,18 +213,13 @@ S57 = Claim(
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",
     criteria=(
         measured(
-            "changes of side without the rule over those with it (means)",
-            partial(fewer, seen=" noisy"),
-            at_least=5.0,
+            "changes of side without the rule over those with it (means)", partial(fewer, seen=" noisy"), at_least=5.0
         ),
         measured("runs with a change of side, with the rule", partial(bounced, name="rule noisy"), unit="%", above=5.0),
         reported("changes of side in a run with the rule (mean)", lambda s: mean(s["rule noisy"])),
         reported("without noise: changes without the rule (mean)", lambda s: mean(s["limit"])),
         reported("without noise: changes with it (mean)", lambda s: mean(s["rule"])),
-        reported(
-            "gap up to 20 degrees askew: without the rule over with it",
-            partial(fewer, seen=" noisy askew"),
-        ),
+        reported("gap up to 20 degrees askew: without the rule over with it", partial(fewer, seen=" noisy askew")),
         reported("harder set: without the rule over with it", partial(fewer, seen=" hard")),
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
         measured("robots: changes without the rule over those with it", partial(fewer, who="robots "), at_least=5.0),

@@ -1,10 +1,10 @@
-"""What came of the runs of points: paths, changes of side, clearances, arrivals.  [Sacks 2001, 4.3]"""
+"""The results of runs of points: paths, changes of side, clearances, arrivals.  [Sacks 2001, 4.3]"""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-SIDE = 0.35  # [rad] off the goal from which a way counts as going left or right of it: 20 degrees, assumed
+SIDE = 0.35  # [rad] off the goal beyond which a way counts as left or right of it: 20 degrees, assumed
 ROUNDING = 1e-9  # [m]
 
 
@@ -15,7 +15,7 @@ class PointRuns:
     path: np.ndarray  # (T + 1, M, 2) [m] team frame
     off: np.ndarray  # (T, M) [rad] of each step off the goal's direction, left positive
     others: np.ndarray  # (T + 1, M, P, 2) [m] the other players
-    goal: float  # [m] x of the point that it makes for
+    goal: float  # [m] x of the destination
     replan: float  # [s] between two decisions
 
     @property

@@ -26,9 +26,9 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claims.field.point_runs import PointRuns
 
-ARRIVED = 0.20  # [m] from the point that it makes for, 10 cm behind the goal line: in the goal's mouth, assumed
+ARRIVED = 0.20  # [m] from the destination, 10 cm behind the goal line: in the goal's mouth, assumed
 BLOB_NEAR, BLOB_FAR = 0.5, 2.5  # [m] a jersey of 2 to 10 pixels at 88x72: a false blob is small, assumed
-BLOB_ASIDE = 1.2  # [rad] beside the goal's direction at most, assumed: what a head that glances sees
+BLOB_ASIDE = 1.2  # [rad] beside the goal's direction at most, assumed: the view of a glancing head
 
 POINT_PLAYER = np.dtype(
     [
@@ -47,8 +47,8 @@ class PointWorld:
 
     play: SacksSettings = field(default_factory=SacksSettings)
     body: bool = False
-    range_noise: float = 0.0  # [1] sd of a player's distance as the robot sees it, over the distance
-    false_blobs: float = 0.0  # [1] probability that a decision sees a player where there is none
+    range_noise: float = 0.0  # [1] sd of a player's seen distance, over the distance
+    false_blobs: float = 0.0  # [1] probability that a decision sees a player who is not there
     league: str = "legged-2001"
 
     def run(
@@ -76,7 +76,7 @@ class PointWorld:
 
 
 def players(places: Any, velocities: Any = 0.0, chase: Any = 0.0) -> np.ndarray:
-    """Return players (M, P) at places (M, P, 2) or (P, 2) [m] with velocities of that shape [m/s], or who chase."""
+    """Return players (M, P) at places (M, P, 2) or (P, 2) [m] with velocities of this shape [m/s], or a chase speed."""
     places = np.asarray(places, float)
     places = places[None] if places.ndim == 2 else places
     made = np.zeros(places.shape[:2], POINT_PLAYER)
@@ -116,7 +116,7 @@ def run_all(start, others, errors, blobs, constants, settings, body, path, off, 
 
 @compiled
 def look_at_points(own, crowd, errors, blob, tracks):
-    """Fill tracks with the players as they seem, and with a false one in the last slot."""
+    """Fill tracks with the players as seen, and with a false player in the last slot."""
     for p in range(len(crowd)):
         dx, dy = crowd[p].x - own.x, crowd[p].y - own.y
         put_track(tracks[p], errors[p] * length(dx, dy), wrap(atan2(dy, dx) - own.heading))
@@ -126,7 +126,7 @@ def look_at_points(own, crowd, errors, blob, tracks):
 
 @compiled
 def put_track(track, distance, bearing):
-    """Note a player that is seen at a distance [m] and bearing [rad]."""
+    """Note a player seen at a distance [m] and bearing [rad]."""
     track.present, track.age = 1, 0.0
     track.distance, track.bearing = distance, bearing
     track.x, track.y = distance * cos(bearing), distance * sin(bearing)
@@ -134,7 +134,7 @@ def put_track(track, distance, bearing):
 
 @compiled
 def move_players(crowd, own, seconds):
-    """Move the players for a time [s]: straight on, or straight to where the dribbler is."""
+    """Move the players for a time [s]: straight on, or straight to the dribbler."""
     for p in range(len(crowd)):
         one = crowd[p]
         dx, dy = own.x - one.x, own.y - one.y
@@ -148,7 +148,7 @@ def move_players(crowd, own, seconds):
 
 @compiled
 def note_places(own, crowd, path, places):
-    """Write down where everybody is."""
+    """Write the places of the dribbler and the players into the arrays."""
     path[0], path[1] = own.x, own.y
     for p in range(len(crowd)):
         places[p, 0], places[p, 1] = crowd[p].x, crowd[p].y

@@ -1,6 +1,6 @@
-"""Scenes of the point simulator: a dribbler on its way to the goal and others in its way.  [Sacks 2001, 4.3]
+"""Scenes of the point simulator: a dribbler on its way to the goal, and players in its way.  [Sacks 2001, 4.3]
 
-Team frame: the dribbler comes from -x; the goal that it makes for lies at x = 1.6 m.
+Team frame: the dribbler comes from -x; its destination in the goal lies at x = 1.6 m.
 """
 
 from typing import Any
@@ -20,14 +20,14 @@ SCENES = 256  # of a batch
 SECONDS = 70.0  # [s] of a run: 2.8 m at 7 cm/s take 40
 FIELD: Any = forces  # the team's own formulas
 START = -1.2  # [m] x of the dribbler
-ASIDE = 0.05  # [m] off the middle at which it starts, at most
-ASKEW = 0.35  # [rad] that a gap is at most: 20 degrees
+ASIDE = 0.05  # [m] greatest distance of its start from the middle
+ASKEW = 0.35  # [rad] greatest rotation of a gap: 20 degrees
 TOUCH = 0.23  # [m] between two middles at which bodies touch: 16 cm to the paws, 8 cm to a flank
 UNIT = 1.0 / (1.0 / 0.8 + 1.0 / 1.0)  # [m] where a player's force is 1 with the paper's constants
-WALL_UNIT = 1.0 / (1.0 / 0.2 + 1.0 / 0.35)  # [m] where a wall's is
+WALL_UNIT = 1.0 / (1.0 / 0.2 + 1.0 / 0.35)  # [m] where a wall's force is 1
 NO_CUT_OFF = {"cut_off": False, "player_gain": UNIT, "wall_gain": WALL_UNIT}  # k2/x is 1 where the paper's forces are
-NOISE = 0.08  # [1] of the range: as much as S35 is judged at
-BLOBS = 0.2  # [1] of the decisions see a player where there is none, assumed
+NOISE = 0.08  # [1] of the range: the bound of S35
+BLOBS = 0.2  # [1] share of decisions that see a player who is not there, assumed
 
 
 def run_points(
@@ -38,7 +38,7 @@ def run_points(
 
 
 def starts(rng: np.random.Generator, count: int = SCENES, aside: float = ASIDE) -> np.ndarray:
-    """Return where dribblers start (M, 2) [m]."""
+    """Return the starts of dribblers (M, 2) [m]."""
     return np.column_stack([np.full(count, START), rng.uniform(-aside, aside, count)])
 
 
@@ -49,7 +49,7 @@ def one_ahead(rng: np.random.Generator, nearest: float, widest: float, count: in
 
 
 def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: float = ASKEW) -> np.ndarray:
-    """Return two standing players (M, 2), a gap [m] between their middles, across the way, up to `askew` [rad] so."""
+    """Return two standing players (M, 2) with a gap [m] between their middles, across the way within `askew` [rad]."""
     half, angle = 0.5 * rng.uniform(narrowest, widest, SCENES), askew * rng.uniform(-1.0, 1.0, SCENES)
     x, y = rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-0.05, 0.05, SCENES)
     sides = [np.stack([x - s * half * np.sin(angle), y + s * half * np.cos(angle)], axis=-1) for s in (1.0, -1.0)]

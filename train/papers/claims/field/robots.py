@@ -17,8 +17,8 @@ from soccer_env.train.papers.staging import put, stage, standing, wrapped
 
 ROBOTS = 24  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
-PASSED = 0.55  # [m] x from which on a dribbler has passed the others, who stand before x = 0.3
-GOAL_X = 1.6  # [m] of the point that a dribbler makes for
+PASSED = 0.55  # [m] x beyond which a dribbler has passed the others, who stand before x = 0.3
+GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class RobotRuns:
     """Runs of M dribblers, T control steps."""
 
     way: Way
-    off: np.ndarray  # (T, M) [rad] that it has decided to go off the goal's direction; NaN: it does not dribble
+    off: np.ndarray  # (T, M) [rad] of the decided way off the goal's direction; NaN: it does not dribble
 
     @property
     def passed(self) -> np.ndarray:
@@ -42,13 +42,13 @@ class RobotRuns:
 
     @property
     def collided(self) -> np.ndarray:
-        """Tell which touched another robot before (M,)."""
+        """Tell which dribblers touched another robot before they had passed (M,)."""
         touched: np.ndarray = (self.way.touches & ~self.passed).any(axis=0)
         return touched
 
     @property
     def is_clean(self) -> np.ndarray:
-        """Tell which passed the others and touched nobody (M,)."""
+        """Tell which dribblers passed the others without a touch (M,)."""
         clean: np.ndarray = self.arrived & ~self.collided
         return clean
 
@@ -73,7 +73,7 @@ class RobotRuns:
 
     @property
     def retreat(self) -> np.ndarray:
-        """Return by how much [m] the goal was farther away at worst than it had been before (M,)."""
+        """Return the greatest retreat from the goal (M,) [m]."""
         distance = np.hypot(GOAL_X - self.way.x, self.way.y)
         back = np.where(self.passed, 0.0, distance - np.minimum.accumulate(distance, axis=0))
         worst: np.ndarray = back.max(axis=0)
@@ -81,14 +81,14 @@ class RobotRuns:
 
 
 def filled(values: np.ndarray) -> np.ndarray:
-    """Return values of robots as the first of (SCENES,), NaN for the scenes that only points play."""
-    found = np.full(SCENES, np.nan)
-    found[: len(values)] = values
-    return found
+    """Return values of robots padded to (SCENES,) with NaN for the scenes that only points play."""
+    padded = np.full(SCENES, np.nan)
+    padded[: len(values)] = values
+    return padded
 
 
 def run_both_ways(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> Iterator[tuple[str, RobotRuns]]:
-    """Yield prefix and runs of `run_robots`: distances from camera to surface, "", and from the "middle "."""
+    """Yield prefix and runs of `run_robots`: "" for distances from camera to surface, "middle " between middles."""
     for prefix, way in WAYS.items():
         yield prefix, run_robots(batch, start, crowd, **way, **play)
 

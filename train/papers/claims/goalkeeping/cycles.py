@@ -1,4 +1,4 @@
-"""How often a player decides: every 20 ms, 40 ms or 100 ms.  [Heinemann et al. 2006, 2]"""
+"""The length of a player's decision cycle: 20 ms, 40 ms or 100 ms.  [Heinemann et al. 2006, 2]"""
 
 from collections.abc import Sequence
 
@@ -12,26 +12,24 @@ CYCLES = (0.02, 0.04, 0.1)  # [s]
 
 
 def by_cycle(batch: Batch) -> Samples:
-    """Return which shots are saved (M,) and which balls are had, by the length of a cycle."""
-    found: Samples = {}
+    """Return saved shots (M,) and received balls, for each length of a cycle."""
+    samples: Samples = {}
     for cycle in CYCLES:
-        found[f"saved {cycle:g}"] = 1.0 - face_shots(batch, {"cycle": cycle}).goal.astype(float)
-        found[f"had {cycle:g}"] = receive(batch, {"cycle": cycle})["got"]
-    return found
+        samples[f"saved {cycle:g}"] = 1.0 - face_shots(batch, {"cycle": cycle}).goal.astype(float)
+        samples[f"had {cycle:g}"] = receive(batch, {"cycle": cycle})["got"]
+    return samples
 
 
 def rise(samples: Samples, name: str, slow: float, fast: float) -> float:
-    """Return by how much a share [%] is greater with the faster of two cycles."""
+    """Return the gain of a share [%] from a slower to a faster cycle."""
     return 100.0 * mean(samples[f"{name} {fast:g}"] - samples[f"{name} {slow:g}"])
 
 
 def cycle_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw saves and balls had against the cycle."""
-    names = {"saved": "far-post shots saved", "had": "rolling balls had"}
+    """Draw saves and received balls against the cycle."""
+    names, times = {"saved": "far-post shots saved", "had": "rolling balls had"}, [1000.0 * cycle for cycle in CYCLES]
     curves = tuple(
-        Curve(
-            text, [1000.0 * cycle for cycle in CYCLES], [100.0 * mean(samples[f"{name} {cycle:g}"]) for cycle in CYCLES]
-        )
+        Curve(text, times, [100.0 * mean(samples[f"{name} {cycle:g}"]) for cycle in CYCLES])
         for name, text in names.items()
     )
     return (Figure("What a shorter cycle is worth", "cycle [ms]", "share [%]", curves),)

@@ -1,4 +1,4 @@
-"""Balls that roll past a player, and passes: who gets them, by which base, by which kick.  [H. 2006, abstract, 1, 2]"""
+"""Balls that roll past a player, and passes: interception with each base, and after each kick.  [H. 2006, 1, 2]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -18,12 +18,12 @@ from soccer_env.train.papers.values import in_bins, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 BALLS = 48  # of a batch
-SECONDS = 6.0  # [s] until a ball has to be had
-HAD = 0.3  # [s] for which it has to lie at the kicker
+SECONDS = 6.0  # [s] to receive a ball
+HAD = 0.3  # [s] that a received ball lies at the kicker
 LOOK = 0.5  # [s] of looking at the ball before it moves
 FROM = (3.0, 5.0)  # [m] of the ball from the player
 ASIDE = (0.0, 1.5)  # [m] of the ball's way beside the player, to either side
-SPEEDS = (1.0, 3.0)  # [m/s] of the rolling ball where it starts
+SPEEDS = (1.0, 3.0)  # [m/s] of the rolling ball at its start
 OLD = "middle-size-2006-differential"
 BALL_TEXT = (
     f"{BALLS} balls a batch that roll at {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s from {FROM[0]:g} to {FROM[1]:g} m away "
@@ -33,7 +33,7 @@ BALL_TEXT = (
 
 
 def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Samples:
-    """Return which balls (M,) a field player of heinemann-2006 gets, after what time [s], and how fast they were."""
+    """Return the balls that a field player of heinemann-2006 gets (M,), their times [s] and speeds [m/s]."""
     rng, team = batch.rng(), make_team("heinemann-2006", **settings)
     match = stage(batch, league, matches=BALLS, home=2, controllers={"home": team, "away": "still"})
     x, y = rng.uniform(-2.0, 1.0, BALLS), rng.uniform(-1.5, 1.5, BALLS)
@@ -57,7 +57,7 @@ def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Sam
 
 
 def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
-    """Play until a robot has had the ball for a while; return which got it (M,), and after what time [s]."""
+    """Play until a robot has had the ball for HAD seconds; return who got it (M,), and the times [s]."""
     league, pitch = match.league, match.league.pitch
     held, got, time = np.zeros(match.count), np.zeros(match.count, bool), np.full(match.count, SECONDS)
     open_ = np.ones(match.count, bool)
@@ -75,31 +75,27 @@ def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
     return {"got": got.astype(float), "time": time}
 
 
-def named(name: str, found: Samples) -> Samples:
-    """Return samples with a name before theirs, the speed as it is."""
-    return {key if key == "speed" else f"{name} {key}": values for key, values in found.items()}
+def named(prefix: str, samples: Samples) -> Samples:
+    """Return samples with a prefix before their names, except the speed."""
+    return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
 
 
 def by_velocity(batch: Batch) -> Samples:
-    """Return what a player that reckons with the ball's velocity gets, and one that does not."""
+    """Return the balls of a player that uses the ball's velocity, and of a player that does not."""
     return named("with", receive(batch, {})) | named("without", receive(batch, {"intercepts": False}))
 
 
 def got(samples: Samples, name: str) -> float:
-    """Return the share of balls that are had [%]."""
+    """Return the share of received balls [%]."""
     return 100.0 * mean(samples[f"{name} got"])
 
 
 def by_speed(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of balls that are had against their speed."""
+    """Draw the share of received balls against their speed."""
     edges = (1.0, 1.5, 2.0, 2.5, 3.0)
-    names = {"with": "with the ball's velocity", "without": "without"}
+    names, inside = {"with": "with the ball's velocity", "without": "without"}, in_bins(samples["speed"], edges)
     curves = tuple(
-        Curve(
-            text,
-            middles_of(edges),
-            [100 * mean(samples[f"{name} got"][bin_]) for bin_ in in_bins(samples["speed"], edges)],
-        )
+        Curve(text, middles_of(edges), [100 * mean(samples[f"{name} got"][there]) for there in inside])
         for name, text in names.items()
     )
     return (Figure("Passes received", "speed of the ball [m/s]", "received [%]", curves),)
@@ -126,12 +122,12 @@ H24 = Claim(
 
 
 def by_base(batch: Batch) -> Samples:
-    """Return balls that are had, and far-post shots that go in, by the fast base and the old one."""
-    found: Samples = {}
+    """Return received balls and goals of far-post shots, with the fast base and the old one."""
+    samples: Samples = {}
     for name, league in (("fast", MIDDLE), ("old", OLD)):
-        found |= named(name, receive(batch, {}, league))
-        found[f"{name} goal"] = face_shots(batch, {}, league=league).goal.astype(float)
-    return found
+        samples |= named(name, receive(batch, {}, league))
+        samples[f"{name} goal"] = face_shots(batch, {}, league=league).goal.astype(float)
+    return samples
 
 
 H01 = Claim(
@@ -160,7 +156,7 @@ FAR = (2.5, 4.5)  # [m] of a pass
 
 
 def kicked(batch: Batch, controlled: bool) -> Samples:
-    """Let a robot kick a pass to a mate; return the ball's top speed [m/s] and which passes (M,) the mate gets."""
+    """Let a robot kick a pass to a mate; return the ball's top speed [m/s] and the passes (M,) that the mate gets."""
     rng, league = batch.rng(), find_league(MIDDLE)
     k = constants_of(league)[0]
     match = stage(batch, MIDDLE, matches=BALLS, home=3, controllers={"home_2": make_team("heinemann-2006")})
@@ -175,14 +171,14 @@ def kicked(batch: Batch, controlled: bool) -> Samples:
     kick = np.array([strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
     actions[:, 1, 3] = kick
     top = np.zeros(BALLS)
-    for _ in range(2):  # a kick takes a ball that has been noticed at the kicker
+    for _ in range(2):  # a kick needs a ball that was noticed at the kicker in the step before
         match.step(actions)
         top = np.maximum(top, np.hypot(match.balls["vx"], match.balls["vy"]))
     return had_by(match, 2, standing(match)) | {"top": top}
 
 
 def by_kick(batch: Batch) -> Samples:
-    """Return passes with controlled strength, and with all of it."""
+    """Return passes with controlled and with full strength."""
     return named("soft", kicked(batch, True)) | named("full", kicked(batch, False))
 
 

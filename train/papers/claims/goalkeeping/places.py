@@ -1,4 +1,4 @@
-"""Where the goalkeeper stands, and how far it has to go: geometry of its kernels.  [Heinemann et al. 2006, 4]
+"""The goalkeeper's place, and its ways to the ball: geometry of its kernels.  [Heinemann et al. 2006, 4]
 
 `k`: the league's constants, `play`: the team's settings; here arrays of one.
 """
@@ -28,14 +28,14 @@ OMNI = 1  # row of a team's settings
 
 @compiled
 def place_all(balls, places, k, play):
-    """Fill (n, 2) places with where the passive keeper stands for (n, 2) balls."""
+    """Fill (n, 2) with the passive keeper's places for (n, 2) balls."""
     for i in range(len(balls)):
         places[i, 0], places[i, 1] = passive_place(balls[i, 0], balls[i, 1], k[0], play[0])
 
 
 @compiled
 def meet_all(sights, places, k, play):
-    """Fill (n, 2) places with where the active keeper moves to, by what it sees (n,)."""
+    """Fill (n, 2) with the active keeper's destinations for sights (n,)."""
     for i in range(len(sights)):
         places[i, 0], places[i, 1] = interception(sights[i], k[0], play[0])
 
@@ -61,17 +61,17 @@ def angles(batch: Batch) -> Samples:
     balls, places = np.stack([goal + away * np.cos(angle), away * np.sin(angle)], axis=-1), np.zeros((SCENES, 2))
     settings = HeinemannSettings()
     place_all(balls, places, CONSTANTS, settings_of(settings)[OMNI : OMNI + 1])
-    found = {"on": open_angle(balls, places)}
+    samples = {"on": open_angle(balls, places)}
     for off in OFF:
         for side in (-1.0, 1.0):
             turn = angle + side * off / settings.keeper_radius
             beside = np.stack([goal + settings.keeper_radius * np.cos(turn), settings.keeper_radius * np.sin(turn)], -1)
-            found[f"off {side * off:g}"] = open_angle(balls, beside)
-    return found
+            samples[f"off {side * off:g}"] = open_angle(balls, beside)
+    return samples
 
 
 def gains(samples: Samples) -> np.ndarray:
-    """Return by how much (M,) [degrees] the open angle is smaller on the line than at the best place off it."""
+    """Return the open angle at the best place off the line minus the open angle on it (M,) [degrees]."""
     off = np.stack([values for name, values in samples.items() if name != "on"])
     least: np.ndarray = off.min(axis=0) - samples["on"]
     return least
@@ -101,9 +101,9 @@ H17 = Claim(
 
 
 def ways(batch: Batch, waits: bool = False) -> Samples:
-    """Return the ways (M,) [m] of the active keeper to its point of the trajectory, and to where it crosses its line.
+    """Return the active keeper's ways (M,) [m] to its point of the trajectory, and to the crossing of its line.
 
-    `waits`: to the point that it reaches in time, not the nearest one.
+    `waits`: to the first point that it reaches in time, not to the nearest point.
     """
     rng, goal = batch.rng(), -LEAGUE.pitch.length / 2
     settings = HeinemannSettings(keeper_waits=waits)

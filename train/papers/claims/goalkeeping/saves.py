@@ -1,4 +1,4 @@
-"""What the passive goalkeeper saves of shots at its farther post, and the active one.  [Heinemann et al. 2006, 4]"""
+"""Saves of the passive and the active goalkeeper, of shots at the farther post.  [Heinemann et al. 2006, 4]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -23,15 +23,15 @@ INGREDIENTS = (
 
 def both_keepers(batch: Batch, **more: Any) -> Samples:
     """Return goals (M,) of far-post shots at both keepers, the keepers' ways [m] and the speeds."""
-    found: Samples = {}
+    samples: Samples = {}
     for name, settings in KEEPERS.items():
         faced = face_shots(batch, settings, **more)
-        found |= {"speed": faced.speed, name: faced.goal.astype(float), f"{name} way": faced.moved}
-    return found
+        samples |= {"speed": faced.speed, name: faced.goal.astype(float), f"{name} way": faced.moved}
+    return samples
 
 
 def with_near_post(batch: Batch) -> Samples:
-    """Return the same, with near-post shots, and passive keepers on the goal line beside."""
+    """Return `both_keepers`, near-post shots, and shots at passive keepers on the goal line."""
     near = {f"near {name}": face_shots(batch, settings, near_post=True).goal.astype(float)
             for name, settings in KEEPERS.items()}  # fmt: skip
     line = face_shots(batch, {"keeper": "passive", "stance": "line"}).goal.astype(float)
@@ -39,12 +39,12 @@ def with_near_post(batch: Batch) -> Samples:
 
 
 def on_other_lines(batch: Batch) -> Samples:
-    """Return the same, with both keepers on a half circle of 0.8 m and on the goal line beside."""
-    found = both_keepers(batch)
+    """Return `both_keepers`, and shots at both keepers on a half circle of 0.8 m and on the goal line."""
+    samples = both_keepers(batch)
     for line, stance in LINES.items():
         for name, settings in KEEPERS.items():
-            found[f"{line} {name}"] = face_shots(batch, settings | stance).goal.astype(float)
-    return found
+            samples[f"{line} {name}"] = face_shots(batch, settings | stance).goal.astype(float)
+    return samples
 
 
 def conceded(samples: Samples, name: str) -> float:
@@ -58,7 +58,7 @@ def slower(samples: Samples, name: str) -> float:
 
 
 def ratio(samples: Samples, share: Any) -> float:
-    """Return the active keeper's share of goals over the passive one's; 1 where that has none."""
+    """Return the active keeper's share of goals over the passive keeper's; 1 if the passive keeper concedes none."""
     passive = share(samples, "passive")
     return float(share(samples, "active") / passive) if passive > 0.0 else 1.0
 
@@ -171,23 +171,23 @@ TRIED = (("fit", "own"), ("fit", "tenfold"), ("fit", "thirtyfold"), ("kalman", "
 
 
 def by_noise(batch: Batch) -> Samples:
-    """Return goals (M,) of both keepers by the noise of the camera, by a fit over five frames and the Kalman filter."""
-    found: Samples = {}
+    """Return goals (M,) of both keepers by camera noise, with a fit over five frames or a Kalman filter."""
+    samples: Samples = {}
     for fit, noise in TRIED:
-        asked: dict[str, Any] = {"sensors": {"pixel_noise": NOISES[noise]}, "memory": FITS[fit], "shots": FEWER}
-        faced = {name: face_shots(batch, settings | LINES["line"], **asked) for name, settings in KEEPERS.items()}
-        found |= {f"{fit} {noise} {name}": one.goal.astype(float) for name, one in faced.items()}
-        found[f"{fit} {noise} error"] = faced["active"].error
-    return found
+        more: dict[str, Any] = {"sensors": {"pixel_noise": NOISES[noise]}, "memory": FITS[fit], "shots": FEWER}
+        faced = {name: face_shots(batch, settings | LINES["line"], **more) for name, settings in KEEPERS.items()}
+        samples |= {f"{fit} {noise} {name}": one.goal.astype(float) for name, one in faced.items()}
+        samples[f"{fit} {noise} error"] = faced["active"].error
+    return samples
 
 
 def benefit(samples: Samples, fit: str, noise: str) -> float:
-    """Return how many goals in a hundred shots the active keeper spares."""
+    """Return the goals in a hundred shots that the active keeper prevents."""
     return 100.0 * mean(samples[f"{fit} {noise} passive"] - samples[f"{fit} {noise} active"])
 
 
 def benefit_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw what the active keeper spares against the error of the believed ball."""
+    """Draw the prevented goals against the error of the believed ball."""
     curves = tuple(
         Curve(
             text,

@@ -1,6 +1,6 @@
 """Shots at the goalkeeper of 2006: from 3 to 5 m, kicked at 4 to 10 m/s at the farther post or the nearer one.
 
-The radius of the keeper's half circle was chosen on a drill like this one, and by it alone.
+The radius of the keeper's half circle was chosen on a drill like this one, and on nothing else.
 """
 
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ from soccer_env.train.papers.staging import MIDDLE, begin, put, put_ball, stage
 SHOTS = 48  # of a batch
 LOOK, SECONDS = 1.0, 3.0  # [s] of looking at the ball before it is kicked, and longest of a shot
 FROM = (3.0, 5.0)  # [m] of the ball from the middle of the goal
-ANGLES = (0.3, 0.8)  # [rad] of it off the middle of the pitch, so that one post is the farther
-BESIDE = (0.05, 0.35)  # [m] between the ball and the post that it is aimed at
-SPEEDS = (4.0, 10.0)  # [m/s] at the kick, after which a ball slides and then rolls on at 0.6 of it
-SLOW = 0.2  # [m/s] of a ball that is taken to be stopped
-SLOWER = 6.0  # [m/s] up to which shots count as slower ones
-FEWER = 20  # of a batch of which every shot is repeated ten times
+ANGLES = (0.3, 0.8)  # [rad] of it off the middle of the pitch, so that one post is farther
+BESIDE = (0.05, 0.35)  # [m] between the ball and its target post
+SPEEDS = (4.0, 10.0)  # [m/s] at the kick; then the ball slides, and rolls on at 0.6 of this speed
+SLOW = 0.2  # [m/s] below which a ball counts as stopped
+SLOWER = 6.0  # [m/s] up to which a shot counts as slower
+FEWER = 20  # of a batch that repeats every shot ten times
 SHOT_TEXT = (
     f"shots a batch from {FROM[0]:g} to {FROM[1]:g} m, {ANGLES[0]:g} to {ANGLES[1]:g} rad off the middle, at "
     f"{SPEEDS[0]:g} to {SPEEDS[1]:g} m/s at the kick, {100 * BESIDE[0]:.0f} to {100 * BESIDE[1]:.0f} cm inside a post, "
@@ -31,23 +31,18 @@ SHOT_TEXT = (
 
 @dataclass(frozen=True)
 class Faced:
-    """What became of the shots of a batch, arrays (M,)."""
+    """The outcome of the shots of a batch, arrays (M,)."""
 
     speed: np.ndarray  # [m/s] at the kick
     goal: np.ndarray  # bool: it went in
-    moved: np.ndarray  # [m] of the keeper from its place at the kick until the ball was past it, saved or in
+    moved: np.ndarray  # [m] greatest distance of the keeper from its place at the kick, until the shot is decided
     error: np.ndarray  # [m] rms error of the believed ball while it rolled
 
 
 def face_shots(
-    batch: Batch,
-    settings: dict[str, Any],
-    *,
-    shots: int = SHOTS,
-    near_post: bool = False,
-    league: str = MIDDLE,
+    batch: Batch, settings: dict[str, Any], *, shots: int = SHOTS, near_post: bool = False, league: str = MIDDLE,
     **more: Any,
-) -> Faced:
+) -> Faced:  # fmt: skip
     """Let shots be kicked at a goalkeeper of heinemann-2006 with some settings; `more` is for the match."""
     rng = batch.rng()
     team = make_team("heinemann-2006", **settings)
@@ -67,7 +62,7 @@ def face_shots(
 
 
 def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray) -> Faced:
-    """Hold the ball for a moment, kick it, and tell what becomes of it."""
+    """Hold the ball for LOOK seconds, kick it, and return the outcome."""
     rate, count = match.league.control_rate, match.count
     for _ in range(round(LOOK * rate)):
         put_ball(match, *place)
@@ -96,7 +91,7 @@ def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray,
 
 
 def ball_error(match: Match) -> np.ndarray:
-    """Return how far (M,) [m] the ball is from where the goalkeeper believes it, seen from its own true pose."""
+    """Return the error (M,) [m] of the goalkeeper's believed ball, relative to its own true pose."""
     keeper, believed, ball = match.robots[:, 0], match.beliefs["ball"][:, 0], match.balls
     cosine, sine = np.cos(keeper["heading"]), np.sin(keeper["heading"])
     x = keeper["x"] + cosine * believed["x"] - sine * believed["y"]

@@ -1,7 +1,7 @@
 """Ways past moving obstacles: the crossing of the paper's figure, random crossings, slow traffic.  [H. 2006, 3]
 
-The constants of the planner and both canonical scenes were looked at together when it was built: the floor under
-repulsion, the search's two rules and the cap on evaluations are from then. Random scenes were not looked at.
+The planner's constants were tuned on both canonical scenes: the floor under repulsion, the search's two rules and the
+cap on evaluations stem from this. Random scenes were not used.
 """
 
 from collections.abc import Sequence
@@ -47,46 +47,46 @@ def travels_by(batch: Batch, draw: Draw) -> dict[str, list[Travel]]:
 
 
 def compare(batch: Batch, draw: Draw) -> Samples:
-    """Return what the travels of both planners through the same scenes come to."""
-    found: Samples = {}
+    """Return the figures of the travels of both planners through the same scenes."""
+    samples: Samples = {}
     for name, travels in travels_by(batch, draw).items():
-        found |= figures_of(travels, name)
-    return found
+        samples |= figures_of(travels, name)
+    return samples
 
 
 def canonical(batch: Batch) -> Samples:
-    """Return the two canonical crossings by both planners, one unit each: the same in every batch."""
-    found: Samples = {}
-    for name, changes in PLANNERS.items():
-        travels = [travel(scene, **changes) for scene in CANONICAL.values()]
-        found |= figures_of(travels, name)
-        found[f"{name} sides"] = np.array([side_changes(one) for one in travels], float)
-        found[f"{name} strays"] = np.array([strays(one) for one in travels])
-    return found
+    """Return the two canonical crossings by both planners, one unit each, equal in every batch."""
+    return figures_with_sides({name: [travel(scene, **changes) for scene in CANONICAL.values()]
+                               for name, changes in PLANNERS.items()})  # fmt: skip
+
+
+def figures_with_sides(travels_of: dict[str, list[Travel]]) -> Samples:
+    """Return the figures of travels by planner, with their changes of side, and how far they stray from the plan."""
+    samples: Samples = {}
+    for name, travels in travels_of.items():
+        samples |= figures_of(travels, name)
+        samples[f"{name} sides"] = np.array([side_changes(one) for one in travels], float)
+        samples[f"{name} strays"] = np.array([strays(one) for one in travels])
+    return samples
 
 
 def with_random(batch: Batch) -> Samples:
-    """Return the canonical crossings (in every unit the same) beside random ones, by both planners."""
+    """Return the canonical crossings (equal in every unit) and random ones, by both planners."""
     fixed = canonical(batch)
-    random: Samples = {}
-    for name, travels in travels_by(batch, CROSSING).items():
-        random |= figures_of(travels, name)
-        random[f"{name} sides"] = np.array([side_changes(one) for one in travels], float)
-        random[f"{name} strays"] = np.array([strays(one) for one in travels])
     kept = {f"{scene} {name}": np.full(SCENES, values[i]) for name, values in fixed.items()
             for i, scene in enumerate(CANONICAL)}  # fmt: skip
-    return random | kept
+    return figures_with_sides(travels_by(batch, CROSSING)) | kept
 
 
 def with_exact(batch: Batch) -> Samples:
-    """Return the same, and what the new planner comes to if T has to agree five times as well."""
+    """Return `with_random`, and the new planner's figures with a threshold of T five times as strict."""
     scenes = scenes_of(batch, CROSSING, SCENES)
     exact_ones = [travel(scene, threshold=0.02, most_iterations=16) for scene in scenes]
     return with_random(batch) | figures_of(exact_ones, "exact")
 
 
 def strays(one: Travel) -> float:
-    """Return how far [m] the way that is travelled leads from that planned at first, at most."""
+    """Return the greatest distance [m] of the travelled path from the path planned at first."""
     planned, path = one.planned(0), one.path
     gaps = np.hypot(*(path[:, None] - planned[None]).transpose(2, 0, 1))
     return float(gaps.min(axis=1).max())
@@ -103,26 +103,26 @@ def dramatic(samples: Samples) -> float:
 
 
 def longer(samples: Samples, name: str) -> float:
-    """Return by how much [%] the old planner's sum of a quantity exceeds the new one's."""
+    """Return the excess [%] of the old planner's mean of a quantity over the new planner's."""
     return 100.0 * (mean(samples[f"old {name}"]) / mean(samples[f"new {name}"]) - 1.0)
 
 
 def less(samples: Samples, name: str) -> float:
-    """Return by how much the new planner's mean of a quantity lies below the old one's."""
+    """Return the old planner's mean of a quantity minus the new planner's."""
     return mean(samples[f"old {name}"] - samples[f"new {name}"])
 
 
 def snapshots(samples: Samples) -> Sequence[Figure]:
     """Draw the paper's figure: planned and travelled path of both planners after 1, 30 and 60 cycles, scene a."""
-    found = []
+    figures = []
     for name, text in {"old": "Conventional planner", "new": "Time-variant planner"}.items():
         one = travel(CANONICAL["a"], **PLANNERS[name])
-        found += [snapshot(one, cycle, f"{text}, t = {cycle}") for cycle in CYCLES]
-    return tuple(found)
+        figures += [snapshot(one, cycle, f"{text}, t = {cycle}") for cycle in CYCLES]
+    return tuple(figures)
 
 
 def snapshot(one: Travel, cycle: int, title: str) -> Figure:
-    """Return the planned and the travelled path of a travel at the begin of a cycle, and the obstacle.  MH18"""
+    """Return the planned and the travelled path of a travel at the start of a cycle, and the obstacle.  MH18"""
     cycle = min(cycle, len(one.stations) - 2)
     planned, travelled = one.planned(cycle), one.path[: cycle + 1]
     angle = np.linspace(0.0, 2.0 * np.pi, 25)
@@ -135,7 +135,7 @@ def snapshot(one: Travel, cycle: int, title: str) -> Figure:
 
 
 def gap_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how near both planners come, and how long they take, as cumulative shares."""
+    """Draw the smallest gaps and the times of both planners, as cumulative shares."""
     shares = np.linspace(1.0, 99.0, 50)
     names = {"old": "conventional planner", "new": "time-variant planner"}
 
@@ -183,11 +183,8 @@ H08 = Claim(
         exact("canonical: fewer cycles away", partial(worst, name="old away", take=min), above=10.0),
         reported(f"random crossings with a gap below {100 * NEAR:.0f} cm and 10 cycles away", dramatic, unit="%"),
         reported("random crossings with 10 cycles away", lambda s: 100 * mean(s["old away"] > 10), unit="%"),
-        reported(
-            f"random crossings with a gap below {100 * NEAR:.0f} cm",
-            lambda s: 100 * mean(s["old gap"] < NEAR),
-            unit="%",
-        ),
+        reported(f"random crossings with a gap below {100 * NEAR:.0f} cm", lambda s: 100 * mean(s["old gap"] < NEAR),
+                 unit="%"),
     ),
     rules=NO_MATCH,
     measure=with_random,
@@ -196,7 +193,7 @@ H08 = Claim(
     figures=snapshots,
     ingredients=ASSUMED,
     note=f"{LOOKED_AT} The canonical scenes were chosen because a sketch showed the paper's picture there.",
-)
+)  # fmt: skip
 
 H09 = Claim(
     id="H09",
@@ -228,11 +225,8 @@ H10 = Claim(
     method=f"{SCENE_TEXT}; both planners in the same scenes.",
     criteria=(
         measured("fewer collisions in 100 crossings", lambda s: 100 * less(s, "hit"), at_least=0.0),
-        measured(
-            f"fewer gaps below {100 * NEAR:.0f} cm in 100 crossings",
-            lambda s: 100 * mean((s["old gap"] < NEAR).astype(float) - (s["new gap"] < NEAR)),
-            above=0.0,
-        ),
+        measured(f"fewer gaps below {100 * NEAR:.0f} cm in 100 crossings",
+                 lambda s: 100 * mean((s["old gap"] < NEAR).astype(float) - (s["new gap"] < NEAR)), above=0.0),
         measured("less turn", partial(less, name="turn"), unit="deg", above=0.0),
         measured("less time", partial(less, name="time"), unit="s", above=0.0),
         reported("collisions of the conventional planner", lambda s: 100 * mean(s["old hit"]), unit="%"),
@@ -247,7 +241,7 @@ H10 = Claim(
     batches=12,
     figures=gap_figure,
     ingredients=ASSUMED,
-)
+)  # fmt: skip
 
 H11 = Claim(
     id="H11",

@@ -1,4 +1,4 @@
-"""What a plan costs, and how it comes about: local gradients, the search, planning backwards.  [H. 2006, 2, 3]"""
+"""The cost of a plan, and its methods: local gradients, search, backward planning.  [H. 2006, 2, 3]"""
 
 from functools import partial
 from time import perf_counter
@@ -23,14 +23,14 @@ from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 
 CYCLE = 0.02  # [s] Heinemann 2006, 2  MH03
-HEADING = 0.5  # [m] of path by which its first heading is told
+HEADING = 0.5  # [m] of path that define its first heading
 TEXT = crossing_text()
 SETTINGS = PlannerSettings()
 CELLS = (2 * SETTINGS.half_u + 1) * (2 * SETTINGS.half_v + 1)  # of the whole grid
 
 
 def evaluations(batch: Batch) -> Samples:
-    """Return how many cells' worth of the potential (M,) plans of both planners look at."""
+    """Return the evaluations of the potential (M,) by plans of both planners."""
     return {name: np.array([one.evaluations for one in plans_of(batch, **changes)], float)
             for name, changes in PLANNERS.items()}  # fmt: skip
 
@@ -61,10 +61,10 @@ H04 = Claim(
 
 
 def with_and_without_search(batch: Batch) -> Samples:
-    """Return which plans (M,) past rows and cups join robot and target, with the local search and without it."""
-    found = {"on": plans_of(batch, wall), "off": plans_of(batch, wall, search=False)}
-    samples = {name: np.array([one.arrived for one in plans], float) for name, plans in found.items()}
-    touches = np.array([one.clearance() < -0.02 for one in found["on"]], float)
+    """Return the plans (M,) past rows and cups that join robot and target, with the local search and without it."""
+    both = {"on": plans_of(batch, wall), "off": plans_of(batch, wall, search=False)}
+    samples = {name: np.array([one.arrived for one in plans], float) for name, plans in both.items()}
+    touches = np.array([one.clearance() < -0.02 for one in both["on"]], float)
     return samples | {"all": np.ones(SCENES), "clean": samples["on"] * (1.0 - touches)}
 
 
@@ -89,7 +89,7 @@ H05 = Claim(
 
 
 def first_heading(one: Plan, scene: Scene) -> float:
-    """Return by how much [degrees] a path leads off the straight way over its first half metre."""
+    """Return the angle [degrees] between a path's first half metre and the straight way."""
     path = one.path
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     x, y = (np.interp(HEADING, along, path[:, i]) - path[0, i] for i in (0, 1))
@@ -98,7 +98,7 @@ def first_heading(one: Plan, scene: Scene) -> float:
 
 
 def sharpest(one: Plan) -> float:
-    """Return by how much [degrees] a path turns within half a metre at most."""
+    """Return the greatest turn [degrees] of a path within half a metre."""
     path = one.path
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     at = np.arange(0.0, along[-1], 0.1)
@@ -108,18 +108,18 @@ def sharpest(one: Plan) -> float:
 
 
 def backward_and_forward(batch: Batch) -> Samples:
-    """Return first heading, length and sharpest turn (M,) of plans made backwards and forwards in the same scenes."""
-    scenes, found = scenes_of(batch, still_obstacle, SCENES), {}
+    """Return first heading, length and sharpest turn (M,) of backward and forward plans of the same scenes."""
+    scenes, samples = scenes_of(batch, still_obstacle, SCENES), {}
     for name, backward in (("back", True), ("fore", False)):
         plans = [plan(scene, time_variant=False, backward=backward) for scene in scenes]
-        found[f"{name} heading"] = np.array([first_heading(*pair) for pair in zip(plans, scenes, strict=True)])
-        found[f"{name} length"] = np.array([one.length for one in plans])
-        found[f"{name} turn"] = np.array([sharpest(one) for one in plans])
-    return found
+        samples[f"{name} heading"] = np.array([first_heading(*pair) for pair in zip(plans, scenes, strict=True)])
+        samples[f"{name} length"] = np.array([one.length for one in plans])
+        samples[f"{name} turn"] = np.array([sharpest(one) for one in plans])
+    return samples
 
 
 def more(samples: Samples, name: str) -> float:
-    """Return by how much the backward plans' mean of a quantity exceeds the forward plans'."""
+    """Return the backward plans' mean of a quantity minus the forward plans'."""
     return mean(samples[f"back {name}"] - samples[f"fore {name}"])
 
 
@@ -145,16 +145,16 @@ H06 = Claim(
 
 
 def costs(batch: Batch) -> Samples:
-    """Return the time [us] that each scene (M,) takes both planners, the least of five tries each."""
-    scenes, found = scenes_of(batch, CROSSING, SCENES), {}
+    """Return the time [us] of both planners for each scene (M,), the least of five tries each."""
+    scenes, samples = scenes_of(batch, CROSSING, SCENES), {}
     for name, changes in PLANNERS.items():
         planner = Planner(**changes)
-        found[name] = np.array([min(timed(planner, scene) for _ in range(5)) for scene in scenes])
-    return found
+        samples[name] = np.array([min(timed(planner, scene) for _ in range(5)) for scene in scenes])
+    return samples
 
 
 def timed(planner: Planner, scene: Scene) -> float:
-    """Return how long a plan takes [us], with what Python adds to it."""
+    """Return the time of a plan [us], Python's overhead included."""
     begun = perf_counter()
     planner.plan(*scene)
     return 1e6 * (perf_counter() - begun)
@@ -204,7 +204,7 @@ H15 = Claim(
 
 
 def same_paths(batch: Batch, still: bool = True) -> Samples:
-    """Return which plans (M,) of both planners are the same to the last bit; `still`: with obstacles that stand."""
+    """Return the scenes (M,) in which both planners plan equal paths, bit for bit; `still`: the obstacles stand."""
     scenes, same = scenes_of(batch, CROSSING, SCENES), []
     for scene in scenes:
         rows = [(x, y, 0.0, 0.0) if still else (x, y, vx, vy) for x, y, vx, vy in scene.obstacles]

@@ -1,4 +1,4 @@
-"""Points that travel through scenes by either planner, and plans that are made once."""
+"""Points that travel through scenes by either planner, and single plans."""
 
 from collections.abc import Callable
 from functools import partial
@@ -12,9 +12,9 @@ from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, crossing
 from soccer_env.train.papers.verdicts import Samples
 
 SPEED = PlannerSettings().speed  # [m/s] of the robot
-SCENES = 200  # planned once of a batch
-LONGEST = 15.0  # [s] of a travel: thrice what the canonical ones take
-PLANNERS: dict[str, dict[str, Any]] = {"old": {"time_variant": False}, "new": {}}  # Weigel's, and that of the paper
+SCENES = 200  # single plans of a batch
+LONGEST = 15.0  # [s] of a travel: three times the canonical ones
+PLANNERS: dict[str, dict[str, Any]] = {"old": {"time_variant": False}, "new": {}}  # Weigel's, the paper's
 Draw = Callable[[np.random.Generator], Scene]
 CROSSING: Draw = partial(crossing, speed=SPEED)
 
@@ -26,12 +26,12 @@ def scenes_of(batch: Batch, draw: Draw, count: int) -> list[Scene]:
 
 
 def travel(scene: Scene, **changes: Any) -> Travel:
-    """Return how a point gets through a scene by a planner with some settings."""
+    """Return the travel of a point through a scene by a planner with some settings."""
     return Planner(**changes).travel(*scene, seconds=LONGEST)
 
 
 def plan(scene: Scene, **changes: Any) -> Plan:
-    """Return the plan that is made of a scene by a planner with some settings."""
+    """Return the plan of a scene by a planner with some settings."""
     return Planner(**changes).plan(*scene)
 
 
@@ -42,15 +42,15 @@ def plans_of(batch: Batch, draw: Draw = CROSSING, **changes: Any) -> list[Plan]:
 
 
 def crossing_text() -> str:
-    """Return what is planned, in words."""
+    """Return the scenes of `plans_of` in words."""
     return f"{SCENES} crossings a batch, of one obstacle and a way of {WAY:g} m, each planned once"
 
 
 def side_changes(travels: Travel) -> int:
     """Return how often the plans of a travel change the side on which they pass the first obstacle.
 
-    The side is that of the obstacle when the planned path is nearest to it, seen along the path; a plan that stays
-    more than a metre away from the obstacle has none, as there it is no longer passed.
+    The side of the obstacle, seen along the path, counts where the planned path is nearest to it; a plan that stays
+    more than a metre away has no side.
     """
     sides = [side_of(travels, cycle) for cycle in range(len(travels.stations) - 1)]
     there = [side for side in sides if side != 0]
@@ -58,7 +58,7 @@ def side_changes(travels: Travel) -> int:
 
 
 def side_of(travels: Travel, cycle: int) -> int:
-    """Return +1 if a plan passes the first obstacle with it on the left, -1 on the right, 0 if it is out of its way."""
+    """Return +1 if a plan has the first obstacle on its left, -1 on its right, 0 if the obstacle is out of its way."""
     path = travels.planned(cycle)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     one = travels.obstacles[0]
@@ -73,8 +73,8 @@ def side_of(travels: Travel, cycle: int) -> int:
 
 
 def figures_of(travels: list[Travel], name: str) -> Samples:
-    """Return what travels (M,) come to: collisions, smallest gap [m], time [s], length [m], turn [degrees] ..."""
-    found = {
+    """Return figures of travels (M,): arrival, collision, smallest gap [m], time [s], length [m], turn [degrees] ..."""
+    figures = {
         "arrived": [one.arrived for one in travels],
         "hit": [one.clearance < 0.0 for one in travels],
         "gap": [one.clearance for one in travels],
@@ -83,4 +83,4 @@ def figures_of(travels: list[Travel], name: str) -> Samples:
         "turn": [np.degrees(one.turn) for one in travels],
         "away": [one.cycles_away for one in travels],
     }
-    return {f"{name} {key}": np.array(values, float) for key, values in found.items()}
+    return {f"{name} {key}": np.array(values, float) for key, values in figures.items()}

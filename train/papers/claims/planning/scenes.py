@@ -9,24 +9,24 @@ from typing import NamedTuple
 import numpy as np
 
 BODY = 0.5  # [m] between the middles of two robots that touch
-WAY = 5.0  # [m] from robot to target, as in the scenes that the paper's figure shows
-CROSSERS = (0.5, 2.5)  # [m/s] of an obstacle that crosses, assumed
-LATE = 0.3  # [s] by which it comes earlier or later than the robot at most, assumed
+WAY = 5.0  # [m] from robot to target, as in the paper's figure
+CROSSERS = (0.5, 2.5)  # [m/s] of a crossing obstacle, assumed
+LATE = 0.3  # [s] by which it comes earlier or later than the robot, at most, assumed
 SLOW = 0.3  # [m/s] of slow traffic at most
 SLOW_OBSTACLES = 4
-STAYS = 4.0  # [s] for which it leaves the target free, twice what the straight way takes
-ROOM = 0.9  # [m] that slow traffic leaves around robot and target, assumed
+STAYS = 4.0  # [s] for which it leaves the target free, twice the time of the straight way
+ROOM = 0.9  # [m] free of slow traffic around robot and target, assumed
 
 
 class Scene(NamedTuple):
-    """What a planner is asked."""
+    """The input of a planner."""
 
     robot: tuple[float, float]
     target: tuple[float, float]
     obstacles: list[tuple[float, float, float, float]]
 
 
-# Where an obstacle crosses the straight way as in the paper's figure: found by a sketch of the planner, 2 of 260 draws
+# Crossings of the straight way as in the paper's figure: chosen with a sketch of the planner, 2 of 260 draws
 CANONICAL = {
     "a": Scene((-3.0, 0.0), (3.0, 0.0), [(-0.31, 1.15, 0.0, -2.13)]),
     "b": Scene((-3.0, 0.0), (2.0, 0.0), [(-1.15, 0.63, 0.0, -2.15)]),
@@ -34,7 +34,7 @@ CANONICAL = {
 
 
 def turned_scene(rng: np.random.Generator, obstacles: list[tuple[float, float, float, float]]) -> Scene:
-    """Return a scene whose way of WAY metres from (0, 0) along x is turned and put about the middle of the pitch."""
+    """Return a scene whose way of WAY metres along x is turned and moved to about the middle of the pitch."""
     way = rng.uniform(-pi, pi)
     x, y = rng.uniform(-0.5, 0.5, 2) - 0.5 * WAY * np.array([cos(way), sin(way)])
 
@@ -49,7 +49,7 @@ def turned_scene(rng: np.random.Generator, obstacles: list[tuple[float, float, f
 
 
 def crossing(rng: np.random.Generator, speed: float) -> Scene:
-    """Return a crossing: an obstacle meets the straight way where a robot at a top speed [m/s] would be, or nearly."""
+    """Return a crossing: an obstacle meets the straight way close to a robot at a top speed [m/s]."""
     far = rng.uniform(0.3, 0.7) * WAY
     when = far / speed + rng.uniform(-LATE, LATE)
     v, way = rng.uniform(*CROSSERS), rng.choice([-1.0, 1.0]) * rng.uniform(pi / 4, 3 * pi / 4)
@@ -58,7 +58,7 @@ def crossing(rng: np.random.Generator, speed: float) -> Scene:
 
 
 def slow_traffic(rng: np.random.Generator) -> Scene:
-    """Return a way among obstacles that go slowly anywhere, the first of them across it."""
+    """Return a way among obstacles that move slowly in any direction, the first of them on the way."""
     rows: list[tuple[float, float, float, float]] = []
     while len(rows) < SLOW_OBSTACLES:
         wide = 0.3 if not rows else 1.5
@@ -73,12 +73,12 @@ def slow_traffic(rng: np.random.Generator) -> Scene:
 
 
 def still_obstacle(rng: np.random.Generator) -> Scene:
-    """Return a way with one obstacle that stands on it or a little beside it."""
+    """Return a way with one standing obstacle on it or a little beside it."""
     return turned_scene(rng, [(float(rng.uniform(0.35, 0.65) * WAY), float(rng.uniform(-0.2, 0.2)), 0.0, 0.0)])
 
 
 def wall(rng: np.random.Generator) -> Scene:
-    """Return a row of two or three robots that touch, square to the way, or a cup of nine about the target."""
+    """Return a row of two or three touching robots, square to the way, or a cup of nine about the target."""
     kind = rng.integers(3)
     middle = float(rng.uniform(0.4, 0.6) * WAY)
     if kind < 2:

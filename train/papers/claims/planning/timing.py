@@ -1,4 +1,4 @@
-"""The time T that a plan is made for, and the passes until the time that it takes agrees.  [H. 2006, 3]"""
+"""The time T of a plan, and the passes until it agrees with the time of the path.  [H. 2006, 3]"""
 
 from functools import partial
 from typing import Any
@@ -18,10 +18,9 @@ KINDS: dict[str, dict[str, Any]] = {"smooth": {}, "literal": {"literal": True}}
 
 def times(batch: Batch, slower: float = 1.0) -> Samples:
     """Return T over T_min (M,), iterations and convergence of plans; `slower` scales the speed behind T_min."""
-    found = {name: plans_of(batch, **changes) for name, changes in
-             KINDS.items()}  # fmt: skip
     samples: Samples = {}
-    for name, plans in found.items():
+    for name, changes in KINDS.items():
+        plans = plans_of(batch, **changes)
         samples[f"{name} ratio"] = np.array([one.time / (slower * one.least_time) for one in plans])
         samples[f"{name} passes"] = np.array([one.iterations for one in plans], float)
         samples[f"{name} open"] = np.array([not one.converged for one in plans], float)
@@ -69,13 +68,13 @@ H13 = Claim(
 
 
 def first_plans(batch: Batch) -> Samples:
-    """Return passes and error of T [s] of the first plan of both canonical crossings, and of random ones beside."""
-    fixed = [plan(scene) for scene in CANONICAL.values()]
-    found = times(batch)
-    for name, one in zip(CANONICAL, fixed, strict=True):
-        found[f"{name} passes"] = np.full(SCENES, float(one.iterations))
-        found[f"{name} error"] = np.full(SCENES, float(one.times[0] - one.guesses[0]))
-    return found
+    """Return passes and error of T [s] of the first plans of both canonical crossings, and of random crossings."""
+    samples = times(batch)
+    for name, scene in CANONICAL.items():
+        one = plan(scene)
+        samples[f"{name} passes"] = np.full(SCENES, float(one.iterations))
+        samples[f"{name} error"] = np.full(SCENES, float(one.times[0] - one.guesses[0]))
+    return samples
 
 
 H14 = Claim(

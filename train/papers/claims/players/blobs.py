@@ -1,6 +1,6 @@
 """A player's range from all its blobs or the largest one, while its head stickers come and go.  [Sacks 2001, 4.1.2]
 
-Sizes of stickers are guesses, so that the claim is judged over jerseys of 0.7 to 1.3 times their size.
+Sizes of stickers are guesses, so the claim is judged over jerseys of 0.7 to 1.3 times their size.
 """
 
 from collections.abc import Sequence
@@ -20,13 +20,13 @@ SETTLE, SECONDS = 1.0, 2.0  # [s]
 NEAR, FAR = 0.5, 2.6  # [m] as far as the field allows
 EYE_X = -1.3  # [m] of the robot that looks, at one end of the field
 HEAD_HEIGHT = 0.185  # [m] between the middles of the stickers of trunk and head
-MANY = {"sticker_miss": 0.3}  # so many stickers are missed that enough frames show a trunk without a head
+MANY = {"sticker_miss": 0.3}  # a share of missed stickers that yields enough frames of a trunk without a head
 BLOBS = ("largest", "combined")
 BINS = (0.5, 0.8, 1.1, 1.4, 1.7, 2.0, 2.3, 2.6)  # [m]
 
 
 def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> dict[str, np.ndarray]:
-    """Return believed over true range and whether a sticker of the head is seen, and one of the trunk (RUNS, T).
+    """Return believed over true range, and whether a sticker of the head and of the trunk is seen (RUNS, T).
 
     "distance" (RUNS,) [m] is the true one.
     """
@@ -55,26 +55,26 @@ def compare_blobs(batch: Batch) -> Samples:
     """Return arrays (RUNS, jerseys, T): ranges by both ways, and in frames with a trunk with or without a head."""
     samples: Samples = {}
     for blobs in BLOBS:
-        found = [watch_players(batch, jersey, blobs) for jersey in JERSEYS]
-        samples[blobs] = np.stack([one["range"] for one in found], axis=1)
+        runs = [watch_players(batch, jersey, blobs) for jersey in JERSEYS]
+        samples[blobs] = np.stack([one["range"] for one in runs], axis=1)
         many = [watch_players(batch, jersey, blobs, **MANY) for jersey in JERSEYS]
         for name, head in (("with", True), ("without", False)):
             chosen = [np.where(one["trunk"] & (one["head"] == head), one["range"], np.nan) for one in many]
             samples[f"{blobs} {name} head"] = np.stack(chosen, axis=1)
-    return samples | {"head": np.stack([one["head"] for one in found], axis=1), "distance": found[0]["distance"]}
+    return samples | {"head": np.stack([one["head"] for one in runs], axis=1), "distance": runs[0]["distance"]}
 
 
 def jumps(samples: Samples, blobs: str) -> np.ndarray:
-    """Return how many times as far players seem without a head sticker as with one, for each jersey (jerseys,)."""
+    """Return the ratio of the believed range without a head sticker to that with one, for each jersey (jerseys,)."""
     without, complete = (samples[f"{blobs} {name} head"] for name in ("without", "with"))
     ratios = [median(without[:, j]) / max(median(complete[:, j]), 1e-9) for j in range(len(JERSEYS))]
     return np.array(ratios)
 
 
 def worst_jump(samples: Samples, blobs: str) -> float:
-    """Return the jump of the jersey in which it is farthest from the factor of two of the paper."""
-    found = jumps(samples, blobs)
-    return float(found[np.argmax(np.abs(np.log(found / 2.0)))]) if np.isfinite(found).all() else np.nan
+    """Return the jump of the jersey that is farthest from the paper's factor of two."""
+    ratios = jumps(samples, blobs)
+    return float(ratios[np.argmax(np.abs(np.log(ratios / 2.0)))]) if np.isfinite(ratios).all() else np.nan
 
 
 def headless(samples: Samples, j: int, i: int) -> float:
@@ -113,28 +113,15 @@ S39 = Claim(
     "head sticker; scatter of the believed over the true range in each run; that ratio in frames with a trunk alone "
     "over frames with trunk and head (for these 30 % of the stickers are missed, so that there are enough).",
     criteria=(
-        measured(
-            "combined: range without the head over that with it",
-            lambda samples: worst_jump(samples, "combined"),
-            at_least=1.5,
-            at_most=2.5,
-        ),
-        measured(
-            "largest blob: the same, in the worst jersey",
-            lambda samples: float(jumps(samples, "largest").max()),
-            at_most=1.2,
-        ),
-        measured(
-            "scatter of the largest blob's range over that of the combined",
-            lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9),
-            below=1.0,
-        ),
+        measured("combined: range without the head over that with it", lambda samples: worst_jump(samples, "combined"),
+                 at_least=1.5, at_most=2.5),
+        measured("largest blob: the same, in the worst jersey", lambda samples: float(jumps(samples, "largest").max()),
+                 at_most=1.2),
+        measured("scatter of the largest blob's range over that of the combined",
+                 lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9), below=1.0),
         *(
-            reported(
-                f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-                partial(headless, j=j, i=len(BINS) - 2),
-                unit="%",
-            )
+            reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
+                     partial(headless, j=j, i=len(BINS) - 2), unit="%")
             for j, jersey in enumerate(JERSEYS)
         ),
         reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),
@@ -147,6 +134,6 @@ S39 = Claim(
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "
     "straight on, nearer by if not; the field is 3 m long.",
-)
+)  # fmt: skip
 
 CLAIMS = (S39,)

@@ -1,7 +1,7 @@
-"""What a ghost costs the memory of other players, and what a player that is missed costs it.  [Sacks 2001, 4.1.1]
+"""The damage of a ghost and of a missed player to the memory of other players.  [Sacks 2001, 4.1.1]
 
-Both errors are the paper's own: for one frame no blob counts as part of another's player (ghosts), or all blobs of a
-colour count as one player (the farther is missed). Without it the same frames are remembered without either.
+Both errors are the paper's own: for one frame every blob counts as a player (ghosts), or all blobs of a colour count as
+one player (the farther one is missed). The comparison has the same frames without an error.
 """
 
 from collections.abc import Sequence
@@ -11,19 +11,8 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.grouping import (
-    TILT,
-    ghosts_and_misses,
-    put_two_in_view,
-    seen_and_believed,
-)
-from soccer_env.train.papers.claims.players.seen import (
-    gaps_to,
-    matched,
-    put_facing,
-    slots_of,
-    watchers,
-)
+from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
+from soccer_env.train.papers.claims.players.seen import gaps_to, matched, put_facing, slots_of, watchers
 from soccer_env.train.papers.staging import begin, play, standing
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean
@@ -35,7 +24,7 @@ LOOK_AHEAD = 1.0  # [s] at the first two
 AFTER = 5.0  # [s] after the error
 ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearing of the third opponent, out of view of a head that looks ahead; pan
 NEAR, FAR = 0.5, 1.0  # [m] of the third opponent
-KNOWN = 1.0  # [m] beyond which a slot stands for nobody: where obstacles exert no force any more, 4.3.2
+KNOWN = 1.0  # [m] beyond which a slot stands for nobody: obstacles exert no force from there, 4.3.2
 FOES = [1, 2, 3]
 EVENTS: dict[str, float | None] = {"none": None, "ghost": 0.0, "miss": 1e6}  # grouping factor for one frame
 
@@ -43,7 +32,7 @@ EVENTS: dict[str, float | None] = {"none": None, "ghost": 0.0, "miss": 1e6}  # g
 def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     """Return the memory's error (M, T) [m] from an event on: mean gap of the three opponents to their slots.
 
-    "ghosts" and "missed" (M,): those of the frame of the event.
+    "ghosts" and "missed" (M,): counts in the frame of the event.
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, away=3)
@@ -77,24 +66,24 @@ def error_of(match: Match) -> np.ndarray:
 
 
 def compare_errors(batch: Batch) -> Samples:
-    """Return what each ghost and each miss adds to the memory's error, over AFTER (M,) and frame by frame (M, T) [m].
+    """Return the error that each ghost and each miss adds, over AFTER (M,) and frame by frame (M, T) [m].
 
-    Matches count in which the event made a ghost, or a miss, and the same frame without the event has neither.
+    Matches count if the event made a ghost or a miss, and the frame without the event has neither.
     """
-    found = {event: remember_three(batch, event) for event in EVENTS}
-    quiet = (found["none"]["ghosts"] == 0) & (found["none"]["missed"] == 0)
-    samples: Samples = {"plain": found["none"]["error"].mean(axis=1)}
+    runs = {event: remember_three(batch, event) for event in EVENTS}
+    quiet = (runs["none"]["ghosts"] == 0) & (runs["none"]["missed"] == 0)
+    samples: Samples = {"plain": runs["none"]["error"].mean(axis=1)}
     for event, name in (("ghost", "ghosts"), ("miss", "missed")):
-        number = found[event][name]
-        counts = quiet & (number > 0) & (found[event]["ghosts"] * found[event]["missed"] == 0)
-        added = (found[event]["error"] - found["none"]["error"]) / np.maximum(number, 1.0)[:, None]
+        number = runs[event][name]
+        counts = quiet & (number > 0) & (runs[event]["ghosts"] * runs[event]["missed"] == 0)
+        added = (runs[event]["error"] - runs["none"]["error"]) / np.maximum(number, 1.0)[:, None]
         samples[f"course {event}"] = np.where(counts[:, None], added, np.nan)
         samples[event] = np.where(counts, added.mean(axis=1), np.nan)
     return samples
 
 
 def ghost_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw what both errors add against the time since."""
+    """Draw the added error against the time since the event."""
     steps = samples["course ghost"].shape[1]
     times = np.linspace(0.0, AFTER, steps)[::4]
     curves = [
@@ -113,12 +102,8 @@ S34 = Claim(
     f"slots that stand for them (at most {100 * KNOWN:.0f} cm), less that without the event, over the {AFTER:g} s "
     "after it, for each ghost and for each miss.",
     criteria=(
-        measured(
-            "added error for a ghost less that for a miss",
-            lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])),
-            unit="cm",
-            above=0.0,
-        ),
+        measured("added error for a ghost less that for a miss",
+                 lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])), unit="cm", above=0.0),
         reported("added error for a ghost", lambda samples: 100 * mean(samples["ghost"]), unit="cm"),
         reported("added error for a miss", lambda samples: 100 * mean(samples["miss"]), unit="cm"),
         reported("error without either", lambda samples: 100 * mean(samples["plain"]), unit="cm"),
@@ -130,6 +115,6 @@ S34 = Claim(
     seconds=5.0,
     figures=ghost_figure,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
-)
+)  # fmt: skip
 
 CLAIMS = (S34,)

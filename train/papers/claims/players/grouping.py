@@ -1,7 +1,7 @@
-"""Which blobs are one player: how often one is missed or a ghost is seen, and who is missed.  [Sacks 2001, 4.1.1]
+"""Grouping blobs into players: missed players, ghosts, and which player is missed.  [Sacks 2001, 4.1.1]
 
-Sizes of stickers are guesses, so that the grouping factor is judged over jerseys of 0.7 to 1.3 times their size: the
-worst of them counts.
+Sizes of stickers are guesses, so the grouping factor is judged over jerseys of 0.7 to 1.3 times their size; the worst
+jersey counts.
 """
 
 from collections.abc import Callable, Sequence
@@ -35,7 +35,7 @@ WIDE = 0.35  # [rad] of their bearings: within the camera's view, less half a ro
 APART = 0.30  # [m] between bodies' middles
 TILT = -0.10  # [rad] of the head that looks over the field
 FOES = [1, 2]  # rows of the two opponents in view
-UNLIKE = 1.2  # [1] ratio of distances from which on one is clearly the farther, S72
+UNLIKE = 1.2  # [1] ratio of distances beyond which one player is clearly farther, S72
 ASIDE, RANGE = 0.10, 0.15  # [m], [1] by which the place of a slot errs, S72
 DRAWS = 50  # of places, until two do not touch
 FEW = 5.0  # [%] of the slots filled that may be ghosts
@@ -55,9 +55,9 @@ def put_two_in_view(match: Match, rng: np.random.Generator, alike: bool = False)
 
 
 def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
-    """Return whether each opponent in view shows a blob (M, 2), and how many slots this frame filled with it (M, 2).
+    """Return whether each opponent in view shows a blob (M, 2), and the slots that this frame filled with it (M, 2).
 
-    Blobs and slots are those of the opponent that is nearest aside.
+    Blobs and slots belong to the opponent that is nearest sideways.
     """
     mine, slots = owners(match, FOES), slots_of(match)
     away, true = from_camera(match, FOES)
@@ -68,7 +68,7 @@ def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return how many slots too many there are (M,), and how many players that show a blob have none (M,)."""
+    """Return the number of surplus slots (M,), and of players that show a blob and have no slot (M,)."""
     return np.maximum(filled - visible, 0).sum(axis=1), (visible & (filled == 0)).sum(axis=1)
 
 
@@ -92,8 +92,8 @@ def try_factors(batch: Batch) -> Samples:
     """Return the counts (M, jerseys) for every factor."""
     samples: Samples = {}
     for factor in FACTORS:
-        found = [count_errors(batch, factor, jersey) for jersey in JERSEYS]
-        samples |= {f"{name} {factor:g}": np.stack([one[name] for one in found], axis=1) for name in found[0]}
+        counts = [count_errors(batch, factor, jersey) for jersey in JERSEYS]
+        samples |= {f"{name} {factor:g}": np.stack([one[name] for one in counts], axis=1) for name in counts[0]}
     return samples
 
 
@@ -109,7 +109,7 @@ def wrong(samples: Samples, factor: float) -> np.ndarray:
 
 
 def above_the_best(samples: Samples) -> np.ndarray:
-    """Return the errors [%] at the factor of the paper less the fewest at another, of each jersey (jerseys,)."""
+    """Return the errors [%] at the paper's factor minus the fewest at another factor, of each jersey (jerseys,)."""
     others = np.stack([wrong(samples, factor) for factor in FACTORS if factor != CHOSEN])
     return np.asarray(wrong(samples, CHOSEN) - others.min(axis=0))
 
@@ -145,18 +145,11 @@ S33 = Claim(
     "their view, from any side; a ghost is a slot filled in a frame beyond one for each opponent that shows a blob, a "
     "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
-        measured(
-            "ghosts at a factor of 3, in the worst jersey",
-            lambda samples: float(share(samples, "ghosts", CHOSEN, "filled").max()),
-            unit="%",
-            at_most=FEW,
-        ),
-        measured(
-            "missed less ghosts at a factor of 3, in the worst jersey",
-            lambda samples: float((share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN)).min()),
-            unit="%",
-            above=0.0,
-        ),
+        measured("ghosts at a factor of 3, in the worst jersey",
+                 lambda samples: float(share(samples, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
+        measured("missed less ghosts at a factor of 3, in the worst jersey",
+                 lambda samples: float((share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN)).min()),
+                 unit="%", above=0.0),
         measured(
             "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
             "jersey",
@@ -165,19 +158,13 @@ S33 = Claim(
             below=0.0,
         ),
         *(
-            reported(
-                f"the same, stickers {jersey:g} times as large",
-                partial(of_jersey, value=above_the_best, jersey=jersey),
-                unit="%",
-            )
+            reported(f"the same, stickers {jersey:g} times as large",
+                     partial(of_jersey, value=above_the_best, jersey=jersey), unit="%")
             for jersey in JERSEYS
         ),
         *(
-            reported(
-                f"ghosts and misses at {factor:g}, stickers of their own size",
-                partial(of_jersey, value=partial(wrong, factor=factor), jersey=1.0),
-                unit="%",
-            )
+            reported(f"ghosts and misses at {factor:g}, stickers of their own size",
+                     partial(of_jersey, value=partial(wrong, factor=factor), jersey=1.0), unit="%")
             for factor in FACTORS
         ),
     ),
@@ -188,11 +175,11 @@ S33 = Claim(
     ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
     note="Which factor is best follows from the jersey: stickers of shoulder and hip are 12 cm apart, 2.8 sizes of the "
     "smallest ones, 2 of those of their own size, 1.5 of the largest.",
-)
+)  # fmt: skip
 
 
 def keep_one(batch: Batch, alike: bool = False) -> Samples:
-    """Return, over frames with two opponents visible and one slot filled: how often the nearer was kept (M,)."""
+    """Count the frames (M,) with two opponents visible and one slot filled, and those that keep the nearer one."""
     match = watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin(match)
@@ -213,14 +200,14 @@ def keep_one(batch: Batch, alike: bool = False) -> Samples:
 
 
 def two_alike(batch: Batch) -> Samples:
-    """Return the same of two that stand equally far: sizes do not tell who is nearer, and one of them is, by hairs."""
+    """Return `keep_one` for two opponents at equal distances, whose sizes do not tell who is nearer."""
     return keep_one(batch, alike=True)
 
 
 def kept_one(match: Match) -> np.ndarray:
-    """Return which of the two opponents (M,) the slot filled in this frame stands for.
+    """Return the index of the opponent (M,) that the slot filled in this frame stands for.
 
-    The one whose place is nearer to the slot's, counted in what places err by: ASIDE, and RANGE of the distance.
+    It is the opponent whose place is nearer to the slot's, in units of the errors: ASIDE, and RANGE of the distance.
     """
     slots, rows = slots_of(match), np.arange(match.count)
     row = is_fresh(match, slots).argmax(axis=1)
@@ -241,20 +228,17 @@ S72 = Claim(
     f"place is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance).",
     criteria=(
         counted("the nearer one is kept", "nearer", "merged", at_least=95.0),
-        reported(
-            f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
-            lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
-            unit="%",
-        ),
+        reported(f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
+                 lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
+                 unit="%"),
     ),
     rules=STAGED,
     measure=keep_one,
     batches=24,
     seconds=2.0,
-    without=Without(
-        "a nearer player's blobs are larger, and blobs are sorted by size; here both are as far", two_alike
-    ),
+    without=Without("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
+                    two_alike),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
-)
+)  # fmt: skip
 
 CLAIMS = (S33, S72)

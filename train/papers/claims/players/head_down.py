@@ -15,18 +15,18 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
 SETTLE, SECONDS = 1.0, 1.0  # [s]
-NEAR, FAR = 0.35, 0.60  # [m] between the bodies' centres: from nearly touching to what the ranger sees under 40 cm
+NEAR, FAR = 0.35, 0.60  # [m] between the bodies' centres: from nearly touching to readings of 40 cm
 FRONTAL = 0.6  # [rad] from head-on: an opponent that comes for the ball
-DOWN = -1.0  # [rad] head of one that looks at the ball before its paws
+DOWN = -1.0  # [rad] tilt of a head that looks at the ball before its paws
 TILTS = {"up": 0.0, "down": DOWN}
-OVERLOOKED = 1.5  # times as far as it is: the same share by which a reading is "significantly" closer, MS49
+OVERLOOKED = 1.5  # [1] of the true distance, beyond which a player is overlooked; as for "significantly" closer, MS49
 
 
 def look_at_heads(batch: Batch, **sensors: float) -> Samples:
     """Return each run's mean range error (M,) [m] of a near player with its head up and down, NaN if it is not seen.
 
-    "up" and "down" by the size of its jersey, "... by infrared" with the reading in its place; the shares of frames
-    that show it, and of those in which the robot overlooks it, with and without the obstacle that the reading makes.
+    "up" and "down" by the size of its jersey, "... by infrared" by the ranger; also the share of frames that show it,
+    and the share in which the robot overlooks it, with and without the obstacle from the reading.
     """
     samples: Samples = {}
     for name, tilt in TILTS.items():
@@ -43,8 +43,8 @@ def look_at_heads(batch: Batch, **sensors: float) -> Samples:
 def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle: bool) -> tuple[np.ndarray, ...]:
     """Let robot 0 stare at a near player with its head tilted [rad]; return arrays (T, M) [m].
 
-    The errors of its range by size and by infrared, NaN without; the distance of the nearest that the robot knows of,
-    player or obstacle; and the true distance.
+    Errors of its range by size and by infrared, NaN without a reading; the distance of the nearest known player or
+    obstacle; and the true distance.
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
@@ -64,7 +64,7 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
 
 
 def nearest_known(match: Match) -> np.ndarray:
-    """Return how far robot 0 (M,) [m] believes the nearest player or obstacle to be; inf if it knows of none."""
+    """Return the believed distance (M,) [m] of the nearest player or obstacle from robot 0; inf without one."""
     slots, obstacle = match.tracks[:, 0], match.beliefs["obstacle"]["distance"][:, 0].astype(float)
     player = np.where(slots["present"] == 1, slots["distance"], np.inf).min(axis=1)
     nearest: np.ndarray = np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf))
@@ -72,7 +72,7 @@ def nearest_known(match: Match) -> np.ndarray:
 
 
 def by_infrared(match: Match) -> np.ndarray:
-    """Return how far from robot 0 (M,) [m] a player is whose chest the ranger meets, NaN without a valid reading."""
+    """Return the distance (M,) [m] from robot 0 of a player whose chest the ranger meets, NaN without a reading."""
     camera, axis = camera_of(match)
     robot, reading = match.robots[:, 0], match.percepts["infrared"][:, 0].astype(float)
     level = np.hypot(axis[:, 0], axis[:, 1])
@@ -82,22 +82,22 @@ def by_infrared(match: Match) -> np.ndarray:
 
 
 def heads_that_hide_nothing(batch: Batch) -> Samples:
-    """Return the same where no head is ever so low that it hides stickers."""
+    """Return `look_at_heads` with heads that never hide stickers."""
     return look_at_heads(batch, head_down=np.pi)
 
 
 def hundred_times(samples: Samples, name: str) -> float:
-    """Return the mean of a quantity: [cm] of one in metres, [%] of a share."""
+    """Return a hundred times the mean of a quantity: [cm] for metres, [%] for a share."""
     return 100 * mean(samples[name])
 
 
 def farther(samples: Samples) -> float:
-    """Return by how much farther a player seems with its head down than with it up [cm]."""
+    """Return the believed range with the head down minus that with the head up [cm]."""
     return 100 * mean(samples["down"] - samples["up"])
 
 
 def left_over(samples: Samples) -> float:
-    """Return how wrong a player with its head down seems by infrared, too far or too near, over `farther` [%].
+    """Return the size of the error by infrared with the head down over `farther` [%].
 
     NaN where a lowered head makes nobody seem farther.
     """

@@ -1,7 +1,7 @@
 """A jersey of stickers, seen from all sides and from afar.  [Sacks 2001, 4.1.2]
 
-Sizes of stickers are guesses, so that each claim here is judged over jerseys of 0.7 to 1.3 times their size: the worst
-of them counts.
+Sizes of stickers are guesses, so each claim here is judged over jerseys of 0.7 to 1.3 times their size; the worst
+jersey counts.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,13 +18,13 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 JERSEYS = (0.7, 1.0, 1.3)  # [1] scale of all stickers
 RUNS = 32  # of each jersey
-SETTLE = 1.0  # [s] in which the head finds the player
-ROUND = 8.5  # [s] in which a robot that turns at full speed has turned once round
+SETTLE = 1.0  # [s] for the head to find the player
+ROUND = 8.5  # [s] of a full turn at full speed
 NEAR, FAR = 0.5, 1.0  # [m]
 SECTORS = 12  # of 30 degrees, the first one head-on
 FRONT, SIDES = (0,), (3, 9)  # sectors head-on and from the sides
 ALL, ASIDE = tuple(range(SECTORS)), tuple(range(1, SECTORS))  # all of them, and all but head-on
-# [m] of the flank's stickers, for a jersey whose stickers are all alike; on chest and rump side by side
+# [m] of the flank's stickers, for a jersey of equal stickers, side by side on chest and rump
 FLANK = {"width": 0.06, "height": 0.06, "apart": 0.062}
 ALIKE = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
 SIZES = {
@@ -49,12 +49,12 @@ def box_sizes(match: Match) -> list[np.ndarray]:
         np.where(there, blobs[name].astype(float), end).min(axis=1)
         for name, end in (("left", -1e9), ("right", 1e9), ("high", -1e9), ("low", 1e9))
     }  # fmt: skip
-    found = [width[rows, largest], height[rows, largest], edges["left"] - edges["right"], edges["high"] - edges["low"]]
-    return [np.where(there.any(axis=1), values, np.nan) for values in found]
+    sizes = [width[rows, largest], height[rows, largest], edges["left"] - edges["right"], edges["high"] - edges["low"]]
+    return [np.where(there.any(axis=1), values, np.nan) for values in sizes]
 
 
 def turn_once_round(batch: Batch, jersey: float, view: str, **sensors: Any) -> dict[str, np.ndarray]:
-    """Return sizes [px] and relative range errors of a player that turns, means (RUNS, SECTORS) by the view."""
+    """Return sizes [px] and relative range errors of a turning player, means (RUNS, SECTORS) by its view."""
     rng = batch.rng()
     settings = {"jersey": jersey, **sensors}
     match = watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
@@ -77,7 +77,7 @@ def turn_once_round(batch: Batch, jersey: float, view: str, **sensors: Any) -> d
 
 
 def by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the means (M, SECTORS) of values (M, T) by their sector (M, T); NaN without any."""
+    """Return the means (M, SECTORS) of values (M, T) by their sector (M, T); NaN for an empty sector."""
     there = np.isfinite(values)
     totals = [np.where(there & (sector == i), values, 0.0).sum(axis=1) for i in range(SECTORS)]
     counts = [(there & (sector == i)).sum(axis=1) for i in range(SECTORS)]
@@ -87,16 +87,16 @@ def by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 def jerseys_from_all_sides(batch: Batch, **sensors: Any) -> Samples:
     """Return arrays (RUNS, jerseys, SECTORS) of every quantity."""
-    found = []
+    runs = []
     for jersey in JERSEYS:
         front = turn_once_round(batch, jersey, "front", **sensors)
         side = turn_once_round(batch, jersey, "side", **sensors)
-        found.append(front | {"side table": side["side table"]})
-    return {name: np.stack([one[name] for one in found], axis=1) for name in QUANTITIES}
+        runs.append(front | {"side table": side["side table"]})
+    return {name: np.stack([one[name] for one in runs], axis=1) for name in QUANTITIES}
 
 
 def stickers_alike(batch: Batch) -> Samples:
-    """Return the same with stickers of chest and rump as large as those of the flanks."""
+    """Return `jerseys_from_all_sides` with stickers of chest and rump as large as those of the flanks."""
     return jerseys_from_all_sides(batch, **ALIKE)
 
 
@@ -110,12 +110,12 @@ def variation(sizes: np.ndarray) -> np.ndarray:
 
 
 def width_over_height(samples: Samples, which: str = "") -> float:
-    """Return how many times as much the width varies with the view as the height does, in the worst jersey."""
+    """Return the variation of the width with the view over that of the height, in the worst jersey."""
     return float((variation(samples[f"{which}width"]) / variation(samples[f"{which}height"])).min())
 
 
 def front_over_side(samples: Samples, which: str = "") -> np.ndarray:
-    """Return the height seen head-on over that from the side, of each jersey (jerseys,)."""
+    """Return the height seen head-on over the height from the side, of each jersey (jerseys,)."""
     height = samples[f"{which}height"]
     front, side = height[:, :, FRONT].mean(axis=2), height[:, :, SIDES].mean(axis=2)
     return np.array([mean(front[:, j] / side[:, j]) for j in range(len(JERSEYS))])
@@ -154,16 +154,10 @@ S37 = Claim(
     method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
     criteria=(
-        measured(
-            "player: variation of the width over the height's",
-            lambda samples: width_over_height(samples, "all "),
-            at_least=3.0,
-        ),
-        measured(
-            "largest sticker: height head-on over that from the side",
-            lambda samples: float(front_over_side(samples).max()),
-            below=1.0,
-        ),
+        measured("player: variation of the width over the height's", lambda samples: width_over_height(samples, "all "),
+                 at_least=3.0),
+        measured("largest sticker: height head-on over that from the side",
+                 lambda samples: float(front_over_side(samples).max()), below=1.0),
         reported("largest sticker: variation of width over that of height", width_over_height),
         reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     ),
@@ -176,7 +170,7 @@ S37 = Claim(
     note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
     "so that the head is missing and the player is a fifth lower. With one sticker on each side of the trunk it varies "
     "5.3 times as much in width.",
-)
+)  # fmt: skip
 
 S38 = Claim(
     id="S38",
@@ -185,18 +179,11 @@ S38 = Claim(
     method=f"{HOW}; relative error of the range by a table made head-on, and by one made from the side, without the "
     "ranger; all sectors but the head-on one; the worst jersey counts.",
     criteria=(
-        measured(
-            "head-on table: mean error in the other views",
-            lambda samples: float(bias(samples, "front", ASIDE).max()),
-            unit="%",
-            at_most=0.0,
-        ),
-        measured(
-            "head-on table less side table, mean error in all views",
-            lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()),
-            unit="%",
-            below=0.0,
-        ),
+        measured("head-on table: mean error in the other views",
+                 lambda samples: float(bias(samples, "front", ASIDE).max()), unit="%", at_most=0.0),
+        measured("head-on table less side table, mean error in all views",
+                 lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()), unit="%",
+                 below=0.0),
         reported("head-on table: mean error head-on", lambda s: float(bias(s, "front", FRONT).mean()), unit="%"),
         reported("head-on table: mean error from the side", lambda s: float(bias(s, "front", SIDES).mean()), unit="%"),
         reported("side table: mean error head-on", lambda s: float(bias(s, "side", FRONT).mean()), unit="%"),
@@ -208,6 +195,6 @@ S38 = Claim(
     without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
     figures=over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
-)
+)  # fmt: skip
 
 CLAIMS = (S37, S38)

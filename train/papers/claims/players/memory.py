@@ -1,6 +1,6 @@
-"""Whether one opponent fills the whole memory of opponents, by how they are matched.  [Sacks 2001, 4.1.1]
+"""One opponent that fills the whole memory of opponents, and the rules of matching.  [Sacks 2001, 4.1.1]
 
-How often a frame misses a sticker, or a whole player, is a guess, so that S35 is judged over both: the worst counts.
+The rates of missed stickers and missed players are guesses, so S35 is judged over both; the worst case counts.
 """
 
 from collections.abc import Sequence
@@ -29,22 +29,22 @@ POWERS = {  # of distance and angle in the likelihood
     "U/(d a)": (1.0, 1.0),
     "U/(d^3 a)": (3.0, 1.0),
 }
-STEADY = 0.08  # [1] scatter of the range up to which the narrowed criterion asks
+STEADY = 0.08  # [1] greatest scatter of the range of a "steady" run
 ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
 EVERY = 8  # frames between two points of the figure
-FIRST, FINAL = "U/d", "U/(d^3 a)"  # what was tried first, and what was kept
-MISSES: dict[str, dict[str, float]] = {  # what frames miss
+FIRST, FINAL = "U/d", "U/(d^3 a)"  # the first and the final likelihood of the paper
+MISSES: dict[str, dict[str, float]] = {  # things that frames miss
     "nothing": {"sticker_miss": 0.0, "player_miss": 0.0},
     "5 % of the stickers": {"sticker_miss": 0.05, "player_miss": 0.0},
     "5 % of the players": {"sticker_miss": 0.0, "player_miss": 0.05},
 }
-ONE_STICKER = {"trunk_stickers": 1, "sticker_miss": 0.05, "player_miss": 0.0}  # on a side: what is lost then
+ONE_STICKER = {"trunk_stickers": 1, "sticker_miss": 0.05, "player_miss": 0.0}  # on each side of the trunk
 
 
 def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict[str, np.ndarray]:
     """Look at three opponents, then for SECONDS at one alone; arrays (M, T).
 
-    "filled": how many slots have been filled since, which should be one; "range": scatter of its distance [1].
+    "filled": number of slots filled since, ideally one; "range": scatter of its distance [1].
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
@@ -74,33 +74,33 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
 def compare_likelihoods(batch: Batch) -> Samples:
     """Return the share of time (M,) in which one opponent holds two slots or more, by each likelihood.
 
-    All blobs in view count as one player, so that only the matching can fill a second slot.
+    All blobs in view count as one player, so only the matching can fill a second slot.
     """
     samples: Samples = {}
     for name, (distance, angle) in POWERS.items():
-        found = stare_at_one(batch, {}, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
-        samples[name] = (found["filled"] >= 2).mean(axis=1)
-        samples[f"all {name}"] = (found["filled"] >= 3).mean(axis=1)
-        samples[f"course {name}"] = found["filled"][:, ::EVERY] >= 2
+        runs = stare_at_one(batch, {}, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+        samples[name] = (runs["filled"] >= 2).mean(axis=1)
+        samples[f"all {name}"] = (runs["filled"] >= 3).mean(axis=1)
+        samples[f"course {name}"] = runs["filled"][:, ::EVERY] >= 2
     return samples
 
 
 def compare_misses(batch: Batch) -> Samples:
-    """Return the share of time (M,) in which one opponent holds two slots or more, for all that frames may miss.
+    """Return the share of time (M,) in which one opponent holds two slots or more, in each case of MISSES.
 
     "steady": by the final likelihood in runs whose ranges hardly scatter; "grouped": with blobs grouped as usual;
-    "one sticker": with one sticker on a side of the trunk, and 5 % of the stickers missed.
+    "one sticker": with one sticker on each side of the trunk, and 5 % of the stickers missed.
     """
     samples: Samples = {}
     for name in (FIRST, FINAL):
         (distance, angle), courses, steady = POWERS[name], [], []
         for missed, sensors in MISSES.items():
-            found = stare_at_one(batch, sensors, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
-            held = found["filled"] >= 2
+            runs = stare_at_one(batch, sensors, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+            held = runs["filled"] >= 2
             samples[f"{name}, {missed}"] = held.mean(axis=1)
-            samples[f"range, {missed}"] = found["range"]
+            samples[f"range, {missed}"] = runs["range"]
             courses.append(held[:, ::EVERY])
-            scatter = np.array([rms(run) for run in found["range"]])
+            scatter = np.array([rms(run) for run in runs["range"]])
             steady.append(np.where(scatter <= STEADY, held.mean(axis=1), np.nan))
         samples[f"course {name}"], samples[f"steady {name}"] = np.stack(courses, axis=1), np.stack(steady, axis=1)
     one = stare_at_one(batch, ONE_STICKER, grouping=ONE_PLAYER)
@@ -120,7 +120,7 @@ def share(samples: Samples, name: str) -> float:
 
 
 def slot_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how many runs have a second slot filled against the time."""
+    """Draw the share of runs with a second slot filled against the time."""
     names = [name for name in POWERS if f"course {name}" in samples]
     steps = samples[f"course {FINAL}"].shape[-1]
     times = [float(i * SECONDS / steps) for i in range(steps)]
@@ -142,28 +142,16 @@ S35 = Claim(
     method=f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
     "players; the worst of them counts.",
     criteria=(
-        measured(
-            "U/d: two slots or more, at the least",
-            lambda samples: min(by_misses(samples, FIRST)),
-            unit="%",
-            at_least=80.0,
-        ),
-        measured(
-            "U/(d^3 angle): two slots or more, at the most",
-            lambda samples: max(by_misses(samples, FINAL)),
-            unit="%",
-            at_most=10.0,
-        ),
+        measured("U/d: two slots or more, at the least", lambda s: min(by_misses(s, FIRST)), unit="%", at_least=80.0),
+        measured("U/(d^3 angle): two slots or more, at the most", lambda samples: max(by_misses(samples, FINAL)),
+                 unit="%", at_most=10.0),
         *(
             reported(f"U/(d^3 angle), missed: {missed}", partial(share, name=f"{FINAL}, {missed}"), unit="%")
             for missed in MISSES
         ),
-        reported(
-            "U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"), unit="%"
-        ),
-        reported(
-            "U/(d^3 angle), one sticker on a side, 5 % missed", lambda samples: share(samples, "one sticker"), unit="%"
-        ),
+        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: share(s, f"steady {FINAL}"),
+                 unit="%"),
+        reported("U/(d^3 angle), one sticker on a side, 5 % missed", lambda s: share(s, "one sticker"), unit="%"),
         reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: share(samples, "grouped"), unit="%"),
         reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
         reported("the same, nothing missed", lambda s: 100 * rms(s["range, nothing"]), unit="%"),
@@ -176,7 +164,7 @@ S35 = Claim(
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
     "player seems half as far again, and may go into another slot.",
-)
+)  # fmt: skip
 
 
 S36 = Claim(
@@ -189,11 +177,7 @@ S36 = Claim(
         reported("U/d^3", lambda samples: share(samples, "U/d^3"), unit="%"),
         reported("U/(d angle)", lambda samples: share(samples, "U/(d a)"), unit="%"),
         reported("U/d", lambda samples: share(samples, "U/d"), unit="%"),
-        reported(
-            "the angle takes away, of U/d^3",
-            lambda samples: share(samples, "U/d^3") - share(samples, "U/(d^3 a)"),
-            unit="%",
-        ),
+        reported("the angle takes away, of U/d^3", lambda s: share(s, "U/d^3") - share(s, "U/(d^3 a)"), unit="%"),
     ),
     rules=STAGED,
     measure=compare_likelihoods,

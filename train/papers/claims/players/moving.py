@@ -1,4 +1,4 @@
-"""Where another player has gone by the time that one who saw it from afar gets there.  [Sacks 2001, 4.3.1]"""
+"""The movement of a player between an early sighting and the encounter.  [Sacks 2001, 4.3.1]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -18,13 +18,13 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 SCENES = 64
 SPEEDS = (0.0, 0.03, 0.06, 0.12)  # [m/s] of the mover, up to a robot's top speed
 DRIBBLE = 0.07  # [m/s] 3.5 cm in a step of half a second, Sacks 2001, 4.3.2
-NEAREST, FARTHEST = 0.5, 2.2  # [m] of the mover when it is seen
+NEAREST, FARTHEST = 0.5, 2.2  # [m] of the mover at the sighting
 COURSE = 0.4  # [rad] of the mover's bearing, so that it is on the field
-EYE_X = -1.2  # [m] of the robot that sees it
-THERE = 0.3  # [m] from which on the dribbler is there: two bodies end to end
+EYE_X = -1.2  # [m] x of the robot that sees it
+THERE = 0.3  # [m] distance at which the dribbler has arrived: two bodies end to end
 BINS = (0.5, 0.8, 1.0, 1.3, 1.7, 2.2)  # [m] edges of distances
-CUT_OFF = 1.0  # [m] beyond which the paper lets obstacles exert no force, 4.3.2
-LOOK = 1.0  # [s] in which the head finds the mover
+CUT_OFF = 1.0  # [m] beyond which obstacles exert no force, 4.3.2
+LOOK = 1.0  # [s] for the head to find the mover
 KEPT = 3.0  # [s] for which a mover keeps its turn, assumed
 TURN = 0.5  # [1] greatest of the top turn rate, assumed
 FAR_DRILL = "dribble-past-mover-far"  # its mover walks in from 110 to 150 cm
@@ -33,7 +33,7 @@ CUT_OFFS: dict[str, dict[str, Any]] = {"with": {}, "without": NO_CUT_OFF, "unmat
 
 
 def draw_scenes(batch: Batch) -> tuple[np.ndarray, ...]:
-    """Return distance, bearing, the looker's y and the mover's heading: each scene once for each of SPEEDS."""
+    """Return distance, bearing, the observer's y and the mover's heading: each scene once for each of SPEEDS."""
     rng = batch.rng()
     ranges = ((NEAREST, FARTHEST), (-COURSE, COURSE), (-0.3, 0.3), (-np.pi, np.pi))
     return tuple(np.repeat(rng.uniform(low, high, SCENES), len(SPEEDS)) for low, high in ranges)
@@ -42,7 +42,7 @@ def draw_scenes(batch: Batch) -> tuple[np.ndarray, ...]:
 def leave(batch: Batch) -> Samples:
     """Let movers walk off while a dribbler comes: arrays (scenes, speeds) [m].
 
-    "distance" when seen; "error" of the believed place against the true one when a dribbler is there, "first" at once.
+    "distance" at the sighting; error of the believed place: "first" at the sighting, "error" when a dribbler arrives.
     """
     distance, bearing, y, heading = draw_scenes(batch)
     speeds = np.tile(SPEEDS, SCENES)
@@ -63,32 +63,32 @@ def leave(batch: Batch) -> Samples:
     rows = np.arange(len(speeds))
     off = np.hypot(x - known_x, y - known_y)  # (T, M)
     match.close()
-    found = {"distance": distance, "error": off[arrival, rows], "first": off[0]}
-    return {name: values.reshape(SCENES, len(SPEEDS)) for name, values in found.items()}
+    samples = {"distance": distance, "error": off[arrival, rows], "first": off[0]}
+    return {name: values.reshape(SCENES, len(SPEEDS)) for name, values in samples.items()}
 
 
 def leave_and_pass(batch: Batch) -> Samples:
     """Let movers walk off; let a robot dribble past a far one with the forces' cut-off and without ("with clean").
 
-    Without it k2 is such that a force is 1 where it is with it; "unmatched" k2 is the same; "middle ..." with distances
-    from middle to middle. NaN where only movers walk off.
+    Without the cut-off k2 is matched: a force is 1 at the same distance; "unmatched" keeps k2; "middle ..." counts
+    distances from middle to middle. NaN in scenes without a dribbler.
     """
-    found = leave(batch)
+    samples = leave(batch)
     for prefix, way in WAYS.items():
         for name, cut_off in CUT_OFFS.items():
             runs = play_drill(batch, FAR_DRILL, {**cut_off, **way}, RUNS)
             for key in ("clean", "past"):
-                found[f"{prefix}{name} {key}"] = np.concatenate([runs[key], np.full(SCENES - RUNS, np.nan)])
-    return found
+                samples[f"{prefix}{name} {key}"] = np.concatenate([runs[key], np.full(SCENES - RUNS, np.nan)])
+    return samples
 
 
 def gain(samples: Samples, name: str, way: str = "", other: str = "without") -> float:
-    """Return by how much [pp] the cut-off raises a share of the runs past a far mover."""
+    """Return the gain [pp] by the cut-off in a share of the runs past a far mover."""
     return 100.0 * (mean(samples[f"{way}with {name}"]) - mean(samples[f"{way}{other} {name}"]))
 
 
 def walk(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
-    """Let the mover walk, its turn changing every KEPT, robot 0's eye on it; return its way (2, T, M) [m]."""
+    """Let the mover walk and change its turn every KEPT s while robot 0 watches; return its path (2, T, M) [m]."""
     robot = match.robots[:, 1]
     way = []
     every = round(KEPT * match.league.control_rate)
@@ -114,13 +114,13 @@ def by_speed(samples: Samples) -> list[float]:
 
 
 def at_speed(samples: Samples, speed: float, beyond: bool) -> float:
-    """Return the median error [cm] of movers at a speed that were seen from beyond the cut-off, or from within it."""
+    """Return the median error [cm] of movers at a speed that were seen beyond the cut-off, or within it."""
     distance, error = (samples[name][:, SPEEDS.index(speed)] for name in ("distance", "error"))
     return 100 * median(error[(distance > CUT_OFF) == beyond])
 
 
 def beyond_less_within(samples: Samples, speed: float) -> float:
-    """Return how much larger [cm] the error is beyond the cut-off than within it."""
+    """Return the error beyond the cut-off minus the error within it [cm]."""
     return at_speed(samples, speed, True) - at_speed(samples, speed, False)
 
 
@@ -139,45 +139,25 @@ S70 = Claim(
     f"{100 * FARTHEST:.0f} cm away, who walks on, turning at random; error of the place that it believes against the "
     f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it.",
     criteria=(
-        measured(
-            "median error of movers seen from beyond 1 m less that from within, least of the speeds",
-            lambda samples: min(beyond_less_within(samples, speed) for speed in SPEEDS[1:]),
-            unit="cm",
-            above=0.0,
-        ),
-        measured(
-            "least rise of the median error with the speed",
-            lambda samples: least_rise(by_speed(samples)),
-            unit="cm",
-            above=0.0,
-        ),
+        measured("median error of movers seen from beyond 1 m less that from within, least of the speeds",
+                 lambda samples: min(beyond_less_within(samples, speed) for speed in SPEEDS[1:]), unit="cm", above=0.0),
+        measured("least rise of the median error with the speed", lambda samples: least_rise(by_speed(samples)),
+                 unit="cm", above=0.0),
         reported("at top speed, seen from within 1 m", lambda s: at_speed(s, SPEEDS[-1], False), unit="cm"),
         reported("at top speed, seen from beyond 1 m", lambda s: at_speed(s, SPEEDS[-1], True), unit="cm"),
         reported("of players that stand, beyond 1 m: the sensors' part", lambda s: at_speed(s, 0.0, True), unit="cm"),
-        reported(
-            "past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]), unit="%"
-        ),
-        measured(
-            "past a far mover untouched, with the cut-off less without",
-            lambda s: gain(s, "clean"),
-            unit="pp",
-            at_least=0.0,
-        ),
+        reported("past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]),
+                 unit="%"),
+        measured("past a far mover untouched, with the cut-off less without", lambda s: gain(s, "clean"), unit="pp",
+                 at_least=0.0),
         reported("past it, touched or not, with the cut-off less without", lambda s: gain(s, "past"), unit="pp"),
-        reported(
-            "untouched, less with the same k2 and no cut-off", lambda s: gain(s, "clean", "", "unmatched"), unit="pp"
-        ),
-        reported(
-            "distances from the middle: untouched, with the cut-off",
-            lambda s: 100.0 * mean(s["middle with clean"]),
-            unit="%",
-        ),
+        reported("untouched, less with the same k2 and no cut-off", lambda s: gain(s, "clean", "", "unmatched"),
+                 unit="pp"),
+        reported("distances from the middle: untouched, with the cut-off",
+                 lambda s: 100.0 * mean(s["middle with clean"]), unit="%"),
         reported("distances from the middle: with less without", lambda s: gain(s, "clean", "middle "), unit="pp"),
-        reported(
-            "distances from the middle: less with the same k2",
-            lambda s: gain(s, "clean", "middle ", "unmatched"),
-            unit="pp",
-        ),
+        reported("distances from the middle: less with the same k2", lambda s: gain(s, "clean", "middle ", "unmatched"),
+                 unit="pp"),
     ),
     rules=STAGED,
     measure=leave_and_pass,
@@ -188,6 +168,6 @@ S70 = Claim(
     note="The cut-off is judged by the team without shots that dribbles past the mover of a drill, who walks in at "
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "
     "weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
-)
+)  # fmt: skip
 
 CLAIMS = (S70,)

@@ -1,4 +1,4 @@
-"""How well a legged robot tells the range of another player: against the ball's, and by infrared.  [Sacks 2001, 4.1.2]
+"""The accuracy of another player's range: against the ball's, and by infrared.  [Sacks 2001, 4.1.2]
 
 In the scenes a robot stands and stares at a player, or at a ball, whatever it believes.
 """
@@ -18,14 +18,14 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 MATCHES = 128
 SETTLE = 1.0  # [s] in which the head finds what it looks at
 SECONDS = 1.0  # [s] that are measured
-NEAR, FAR = 0.45, 1.50  # [m] S40: from bodies that nearly touch to what the criterion of the ball speaks of
+NEAR, FAR = 0.45, 1.50  # [m] S40: from bodies that nearly touch to the range of the criterion of the ball
 RANGER_NEAR, RANGER_FAR = 0.35, 0.70  # [m] S41: between bodies' centres; the beam begins 14 cm ahead of the looker's
 RANGER_MOST = 0.40  # [m] "its maximum reliable range", Sacks 2001, 4.1.2
 ASIDE = 0.4  # [rad] of the bearing
 
 
 def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> Samples:
-    """Return what robots that look at one other player believe: arrays (M, T), NaN in frames that do not show it.
+    """Return the beliefs of robots that look at one other player: arrays (M, T), NaN in frames that do not show it.
 
     "range": error of the distance between the bodies' centres [m]; "true" [m]; "view" [rad]; "infrared" [m], 0: none.
     """
@@ -50,7 +50,7 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
 
 
 def look_at_balls(batch: Batch) -> Samples:
-    """Return the same of a ball at the places where `look_at_players` has the player: "range" and "true" alone."""
+    """Return "range" and "true" of `look_at_players` for a ball at the places of the player."""
     rng = batch.rng()
     match = watchers(batch, MATCHES, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
@@ -80,7 +80,7 @@ def player_and_ball(batch: Batch) -> Samples:
 
 
 def over_ball(samples: Samples) -> float:
-    """Return the relative error of the player's range over that of the ball's."""
+    """Return the relative error of the player's range over the ball's."""
     return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
 
 
@@ -102,19 +102,19 @@ def ball_figure(samples: Samples) -> Sequence[Figure]:
 
 def with_and_without_ranger(batch: Batch) -> Samples:
     """Return the range errors (M, T) [m] with the ranger's rule and without, in frames where it takes the reading."""
-    found = {
+    runs = {
         name: look_at_players(batch, RANGER_NEAR, RANGER_FAR, memory={"player_infrared": rule})
         for name, rule in (("with", True), ("without", False))
     }
-    reading = found["with"]["infrared"]
-    taken = np.abs(found["with"]["range"] - found["without"]["range"]) > 1e-9
-    samples = {name: np.where(taken, one["range"], np.nan) for name, one in found.items()}
+    reading = runs["with"]["infrared"]
+    taken = np.abs(runs["with"]["range"] - runs["without"]["range"]) > 1e-9
+    samples = {name: np.where(taken, one["range"], np.nan) for name, one in runs.items()}
     near = (reading > 0.0) & (reading < RANGER_MOST)
-    return samples | {"true": found["with"]["true"], "near": near, "taken": taken}
+    return samples | {"true": runs["with"]["true"], "near": near, "taken": taken}
 
 
 def gain(samples: Samples) -> float:
-    """Return by how much the ranger lowers the error [cm]: above 0 it helps."""
+    """Return the reduction of the error by the ranger [cm]: above 0 it helps."""
     return 100 * (rms(samples["without"]) - rms(samples["with"]))
 
 

@@ -1,6 +1,6 @@
-"""Stage robots that look at other players, and compare what they believe of them with the truth, all matches at once.
+"""Stage robots that look at other players, and compare their beliefs with the truth, for all matches at once.
 
-Robot 0, of the home team, looks; its head goes where the claim wants it, whatever it believes.
+Robot 0, of the home team, looks; the claim moves its head.
 """
 
 from typing import Any
@@ -21,15 +21,15 @@ STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at whic
 
 def watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
     """Return matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
-    asked = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
-    match = stage(batch, matches=matches, home=home, away=away, **asked)
+    settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
+    match = stage(batch, matches=matches, home=home, away=away, **settings)
     hide_ball(match)
     put(match, 0, 0.0, 0.0, batch.rng(9).uniform(-np.pi, np.pi, matches))
     return match
 
 
 def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> None:
-    """Put robot r at a distance [m] and bearing [rad] from robot 0, to be seen under an angle `view` [rad].
+    """Put robot r at a distance [m] and bearing [rad] from robot 0, which sees it at an angle `view` [rad].
 
     View 0 is head-on, a half-turn is from behind.
     """
@@ -38,7 +38,7 @@ def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> 
 
 
 def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
-    """Return the angle (M,) [rad] under which robot r is seen by another: 0 head-on, a half-turn from behind."""
+    """Return the angle (M,) [rad] from which another robot sees robot r: 0 head-on, a half-turn from behind."""
     eye = match.robots[:, seen_by]
     return from_robot(match, r, eye["x"], eye["y"])[1]
 
@@ -49,22 +49,22 @@ def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICK
 
 
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:
-    """Return the tracks (M, slots) of robot 0 that are for opponents, or for team-mates."""
+    """Return the tracks (M, slots) of robot 0 for opponents, or for team-mates."""
     first = match.league.slots.teammates
     slots: np.ndarray = match.tracks[:, 0, :first] if teammates else match.tracks[:, 0, first:]
     return slots
 
 
 def is_fresh(match: Match, slots: np.ndarray) -> np.ndarray:
-    """Tell which slots hold a player that is seen in this frame."""
+    """Tell which slots hold a player seen in this frame."""
     fresh: np.ndarray = (slots["present"] == 1) & (slots["age"] < 0.5 * match.league.dt)
     return fresh
 
 
 def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
-    """Return distance [m] and bearing [rad] (M,) of the opponent seen in this frame, NaN if none is.
+    """Return distance [m] and bearing [rad] (M,) of the opponent seen in this frame, NaN without one.
 
-    Of several the nearest one: it is that of the largest blob, the others are ghosts or stand behind it.
+    The nearest of several counts: it has the largest blob; the others are ghosts or stand behind it.
     """
     slots = slots_of(match)
     distance = np.where(is_fresh(match, slots), slots["distance"], np.inf)
@@ -75,47 +75,47 @@ def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def places_of(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return where some robots are, x and y (M, n) [m] in robot 0's frame."""
+    """Return the places of some robots, x and y (M, n) [m] in robot 0's frame."""
     return ahead_and_left(match.robots[:, :1], match.robots["x"][:, robots], match.robots["y"][:, robots])
 
 
 def ahead_and_left(eye: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far ahead and to the left of robots some points of the field frame lie [m]."""
+    """Return points of the field frame in the frames of robots: ahead and left [m]."""
     cosine, sine = np.cos(eye["heading"]), np.sin(eye["heading"])
     dx, dy = x - eye["x"], y - eye["y"]
     return cosine * dx + sine * dy, cosine * dy - sine * dx
 
 
 def gaps_to(match: Match, slots: np.ndarray, robots: Any) -> np.ndarray:
-    """Return the distances (M, slots, n) [m] between what slots hold and true robots; `NONE` for empty slots."""
+    """Return the distances (M, slots, n) [m] between slots and true robots; `NONE` for empty slots."""
     x, y = places_of(match, robots)
     gaps = np.hypot(slots["x"][:, :, None] - x[:, None, :], slots["y"][:, :, None] - y[:, None, :])
     return np.where(slots["present"][:, :, None] == 1, gaps, NONE)
 
 
 def matched(gaps: np.ndarray, limit: float) -> np.ndarray:
-    """Return the gap of each player (M, n) to the slot that stands for it, `NONE` for a player without.
+    """Return the gap of each player (M, n) to its slot, `NONE` for a player without a slot.
 
     gaps (M, slots, n). Greedy, the closest pair first, each slot and each player once, pairs within `limit` only.
     """
     left = np.where(gaps <= limit, gaps, NONE)
     count, slots, players = left.shape
-    found, rows = np.full((count, players), NONE), np.arange(count)
+    nearest, rows = np.full((count, players), NONE), np.arange(count)
     for _ in range(min(slots, players)):
         pair = left.reshape(count, -1).argmin(axis=1)
         slot, player = pair // players, pair % players
         gap = left[rows, slot, player]
         ok = np.isfinite(gap)
-        found[rows[ok], player[ok]] = gap[ok]
+        nearest[rows[ok], player[ok]] = gap[ok]
         left[rows[ok], slot[ok], :] = NONE
         left[rows[ok], :, player[ok]] = NONE
-    return found
+    return nearest
 
 
 def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray, np.ndarray]:
     """Return bearings and elevations (M, blobs) [rad] of robot 0's blobs of a colour from its camera, NaN without one.
 
-    The same geometry as soccer_env.optics.head_camera, which works on one robot at a time; a test holds them together.
+    The geometry of soccer_env.optics.head_camera for all robots at once; a test compares the two.
     """
     percept, s = match.percepts[:, 0], match.league.sensors
     blobs = percept[colour]
@@ -138,7 +138,7 @@ def from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def blob_heights(match: Match, r: int = 1) -> np.ndarray:
-    """Return how high over the ground (M, blobs) [m] the middles of the opponents' blobs are, if they are robot r's."""
+    """Return the heights over the ground (M, blobs) [m] of the middles of opponents' blobs, if they are robot r's."""
     away, _ = from_camera(match, [r])
     camera, _ = camera_of(match)
     heights: np.ndarray = camera[:, 2:] + away * np.tan(blob_directions(match)[1])
@@ -146,7 +146,7 @@ def blob_heights(match: Match, r: int = 1) -> np.ndarray:
 
 
 def owners(match: Match, robots: Any) -> np.ndarray:
-    """Return whose the opponents' blobs (M, blobs) are: the place in `robots` of the one nearest aside, -1 without."""
+    """Return the owner of each opponents' blob (M, blobs): index in `robots` of the sideways nearest, -1 if none."""
     bearing, _ = blob_directions(match)
     away, true = from_camera(match, robots)
     aside = np.abs(wrapped(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
@@ -154,7 +154,7 @@ def owners(match: Match, robots: Any) -> np.ndarray:
 
 
 def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
-    """Return the bearings (M, slots) [rad] of what slots hold from robot 0's camera, not from its body's centre."""
+    """Return the bearings (M, slots) [rad] of slots from robot 0's camera, not from its body's centre."""
     camera, _ = camera_of(match)
     ahead, left = ahead_and_left(match.robots[:, 0], camera[:, 0], camera[:, 1])
     bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])

@@ -1,4 +1,4 @@
-"""How many other players a robot keeps track of, and how well: the old system and the new one.  [Sacks 2001, 4.1]"""
+"""The number and accuracy of tracked players: the old system and the new one.  [Sacks 2001, 4.1]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -25,18 +25,18 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 MATCHES = 48
 SETTLE, SECONDS = 6.0, 14.0  # [s]
 EVERY = 8  # control steps between two looks: half a second
-# The system that Sacks found knew one player of each team. Its table is not told ("no careful calibration had been
-# done"): that of the first calibration, from the side and by the box round all blobs, stands for it.
+# The system before Sacks knew one player of each team. Its table is not published ("no careful calibration had been
+# done"): the table of the first calibration, from the side and by the box round all blobs, replaces it.
 NEAREST = {"slots": "nearest"}
 OLD = NEAREST | {"player_view": "side", "player_blob": "combined", "player_infrared": False, "player_odometry": False}
 VARIANTS: dict[str, dict[str, Any]] = {"new": {}, "old": OLD, "new, nearest alone": NEAREST}
-NEAR = 0.5  # [m] within which a slot stands for a player
+NEAR = 0.5  # [m] greatest distance of a slot from its player
 TEAMS = ((True, [1, 2]), (False, [3, 4, 5]))  # team-mates and opponents, by rows
 PLACES = ((-0.2, 0.0), (-0.9, 0.5), (-0.7, -0.6), (0.5, 0.5), (0.6, -0.5), (1.1, 0.1))  # [m]
-SWEEP = 3.0  # [s] in which the head looks from side to side and back
-WIDTH = 1.3  # [rad] to which it does
+SWEEP = 3.0  # [s] of a sweep of the head from side to side and back
+WIDTH = 1.3  # [rad] greatest pan of the sweep
 TILT = -0.10  # [rad]
-KEPT = 2.0  # [s] for which all keep a walk
+KEPT = 2.0  # [s] between two random walks
 
 
 def walk_about(match: Match, actions: np.ndarray, step: int, rng: np.random.Generator) -> None:
@@ -50,9 +50,9 @@ def walk_about(match: Match, actions: np.ndarray, step: int, rng: np.random.Gene
 
 
 def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
-    """Return arrays (M, T): how many of the five others are tracked; range errors [m] of the two nearest in view.
+    """Return the number of tracked players, of five (M, T), and the range errors (M, T, 2) [m].
 
-    Errors (M, T, 2) are of the nearest team-mate and the nearest opponent that the frame shows, NaN without.
+    The errors are of the nearest team-mate and the nearest opponent in the frame, NaN without one.
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, home=3, away=3, memory=memory)
@@ -81,7 +81,7 @@ def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
     """Return the range error (M,) [m] of the nearest player of a team in this frame, NaN if it shows none.
 
-    The player that is meant is the one that is nearest aside.
+    The slot is compared with the player that is nearest to it sideways.
     """
     slots, order = slots_of(match, mates), np.arange(match.count)
     distance = np.where(is_fresh(match, slots), slots["distance"], np.inf)
@@ -95,11 +95,10 @@ def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
 
 
 def compare_systems(batch: Batch) -> Samples:
-    """Return what each variant tracks, and its errors; the scenes are the same."""
+    """Return the tracked players and errors of each variant in equal scenes."""
     samples: Samples = {}
     for name, memory in VARIANTS.items():
-        found = track_all(batch, **memory)
-        samples |= {f"{part} {name}": values for part, values in found.items()}
+        samples |= {f"{part} {name}": values for part, values in track_all(batch, **memory).items()}
     both = np.isfinite(samples["error new"]) & np.isfinite(samples["error old"])
     for name in ("new", "old"):  # the frames that both see
         samples[f"error {name}"] = np.where(both, samples[f"error {name}"], np.nan)
@@ -117,7 +116,7 @@ def error(samples: Samples, name: str) -> float:
 
 
 def tracked_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how often how many players are tracked."""
+    """Draw the distribution of the number of tracked players."""
     curves = [
         Curve(name, range(6), [100 * float(np.mean(samples[f"tracked {name}"] == n)) for n in range(6)])
         for name in VARIANTS
@@ -133,16 +132,9 @@ S32 = Claim(
     f"sweeping, for {SECONDS:g} s; a player is tracked if a slot of its team lies within {100 * NEAR:.0f} cm; range "
     "error of the nearest player of each team in frames that both systems see, same seeds.",
     criteria=(
-        measured(
-            "players tracked, new over old",
-            lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9),
-            at_least=1.8,
-        ),
-        measured(
-            "range error, new over old",
-            lambda samples: error(samples, "new") / max(error(samples, "old"), 1e-9),
-            below=1.0,
-        ),
+        measured("players tracked, new over old",
+                 lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
+        measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
         *(
             reported(f"players tracked of the five others, {name}", partial(recall, name=name), unit="%")
             for name in VARIANTS
@@ -156,6 +148,6 @@ S32 = Claim(
     ingredients=("memory.slots", "the way the head sweeps"),
     note="The table of the old system is not told; the first one of the paper's own calibrations, from the side by all "
     "blobs, stands for it, so that the second criterion compares the new system with its own first version.",
-)
+)  # fmt: skip
 
 CLAIMS = (S32,)

@@ -1,4 +1,4 @@
-"""Under which angles players see each other in play.  [Sacks 2001, 4.1.2]"""
+"""The angles from which players see each other in play.  [Sacks 2001, 4.1.2]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -19,9 +19,9 @@ SECTORS = 12  # of 15 degrees in the histogram, both sides together
 
 
 def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
-    """Return the angles (M, R, R) [rad] under which robots see others, 0 head-on; and whether they have them in view.
+    """Return the angles (M, R, R) [rad] from which robots see others, 0 head-on; and whether the others are in view.
 
-    In view: not farther than FAR, within the camera's width where the head looks now; what hides it is not asked.
+    In view: not farther than FAR, within the camera's width around the head's present direction; occlusion is ignored.
     """
     robots = match.robots
     dx = robots["x"][:, None, :] - robots["x"][:, :, None]  # from the one that looks (axis 1) to the other (axis 2)
@@ -35,7 +35,7 @@ def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def play_matches(batch: Batch, senses: str) -> np.ndarray:
-    """Return how often others are in view in matches of the chaser, by the angle, in SECTORS: counts (M, SECTORS)."""
+    """Count the others in view in matches of the chaser by their angle: counts (M, SECTORS)."""
     match = kick_off(batch, matches=MATCHES, senses=senses)
     counts = np.zeros((MATCHES, SECTORS))
     for step in range(round(SECONDS * match.league.control_rate)):
@@ -66,7 +66,7 @@ def share_of(samples: Samples, third: int) -> float:
 
 
 def lead_of_front(counts: np.ndarray) -> float:
-    """Return by how much the share of head-on views is above the next [%]."""
+    """Return the share of head-on views minus the next third's [%]."""
     front, side, rear = thirds(counts)
     return float(front - max(side, rear))
 
@@ -91,12 +91,8 @@ S69 = Claim(
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
     criteria=(
-        measured(
-            "share of head-on views less the next third's",
-            lambda samples: lead_of_front(samples["sensors"]),
-            unit="%",
-            above=0.0,
-        ),
+        measured("share of head-on views less the next third's", lambda samples: lead_of_front(samples["sensors"]),
+                 unit="%", above=0.0),
         *(reported(f"share {name}", partial(share_of, third=i), unit="%") for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: lead_of_front(s["ideal"]), unit="%"),
     ),
@@ -105,6 +101,6 @@ S69 = Claim(
     seconds=4.0,
     figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
-)
+)  # fmt: skip
 
 CLAIMS = (S69,)

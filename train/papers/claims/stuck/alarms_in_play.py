@@ -1,4 +1,4 @@
-"""When a robot believes in play that it is stuck and is not.  [Sacks 2001, 3.3]"""
+"""False alarms in play: a robot believes that it is stuck and is not.  [Sacks 2001, 3.3]"""
 
 from functools import partial
 
@@ -16,12 +16,12 @@ from soccer_env.train.papers.verdicts import Samples, counted, measured, reporte
 
 MATCHES, PLAY_TIME = 16, 60.0  # of 3 v 3, [s]
 CAUSES = ("receding", "turning", "near", "other")
-USUAL = [0, 1]  # those that the paper names
-BEFORE = 3.0  # [s] before an alarm that tell its cause
-FREE = 0.5  # [1] of that time in contact with somebody, below which nobody stopped the robot
-AWAY = 0.01  # [m/s] of the ball
-ASIDE = 0.3  # [rad] off its bearing
-SLOWLY = 0.2  # [rad/s] of the turn
+USUAL = [0, 1]  # the causes that the paper names
+BEFORE = 3.0  # [s] before an alarm that decide its cause
+FREE = 0.5  # [1] share of this time in contact, below which nobody stopped the robot
+AWAY = 0.01  # [m/s] least speed of a receding ball
+ASIDE = 0.3  # [rad] least bearing of a ball aside
+SLOWLY = 0.2  # [rad/s] least turn rate
 
 
 def signs_of(match: Match, r: int) -> np.ndarray:
@@ -50,17 +50,17 @@ class Approaches:
         self.match, self.watch = match, Watch(match, BEFORE)
         self.signs: list[np.ndarray] = []
         self.was = np.zeros(match.robots.shape, int)
-        self.goes = np.zeros(match.robots.shape, bool)  # after the ball, also while it is lost for a moment
+        self.goes = np.zeros(match.robots.shape, bool)  # goes for the ball, also while it is lost for a moment
         self.found = {name: np.zeros(match.count) for name in ("approaches", "recoveries", "usual free", "free")}
         self.causes = np.zeros((match.count, len(CAUSES)))
 
     def look(self, step: int) -> None:
-        """Note what a control step has brought."""
+        """Note a control step."""
         match, rows = self.match, range(self.match.robots.shape[1])
         self.watch.look()
         self.signs = [*self.signs[1 - self.watch.size :], np.stack([signs_of(match, r) for r in rows], axis=-1)]
         now = behaviours(match)
-        begins = (now == BACK) & (self.was != BACK) & (self.was != OUT)  # who comes back goes on with what it did
+        begins = (now == BACK) & (self.was != BACK) & (self.was != OUT)  # a robot that returns resumes its behaviour
         self.found["approaches"] += ((now == APPROACH) & ~self.goes).sum(axis=1)
         self.goes = (now == APPROACH) | (self.goes & (now == SEARCH))
         self.found["recoveries"] += begins.sum(axis=1)
@@ -74,7 +74,7 @@ class Approaches:
                 self.found["usual free"][m] += self.cause(m, r) in USUAL
 
     def cause(self, m: int, r: int) -> int:
-        """Return the cause that the last seconds of a robot would have."""
+        """Return the cause of an alarm, by the last seconds of a robot."""
         return cause_of(np.mean([sign[:, m, r] for sign in self.signs], axis=0))
 
 
@@ -92,7 +92,7 @@ def causes(batch: Batch) -> Samples:
 
 
 def more_usual(samples: Samples) -> float:
-    """Return by how much [pp] receding and turning are more frequent before false alarms than in free approaches."""
+    """Return the share of receding and turning before false alarms minus the share in free approaches [pp]."""
     alarms, free = samples["alarms"].sum(), samples["free"].sum()
     if not alarms or not free:
         return float("nan")
@@ -102,8 +102,8 @@ def more_usual(samples: Samples) -> float:
 def by_cause(samples: Samples) -> np.ndarray:
     """Return the shares [%] of the causes in all false alarms of play."""
     total = samples["causes"].sum()
-    found: np.ndarray = 100.0 * samples["causes"].sum(axis=0) / total if total else np.full(len(CAUSES), np.nan)
-    return found
+    shares: np.ndarray = 100.0 * samples["causes"].sum(axis=0) / total if total else np.full(len(CAUSES), np.nan)
+    return shares
 
 
 def share_of(samples: Samples, cause: int) -> float:
@@ -127,21 +127,14 @@ S24 = Claim(
             reported(f"false alarms in play: {name}", partial(share_of, cause=i), unit="%")
             for i, name in enumerate(CAUSES)
         ),
-        reported(
-            "receding or turning in free approaches",
-            lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0),
-            unit="%",
-        ),
+        reported("receding or turning in free approaches",
+                 lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0), unit="%"),
         reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
         reported("false alarms in play, in all", lambda s: float(s["alarms"].sum())),
-        reported(
-            "recoveries that are false alarms",
-            lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0),
-            unit="%",
-        ),
-        reported(
-            "staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(), unit="%"
-        ),
+        reported("recoveries that are false alarms",
+                 lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0), unit="%"),
+        reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(),
+                 unit="%"),
     ),
     rules=PLAYED_AND_STAGED,
     measure=causes,
@@ -149,6 +142,6 @@ S24 = Claim(
     seconds=4.5,
     batches=12,
     least=4,
-)
+)  # fmt: skip
 
 CLAIMS = (S24,)

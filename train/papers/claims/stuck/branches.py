@@ -1,4 +1,4 @@
-"""What becomes of robots that were held in play: the future of sampled moments, with the recovery and without."""
+"""The fate of robots that were held in play: the future of sampled moments, with the recovery and without."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,28 +12,19 @@ from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.stuck.runs import recover
-from soccer_env.train.papers.claims.stuck.sampled import (
-    HELD,
-    MATCHES,
-    MOST,
-    Moments,
-    Watch,
-    behaviours,
-    branch,
-    sample,
-)
+from soccer_env.train.papers.claims.stuck.sampled import HELD, MATCHES, MOST, Moments, Watch, behaviours, branch, sample
 from soccer_env.train.papers.staging import play, wrapped
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import AWAY, HOME, NO_TEAM
 
 FUTURE = 24.0  # [s] of a branch
-FREE_TIME = 1.0  # [s] of walking as asked, in contact with nobody, after which a robot is free; assumed
-AS_ASKED = 0.5  # [1] of the way that its legs walk, assumed
+FREE_TIME = 1.0  # [s] of walking as commanded, without contact, after which a robot is free; assumed
+AS_COMMANDED = 0.5  # [1] least share of the way that its legs walk, assumed
 NUMBERS = ("got", "freed", "began", "aside", "over", "again", "tries", "goals", "before", "after", "at ball")
 
 
 class Fate:
-    """What robots, one in each match, come to: times [s] since the moment, NaN for what does not happen (N,)."""
+    """The fate of robots, one in each match: times [s] of events since the moment (N,), NaN for no event."""
 
     def __init__(self, match: Match, robots: np.ndarray) -> None:
         self.match, self.robots, self.rows = match, robots, np.arange(match.count)
@@ -45,7 +36,7 @@ class Fate:
         self.ended = np.zeros(match.count, bool)  # by a goal: what follows is another situation
 
     def look(self, now: float) -> None:
-        """Note what a control step has brought."""
+        """Note a control step."""
         match, at = self.match, (self.rows, self.robots)
         self.watch.look()
         doing = behaviours(match)[at]
@@ -71,28 +62,28 @@ class Fate:
         self.ended |= scored != NO_TEAM
 
     def first(self, name: str, happens: np.ndarray, now: float) -> None:
-        """Note when something happens for the first time."""
+        """Note the time of an event's first occurrence."""
         self.found[name][happens & ~self.ended & np.isnan(self.found[name])] = now
 
     def goes_freely(self, recovers: np.ndarray) -> np.ndarray:
-        """Return who has walked as asked for FREE_TIME, or stood if nothing was asked, in contact with nobody."""
+        """Tell which robots have moved as commanded for FREE_TIME, without contact."""
         match, at = self.match, (self.rows, self.robots)
         robot = match.robots[at]
-        asked = np.hypot(robot["walk"]["forward"], robot["walk"]["left"])
-        goes = np.hypot(robot["vx"], robot["vy"]) >= AS_ASKED * asked
+        commanded = np.hypot(robot["walk"]["forward"], robot["walk"]["left"])
+        goes = np.hypot(robot["vx"], robot["vy"]) >= AS_COMMANDED * commanded
         free = goes & ~recovers & (match.robot_events["collision"][at] == 0) & (robot["active"] == 1)
         self.clear = np.where(free, self.clear + match.league.dt, 0.0)
-        found: np.ndarray = self.clear >= FREE_TIME
-        return found
+        free_long: np.ndarray = self.clear >= FREE_TIME
+        return free_long
 
 
 def has_alone(match: Match, robots: np.ndarray) -> np.ndarray:
-    """Return which of the robots, one in each match, have the ball while no opponent has it."""
+    """Tell which of the robots, one in each match, have the ball while no opponent has it."""
     at = (np.arange(match.count), robots)
     has = match.robots["has_ball"] == 1
     theirs = (has & (match.robots["team"] != match.robots["team"][at][:, None])).any(axis=1)
-    found: np.ndarray = has[at] & ~theirs
-    return found
+    alone: np.ndarray = has[at] & ~theirs
+    return alone
 
 
 def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
@@ -108,17 +99,17 @@ def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
 def follow(
     batch: Batch, *, begun: bool = False, kind: int = HELD, random_sides: bool = False, **settings: Any
 ) -> Samples:
-    """Return what becomes of the robots of sampled moments, (MATCHES, MOST) each, with settings by name for them.
+    """Return the fate of the robots of sampled moments, (MATCHES, MOST) each, with settings by name for them.
 
-    NaN: no such moment, or it did not happen. `begun`: they begin to recover at once, as if they had noticed;
-    `random_sides`: they step aside to a side that is drawn.
+    NaN: no such moment, or no event. `begun`: they begin to recover at once, as if they had noticed;
+    `random_sides`: they step aside to a random side.
     """
     return _follow(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
 
 
 @lru_cache(maxsize=1024)
 def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]) -> Samples:
-    """Return the same of arguments that can be looked up."""
+    """Return `follow` for hashable arguments, which the cache needs."""
     moments = sample(batch)
     place = places(moments)
     found = {
@@ -159,12 +150,12 @@ def run(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_side
 def places(moments: Moments) -> np.ndarray:
     """Return the number of each moment within its match."""
     before = moments.match[:, None] == moments.match[None, :]
-    found: np.ndarray = np.tril(before, -1).sum(axis=1)
-    return found
+    numbers: np.ndarray = np.tril(before, -1).sum(axis=1)
+    return numbers
 
 
 def chosen(found: Samples, **flags: float) -> np.ndarray:
-    """Return which moments (MATCHES, MOST) there are, of those whose flags are as asked: still=1.0, near=0.0."""
+    """Tell which moments (MATCHES, MOST) exist and have the given flags, such as still=1.0, near=0.0."""
     there: np.ndarray = np.isfinite(found["near"])
     for name, value in flags.items():
         there = there & (found[name] == value)
@@ -172,6 +163,6 @@ def chosen(found: Samples, **flags: float) -> np.ndarray:
 
 
 def shares_of(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the numbers of moments and of hits among them in each match (MATCHES,), flags as asked."""
+    """Return the numbers of moments with the given flags, and of hits among them, in each match (MATCHES,)."""
     there = chosen(found, **flags)
     return there.sum(axis=1).astype(float), (there & hit(found)).sum(axis=1).astype(float)

@@ -1,4 +1,4 @@
-"""Collisions on the way to the ball: how common they are, and that robots stay in them.  [Sacks 2001, 1, 3]"""
+"""Collisions on the way to the ball: their frequency, and their duration.  [Sacks 2001, 1, 3]"""
 
 from collections.abc import Sequence
 
@@ -18,16 +18,16 @@ OFF = "sacks-2001:recovery=False,avoidance=False"  # "everything off": S01
 MATCHES, SECONDS = 12, 120.0  # of 3 v 3, [s] of each: S01
 CROWD, NEAR = 3, 0.5  # [1] robots within [m] of the ball, assumed: S01
 PART = 1.0  # [s] without contact that ends an episode
-MOVED = 0.1  # [m] by which a ball that lies still moves at most, assumed: S03
-PAIRS, COME, DEADLOCK = 64, 12.0, 20.0  # pairs a batch, [s] in which they come to hold each other, [s] then: S03
+MOVED = 0.1  # [m] greatest movement of a still ball, assumed: S03
+PAIRS, COME, DEADLOCK = 64, 12.0, 20.0  # pairs a batch, [s] for them to hold each other, [s] after that: S03
 
 
 def near_ball(match: Match) -> np.ndarray:
-    """Return how many robots (M,) on the field are nearer to the ball than NEAR."""
+    """Return the number of robots (M,) on the field within NEAR of the ball."""
     robots, ball = match.robots, match.balls
     away = np.hypot(robots["x"] - ball["x"][:, None], robots["y"] - ball["y"][:, None])
-    found: np.ndarray = ((away < NEAR) & (robots["active"] == 1)).sum(axis=1)
-    return found
+    count: np.ndarray = ((away < NEAR) & (robots["active"] == 1)).sum(axis=1)
+    return count
 
 
 def contacts(batch: Batch) -> Samples:
@@ -61,12 +61,8 @@ S01 = Claim(
     f"{100 * NEAR:.0f} cm of the ball; approaches to the ball in which the robot touches another.",
     criteria=(
         measured("contact episodes a minute and match", lambda s: mean(s["episodes"]) * 60.0 / SECONDS, at_least=1.0),
-        measured(
-            "time with three robots and more near the ball",
-            lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
-            unit="%",
-            at_least=10.0,
-        ),
+        measured("time with three robots and more near the ball", lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
+                 unit="%", at_least=10.0),
         counted("approaches in which the robot touches another", "met", "approaches", at_least=20.0),
         reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
     ),
@@ -75,11 +71,11 @@ S01 = Claim(
     ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
     seconds=4.0,
     batches=8,
-)
+)  # fmt: skip
 
 
 def deadlocks(batch: Batch, recovery: bool) -> Samples:
-    """Let pairs go for a ball; return who came to be held short of it, who then had nothing 20 s later, and when."""
+    """Let pairs go for a ball; return the pairs held short of it, those without the ball 20 s later, and the times."""
     match = converge(batch, PAIRS, recovery=recovery)
     watch = Watch(match)
     held, got = np.full(PAIRS, np.nan), np.full(PAIRS, np.inf)
@@ -94,12 +90,12 @@ def deadlocks(batch: Batch, recovery: bool) -> Samples:
     match.close()
     after = got - held
     without = after > DEADLOCK
-    found = {"held": ~np.isnan(held), "without": without, "stuck": without & ~moved}
-    return {**{name: values.astype(float) for name, values in found.items()}, "until": after}
+    flags = {"held": ~np.isnan(held), "without": without, "stuck": without & ~moved}
+    return {**{name: values.astype(float) for name, values in flags.items()}, "until": after}
 
 
 def pairs(batch: Batch) -> Samples:
-    """Return both variants (M,), and who of the robots that are held in play is not free 20 s later (M,)."""
+    """Return both variants (M,), and the robots held in play that are not free 20 s later (M,)."""
     off, on = deadlocks(batch, False), deadlocks(batch, True)
     held, bound = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK))
     lay, still = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK), still=1.0)
@@ -109,7 +105,7 @@ def pairs(batch: Batch) -> Samples:
 
 
 def deadlock_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how many of those that came to be held have nothing by when."""
+    """Draw the share of held pairs without the ball against the time."""
     grid = np.linspace(0.0, DEADLOCK, 41)
     curves = []
     for name, title in (("", "no detection"), (" on", "detection and recovery")):
@@ -132,16 +128,10 @@ S03 = Claim(
         counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
         reported("the same wherever the ball is then", lambda s: percent("without", "held", s), unit="%"),
         reported("pairs that come to be held", lambda s: percent("held", "one", s), unit="%"),
-        reported(
-            "median time until one has the ball (20: nobody)",
-            lambda s: median(np.minimum(s["until"], DEADLOCK)),
-            unit="s",
-        ),
-        reported(
-            "held pairs without the ball 20 s later, with recovery",
-            lambda s: percent("without on", "held on", s),
-            unit="%",
-        ),
+        reported("median time until one has the ball (20: nobody)", lambda s: median(np.minimum(s["until"], DEADLOCK)),
+                 unit="s"),
+        reported("held pairs without the ball 20 s later, with recovery", lambda s: percent("without on", "held on", s),
+                 unit="%"),
         reported("robots held in play, not free 20 s later", lambda s: percent("play bound", "play", s), unit="%"),
         reported("the same where the ball lay still", lambda s: percent("lay bound", "lay", s), unit="%"),
     ),
@@ -154,6 +144,6 @@ S03 = Claim(
     "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
     seconds=4.0,
     batches=12,
-)
+)  # fmt: skip
 
 CLAIMS = (S01, S03)

@@ -17,8 +17,8 @@ from soccer_env.train.papers.verdicts import Samples, counted, measured, reporte
 HELD = 64  # robots a batch that are held
 WALK = 1.5  # [s] of free walk before
 LIMIT, LATE, LATEST = 5.0, 8.0, 20.0  # [s] assumed: S22
-WAIT = 12.0  # [s] for which a held robot may think
-NEAREST = 0.2  # [m] of the ball, 3.3 and assumed; so are the three below
+WAIT = 12.0  # [s] for a held robot to notice
+NEAREST = 0.2  # [m] of the ball, 3.3 and assumed, like the three below
 NEAR = 0.35  # [m]
 MIDDLE = 0.6  # [m]
 FARTHEST = 0.8  # [m]
@@ -35,9 +35,9 @@ WINDOW = 2.5  # [s] over which the velocity is averaged, assumed
 
 
 def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Hold robots on their way to a still ball; return its distance then [m] and the time until they notice [s], (M,).
+    """Hold robots on their way to a still ball; return its distance [m] and the time until they notice [s], (M,).
 
-    The distance is from the camera. inf: not within WAIT; NaN: before.
+    The distance is from the camera. inf: not within WAIT; NaN: noticed before the hold.
     """
     match = walk_up(batch, HELD, NEAREST + 0.1, FARTHEST + 0.1, **settings)
     for _ in play(match, WALK):
@@ -55,16 +55,17 @@ def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
 def held(batch: Batch) -> Samples:
     """Return distances and latencies of held robots (M,), and the counts of criteria."""
     distance, after = latencies(batch)
-    found = {"distance": distance, "after": after}
+    samples = {"distance": distance, "after": after}
     for name, seconds, low, high in COUNTED:
         trials = (distance >= low) & (distance < high) & ~np.isnan(after)
-        found[f"trials {name}"], found[f"in {name}"] = trials.astype(float), (trials & (after <= seconds)).astype(float)
+        samples[f"trials {name}"] = trials.astype(float)
+        samples[f"in {name}"] = (trials & (after <= seconds)).astype(float)
     fate = follow(batch, recovery=True)
     for name, seconds in (("5 s", LIMIT), ("20 s", LATEST)):
         robots, known = shares_of(fate, lambda f, limit=seconds: f["began"] <= limit)  # type: ignore[misc]
         for word, counts in (("robots", robots), ("known", known)):
-            found[f"{word} {name}"] = np.concatenate([counts, np.zeros(HELD - len(counts))])
-    return found
+            samples[f"{word} {name}"] = np.concatenate([counts, np.zeros(HELD - len(counts))])
+    return samples
 
 
 def latency_figure(samples: Samples) -> Sequence[Figure]:
@@ -91,9 +92,7 @@ S22 = Claim(
         counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
         reported("ball at 20 to 35 cm: noticed within 5 s", partial(percent, "in near", "trials near"), unit="%"),
         reported(
-            "ball at 20 to 35 cm: noticed within 10 s",
-            partial(percent, "in near, late", "trials near, late"),
-            unit="%",
+            "ball at 20 to 35 cm: noticed within 10 s", partial(percent, "in near, late", "trials near, late"), unit="%"
         ),
         reported("ball at 35 to 60 cm: noticed within 5 s", partial(percent, "in middle", "trials middle"), unit="%"),
         reported("ball at 60 to 80 cm: noticed within 5 s", partial(percent, "in far", "trials far"), unit="%"),
@@ -118,9 +117,9 @@ S22 = Claim(
 
 
 def windows(batch: Batch) -> Samples:
-    """Return the mean radial velocity [m/s] of windows of play, of robots that go freely and of held ones (M, K).
+    """Return the mean radial velocities [m/s] of windows of play, of free robots and of held ones (M, K).
 
-    Windows do not overlap; NaN: no more of them in a match.
+    Windows do not overlap; NaN: no further window in the match.
     """
     match = kick_off(batch, matches=MATCHES, team=BASE)
     watch = Watch(match, WINDOW)
@@ -142,7 +141,7 @@ def windows(batch: Batch) -> Samples:
 
 
 def area(samples: Samples) -> float:
-    """Return the area under the ROC curve: how often a stuck robot reads more than a free one."""
+    """Return the area under the ROC curve: the probability that a stuck robot reads more than a free one."""
     free, stuck = known(samples["free"]), known(samples["stuck"])
     if len(stuck) == 0:
         return float("nan")
@@ -152,7 +151,7 @@ def area(samples: Samples) -> float:
 
 
 def velocity_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the distributions of both."""
+    """Draw the distributions of the velocities of free and held robots."""
     edges = np.linspace(-0.2, 0.1, 25)
     curves = []
     for name, title in (("free", "walks freely"), ("stuck", "held")):

@@ -1,4 +1,4 @@
-"""When a robot that nothing stops believes that it is stuck: in staged approaches.  [Sacks 2001, 3.3]"""
+"""False alarms in staged approaches: a robot that nothing stops believes that it is stuck.  [Sacks 2001, 3.3]"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -24,7 +24,7 @@ TRIES, TIME = 48, 20.0  # approaches of each kind a batch, [s] of each at most
 
 
 def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
-    """Let robots that nothing stops go to a ball anywhere round them; return who (M,) gave a false alarm.
+    """Let robots that nothing stops go to a ball anywhere round them; return the false alarms (M,).
 
     An alarm is a recovery that begins before the robot has the ball.
     """
@@ -56,7 +56,7 @@ def one_and_two(batch: Batch) -> Samples:
 
 
 def fewer(samples: Samples, name: str) -> float:
-    """Return how many times fewer alarms there are with two counters; half an alarm stands for none; NaN: no alarm."""
+    """Return the alarms with one counter over those with two, where half an alarm replaces none; NaN: no alarm."""
     one, two = samples[f"{name} 1"].sum(), samples[f"{name} 2"].sum()
     return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
 
@@ -115,7 +115,7 @@ def falses(samples: Samples) -> list[float]:
 
 
 def sweep_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw both against the threshold."""
+    """Draw delay and false alarms against the threshold."""
     delay = Curve("held robots", COUNTS, delays(samples))
     false = Curve("free robots", COUNTS, falses(samples))
     return (
@@ -132,22 +132,12 @@ S25 = Claim(
     f"35 to 80 cm, and {2 * TRIES} approaches to a ball 40 to 90 cm away in any direction, half of them to one that "
     f"rolls at {100 * ROLLS[0]:.0f} to {100 * ROLLS[1]:.0f} cm/s; each recovery there is a false alarm.",
     criteria=(
-        measured(
-            "least rise of the delay from threshold to threshold",
-            lambda s: least_rise(delays(s)),
-            unit="s",
-            above=0.0,
-        ),
-        measured(
-            "least fall of the false alarms in 100 approaches",
-            lambda s: least_rise([-v for v in falses(s)]),
-            at_least=0.0,
-        ),
-        measured(
-            "false alarms in 100 approaches: least threshold less greatest",
-            lambda s: falses(s)[0] - falses(s)[-1],
-            above=0.0,
-        ),
+        measured("least rise of the delay from threshold to threshold", lambda s: least_rise(delays(s)), unit="s",
+                 above=0.0),
+        measured("least fall of the false alarms in 100 approaches", lambda s: least_rise([-v for v in falses(s)]),
+                 at_least=0.0),
+        measured("false alarms in 100 approaches: least threshold less greatest",
+                 lambda s: falses(s)[0] - falses(s)[-1], above=0.0),
         reported("least threshold: delay", lambda s: delays(s)[0], unit="s"),
         reported("greatest threshold: delay", lambda s: delays(s)[-1], unit="s"),
     ),
@@ -157,6 +147,6 @@ S25 = Claim(
     ingredients=("the second counter stays at 8 s",),
     seconds=4.0,
     batches=6,
-)
+)  # fmt: skip
 
 CLAIMS = (S23, S25)

@@ -14,8 +14,8 @@ from soccer_env.train.papers.verdicts import Samples, counted, measured, reporte
 
 BACK_STEPS = (2, 5, 10, 15)  # S26
 AGAIN = 5.0  # [s] "immediately", assumed: S26
-CLEAR = 10.0  # [s] after a recovery in which one that has cleared the way is not held again, assumed: S27
-FREE = 10.0  # [s] within which a robot is to be free: S29
+CLEAR = 10.0  # [s] after a recovery without being held again that count as clear, assumed: S27
+FREE = 10.0  # [s] for a robot to get free: S29
 FEW = 3  # tries: S29
 QUICK: dict[str, Any] = {"stuck_count": 5, "near_time": 1.0}  # readings, [s]: with these most notice soon: S29
 SITUATIONS = {  # in which robots are held: S29
@@ -33,16 +33,16 @@ HELD = "who holds it goes on playing: sacks-2001 without recovery"
 
 
 def stuck_again(batch: Batch, way_back: bool = False) -> Samples:
-    """Return who is held again within AGAIN after the recovery, for each number of steps back (M, moments, numbers).
+    """Tell who is held again within AGAIN after the recovery, for each number of steps back (M, moments, numbers).
 
-    `way_back`: the time that it takes to walk as far ahead as it went back does not count.
+    `way_back`: subtract the time to walk the steps forward again.
     """
-    found = []
+    columns = []
     for steps in BACK_STEPS:
         fate = follow(batch, begun=True, back_steps=steps)
         after = fate["again"] - fate["over"] - (0.5 * steps * BACK_PACE if way_back else 0.0)
-        found.append(np.where(np.isfinite(fate["over"]), (after <= AGAIN).astype(float), np.nan))
-    return {"again": np.stack(found, axis=-1)}
+        columns.append(np.where(np.isfinite(fate["over"]), (after <= AGAIN).astype(float), np.nan))
+    return {"again": np.stack(columns, axis=-1)}
 
 
 BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
@@ -59,7 +59,7 @@ def share(samples: Samples, number: int) -> float:
 
 
 def ten_over_fewer(samples: Samples) -> float:
-    """Return the share held again after 10 steps over the mean of those after 2 and 5; NaN: nobody is."""
+    """Return the share held again after 10 steps over the mean share after 2 and 5; NaN: nobody is held."""
     two, five, ten, _ = shares(samples)
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
@@ -95,27 +95,19 @@ S26 = Claim(
 
 
 def sides(batch: Batch) -> Samples:
-    """Return misalignments [deg] and who cleared the way, (M, moments) and counts (M,), and with a drawn side."""
-    found: Samples = {}
+    """Return misalignments [deg] (M, moments) and counts of clear ways (M,), also with a random side ("... either")."""
+    samples: Samples = {}
     for word, drawn in (("", False), (" either", True)):
         fate = follow(batch, begun=True, random_sides=drawn)
-        aside, clear = shares_of(
-            stepped(fate), lambda f: ~(f["again"] - f["over"] <= CLEAR) & np.isfinite(f["over"]), stepped=1.0
-        )
         there = np.isfinite(fate["aside"])
-        found |= {
-            f"aside{word}": aside,
-            f"clear{word}": clear,
-            f"before{word}": np.where(there, fate["before"], np.nan),
-        }
-        found[f"after{word}"] = np.where(there, fate["after"], np.nan)
-        found[f"at ball{word}"] = np.where(there & (fate["got"] >= fate["over"]), fate["at ball"], np.nan)
-    return found
-
-
-def stepped(fate: Samples) -> Samples:
-    """Return the same with a flag of those that stepped aside."""
-    return {**fate, "stepped": np.isfinite(fate["aside"]).astype(float)}
+        aside, clear = shares_of(
+            {**fate, "stepped": there.astype(float)},
+            lambda f: ~(f["again"] - f["over"] <= CLEAR) & np.isfinite(f["over"]), stepped=1.0,
+        )  # fmt: skip
+        samples |= {f"aside{word}": aside, f"clear{word}": clear}
+        samples |= {f"{time}{word}": np.where(there, fate[time], np.nan) for time in ("before", "after")}
+        samples[f"at ball{word}"] = np.where(there & (fate["got"] >= fate["over"]), fate["at ball"], np.nan)
+    return samples
 
 
 def change(samples: Samples, name: str = "", until: str = "at ball") -> float:
@@ -135,20 +127,13 @@ S27 = Claim(
         counted("cleared the obstacle: at least 50 %", "clear", "aside", at_least=50.0),
         counted("cleared the obstacle: at most 95 %", "clear", "aside", at_most=95.0),
         measured("change of the misalignment until the robot has the ball", change, unit="deg", below=0.0),
-        measured(
-            "misalignment when it has the ball, less that with a random side",
-            lambda s: mean(s["at ball"] - s["at ball either"]),
-            unit="deg",
-            below=0.0,
-        ),
+        measured("misalignment when it has the ball, less that with a random side",
+                 lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
         reported("cleared with a random side", partial(percent, "clear either", "aside either"), unit="%"),
         reported("the same change with a random side", lambda s: change(s, " either"), unit="deg"),
         reported("change of the misalignment by the recovery alone", partial(change, until="after"), unit="deg"),
-        reported(
-            "misalignment right after it, less that with a random side",
-            lambda s: mean(s["after"]) - mean(s["after either"]),
-            unit="deg",
-        ),
+        reported("misalignment right after it, less that with a random side",
+                 lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
         reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
     ),
     rules=PLAYED_AND_STAGED,
@@ -159,31 +144,28 @@ S27 = Claim(
     seconds=3.0,
     batches=12,
     least=4,
-)
+)  # fmt: skip
 
 
 def attempts(batch: Batch) -> Samples:
-    """Return what becomes of held robots (M, moments): recovering at once, when they notice, and not at all."""
-    found: Samples = {"one": np.zeros(0), "few": np.zeros(0)}
-    variants = {
-        "begun": follow(batch, begun=True),
-        "on": follow(batch, recovery=True),
-        "off": follow(batch, recovery=False),
-        "quick": follow(batch, **QUICK),
-    }
+    """Return the fate of held robots (M, moments): recovering at once, when they notice, and not at all."""
+    samples: Samples = {}
+    variants = {"begun": follow(batch, begun=True), "on": follow(batch, recovery=True),
+                "off": follow(batch, recovery=False), "quick": follow(batch, **QUICK)}  # fmt: skip
     for word, fate in variants.items():
         there = np.isfinite(fate["near"])
         for name in ("freed", "got"):
-            found[f"{name} {word}"] = np.where(there, np.nan_to_num(fate[name], nan=np.inf), np.nan)
-        found[f"goals {word}"], found[f"tries {word}"] = fate["goals"], fate["tries"]
+            samples[f"{name} {word}"] = np.where(there, np.nan_to_num(fate[name], nan=np.inf), np.nan)
+        samples[f"goals {word}"], samples[f"tries {word}"] = fate["goals"], fate["tries"]
     for name in ("still", "near", "theirs"):
-        found[name] = variants["on"][name]
-    found["one"], found["few"] = shares_of(variants["begun"], lambda f: np.isfinite(f["freed"]) & (f["tries"] <= FEW))
-    return found
+        samples[name] = variants["on"][name]
+    few_tries = shares_of(variants["begun"], lambda f: np.isfinite(f["freed"]) & (f["tries"] <= FEW))
+    samples["one"], samples["few"] = few_tries
+    return samples
 
 
 def within(samples: Samples, name: str, seconds: float, flags: dict[str, float]) -> float:
-    """Return the share [%] of robots that were free, or had the ball, in time; flags as asked."""
+    """Return the share [%] of robots with the given flags that were free, or had the ball, in time."""
     times = samples[name]
     for flag, value in flags.items():
         times = np.where(samples[flag] == value, times, np.nan)
@@ -191,14 +173,15 @@ def within(samples: Samples, name: str, seconds: float, flags: dict[str, float])
 
 
 def gain(samples: Samples, name: str = "freed", word: str = "begun", flags: dict[str, float] | None = None) -> float:
-    """Return by how much [pp] more robots are free, or have the ball, with a recovery than without."""
-    asked = flags or {}
+    """Return the share of robots free, or with the ball, with a recovery minus the share without [pp]."""
     seconds = FREE if name == "freed" else FUTURE
-    return within(samples, f"{name} {word}", seconds, asked) - within(samples, f"{name} off", seconds, asked)
+    return within(samples, f"{name} {word}", seconds, flags or {}) - within(
+        samples, f"{name} off", seconds, flags or {}
+    )
 
 
 def tries_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how many are free by when."""
+    """Draw the share of free robots against the time."""
     grid = np.linspace(0.0, FUTURE, 49)
     curves = []
     for word, title in (("begun", "recover at once"), ("on", "recover when they notice"), ("off", "push on")):
@@ -225,29 +208,22 @@ S29 = Claim(
         measured("cases that take more than one try, until it has the ball", several, unit="%", at_least=5.0),
         measured("free within 10 s: recovering less pushing on", gain, unit="pp", above=0.0),
         reported("free within 10 s, pushing on", partial(within, name="freed off", seconds=FREE, flags={}), unit="%"),
-        reported(
-            "when they notice by themselves: free within 10 s, less pushing on", partial(gain, word="on"), unit="pp"
-        ),
-        reported(
-            "noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
-            partial(gain, word="quick"),
-            unit="pp",
-        ),
+        reported("when they notice by themselves: free within 10 s, less pushing on", partial(gain, word="on"),
+                 unit="pp"),
+        reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
+                 partial(gain, word="quick"), unit="pp"),
         reported("the same: ball got, less pushing on", partial(gain, name="got", word="quick"), unit="pp"),
         *(
             reported(f"{title}: free within 10 s, recovering less pushing on", partial(gain, flags=flags), unit="pp")
             for title, flags in SITUATIONS.items()
         ),
         *(
-            reported(
-                f"{title}: ball got, recovering less pushing on", partial(gain, name="got", flags=flags), unit="pp"
-            )
+            reported(f"{title}: ball got, recovering less pushing on", partial(gain, name="got", flags=flags),
+                     unit="pp")
             for title, flags in {"all": {}, **SITUATIONS}.items()
         ),
-        reported(
-            "goals in 100, recovering less pushing on",
-            lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"])),
-        ),
+        reported("goals in 100, recovering less pushing on",
+                 lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     ),
     rules=PLAYED_AND_STAGED,
     measure=attempts,
@@ -260,6 +236,6 @@ S29 = Claim(
     seconds=3.0,
     batches=12,
     least=4,
-)
+)  # fmt: skip
 
 CLAIMS = (S26, S27, S29)

@@ -1,8 +1,7 @@
-"""Runs of a robot that makes for a ball and is stopped on the way, for the claims on collisions.  [Sacks 2001, 3]
+"""Runs of a robot that goes for a ball and is stopped on the way, for the claims on collisions.  [Sacks 2001, 3]
 
-A robot that walks slides past another sooner or later, and moves one that stands by millimetres.
-Where a claim is about a robot that is stuck, it is therefore held (`hold`: its legs slip), or what it walks into is
-(`anchor`).
+A walking robot slides past another sooner or later, and moves a standing robot by millimetres. Claims about a stuck
+robot therefore hold it (`hold`: its legs slip), or fix the robot in its way (`anchor`).
 """
 
 from collections.abc import Sequence
@@ -19,9 +18,9 @@ from soccer_env.train.papers.staging import LEGGED, ahead_of, begin, put, put_ba
 
 HEAVY = 1e4  # [kg], [kg m2]
 NO_GRIP = 1e-6  # [m/s2] traction of legs that slip on the spot
-ABREAST = 0.16  # [m] aside at which two robots just pass each other
-OVERLAP = 0.08  # [m] of bodies at most: with more the ball is hidden
-POST, BEYOND = (0.33, 0.4), (0.22, 0.35)  # [m] of the one in the way, and of the ball beyond it
+ABREAST = 0.16  # [m] sideways distance at which two robots just pass each other
+OVERLAP = 0.08  # [m] greatest overlap of bodies: with more the ball is hidden
+POST, BEYOND = (0.33, 0.4), (0.22, 0.35)  # [m] of the robot in the way, and of the ball beyond it
 AHEAD, ANGLE = (0.5, 0.7), (np.pi / 6.0, 2.0 * np.pi / 3.0)  # [m] of the ball before a camera, [rad] between ways
 START = -0.9  # [m] x of the robot at the start
 
@@ -39,7 +38,7 @@ def recovers(match: Match) -> np.ndarray:
 
 
 def hold(match: Match) -> None:
-    """Immobilise robots: from now on they go nowhere, whatever their legs do; they can still turn."""
+    """Immobilise robots: from now on their legs slip; they can still turn."""
     constants_of(match)["drive_traction"] = constants_of(match)["drive_thrust"] = NO_GRIP
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
@@ -47,7 +46,7 @@ def hold(match: Match) -> None:
 
 
 def anchor(match: Match, rows: Sequence[int]) -> None:
-    """Make robots so heavy that nobody moves them at all."""
+    """Make robots so heavy that nobody can move them."""
     set_mass(match, rows, HEAVY, HEAVY)
 
 
@@ -83,10 +82,10 @@ def converge(batch: Batch, matches: int, **settings: Any) -> Match:
 
 
 def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) -> Match:
-    """Return matches in which a robot that nobody pushes aside stands in robot 0's way to a still ball.
+    """Return matches in which an immovable robot stands in robot 0's way to a still ball.
 
-    It stands aside of the straight way, so far that the ball is seen past it, and their bodies overlap by up to
-    OVERLAP; the ways (M,) [rad] are up to `ways` off the goal's direction.
+    It stands beside the straight way, so that the ball is seen past it, and their bodies overlap by up to OVERLAP; the
+    ways (M,) [rad] are up to `ways` off the goal's direction.
     """
     rng = batch.rng()
     match = seekers(batch, matches, **settings)

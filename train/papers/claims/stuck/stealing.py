@@ -1,4 +1,4 @@
-"""Stealing the ball: whether running into an opponent that has it helps.  [Sacks 2001, 4]"""
+"""Stealing the ball by running into the opponent that has it.  [Sacks 2001, 4]"""
 
 from typing import Any
 
@@ -16,10 +16,10 @@ JUST = 0.25  # [s] after a touch in which a ball that is lost was lost by it, as
 
 
 def steal(batch: Batch, avoid: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Let a robot chase an opponent that has the ball; return who won it within STEAL_TIME (M,), and who by contact.
+    """Let a robot chase an opponent that has the ball; return balls won (M,), won by contact, and calls of the referee.
 
     By contact: the opponent loses the ball while the two touch, or just after, and the robot is the next to have it.
-    A referee who whistles, or puts the ball elsewhere, ends the scene: the last that is returned.
+    The scene ends after STEAL_TIME, or when the referee whistles or moves the ball.
     """
     rng = batch.rng()
     sides: dict[str, Any] = {"home": make_team("sacks-2001", avoid_chasing=avoid), "away": make_team("sacks-2001")}
@@ -51,14 +51,14 @@ def steal(batch: Batch, avoid: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray
 
 
 def ended_by_referee(match: Match) -> np.ndarray:
-    """Return in which scenes (M,) there is a whistle, the ball is put elsewhere or opponents are pulled apart."""
+    """Tell in which scenes (M,) the referee whistles, moves the ball or pulls opponents apart."""
     events = match.events
-    found: np.ndarray = (events["foul"] != 0) | (events["restart"] != 0) | (events["separated"] == 1)
-    return found & (match.events["goal"] < 0)
+    called: np.ndarray = (events["foul"] != 0) | (events["restart"] != 0) | (events["separated"] == 1)
+    return called & (match.events["goal"] < 0)
 
 
 def steals(batch: Batch) -> Samples:
-    """Return who won the ball with avoidance while chasing, and without (M,), who by contact, and who was whistled."""
+    """Return the results of `steal` with avoidance while chasing, and without (M,)."""
     (on, on_contact, on_called), (off, off_contact, off_called) = steal(batch, True), steal(batch, False)
     found = {"on": on, "off": off, "on contact": on_contact, "contact": off_contact}
     return {**found, "called": 0.5 * (on_called + off_called), "one": np.ones(STEALS)}

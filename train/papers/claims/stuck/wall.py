@@ -13,13 +13,13 @@ from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 RUNS, LONGEST = 48, 40.0  # a batch and variant, [s] of each
-ASIDE, AWAY = (35.0, 90.0), (0.4, 0.8)  # [deg] that a panned head sees, [m] of a ball that is seen, assumed
+ASIDE, AWAY = (35.0, 90.0), (0.4, 0.8)  # [deg] in view of a panned head, [m] of a visible ball, assumed
 
 
 def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
     """Run the drill facing-wall; return who got the ball (M,) and the tries to get free.
 
-    `seen`: the ball lies aside, where the robot sees it, not behind.
+    `seen`: the ball lies aside, in view of the robot, not behind it.
     """
     team, rng = make_team("sacks-2001", **settings), batch.rng()
     match = drill(batch, "facing-wall", team, matches=RUNS)
@@ -41,15 +41,15 @@ def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np
 
 def walls(batch: Batch) -> Samples:
     """Run both scenes with the rule that turns to a ball far aside, with sidesteps always, and without recovery."""
-    found: Samples = {"one": np.ones(RUNS)}
+    samples: Samples = {"one": np.ones(RUNS)}
     for scene, seen in (("aside", True), ("behind", False)):
-        found[f"{scene} rotate"], found[f"{scene} tries"] = face_wall(batch, seen)
-        found[f"{scene} sidestep"], _ = face_wall(batch, seen, rotate_beyond=pi)
-        found[f"{scene} none"], _ = face_wall(batch, seen, recovery=False)
-    found["recovers"] = (found["aside tries"] > 0).astype(float)  # with sidesteps too: until then all goes the same way
+        samples[f"{scene} rotate"], samples[f"{scene} tries"] = face_wall(batch, seen)
+        samples[f"{scene} sidestep"], _ = face_wall(batch, seen, rotate_beyond=pi)
+        samples[f"{scene} none"], _ = face_wall(batch, seen, recovery=False)
+    samples["recovers"] = (samples["aside tries"] > 0).astype(float)  # equal with sidesteps: runs differ only later
     for way in ("rotate", "sidestep"):
-        found[f"recovered {way}"] = found[f"aside {way}"] * found["recovers"]
-    return found
+        samples[f"recovered {way}"] = samples[f"aside {way}"] * samples["recovers"]
+    return samples
 
 
 S28 = Claim(
@@ -62,12 +62,9 @@ S28 = Claim(
     "and the drill itself, the ball behind the robot.",
     criteria=(
         counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
-        measured(
-            "those that recover: got the ball, rotation less sidesteps",
-            lambda s: percent("recovered rotate", "recovers", s) - percent("recovered sidestep", "recovers", s),
-            unit="pp",
-            above=0.0,
-        ),
+        measured("those that recover: got the ball, rotation less sidesteps",
+                 lambda s: percent("recovered rotate", "recovers", s) - percent("recovered sidestep", "recovers", s),
+                 unit="pp", above=0.0),
         reported("got the ball, all", lambda s: 100.0 * mean(s["aside rotate"]), unit="%"),
         reported("got the ball without any recovery", lambda s: 100.0 * mean(s["aside none"]), unit="%"),
         reported("robots that recovered at all", lambda s: 100.0 * mean(s["aside tries"] > 0), unit="%"),
@@ -83,6 +80,6 @@ S28 = Claim(
     "searches for it and turns against the board; no counter runs in a search, and recovery never begins.",
     seconds=4.0,
     batches=10,
-)
+)  # fmt: skip
 
 CLAIMS = (S28,)

@@ -1,4 +1,4 @@
-"""What noticing a collision and recovering from it are worth, task by task.  [Sacks 2001, 1]"""
+"""The worth of noticing a collision and recovering from it, task by task.  [Sacks 2001, 1]"""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -16,7 +16,7 @@ from soccer_env.train.papers.staging import drill, kick_off, play
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
-WITHIN = 20.0  # [s] in which a robot held in play may get the ball, assumed
+WITHIN = 20.0  # [s] for a robot held in play to get the ball, assumed
 RUNS, LONGEST = 3 * MATCHES, 40.0  # runs of each staged task a batch, [s] of each
 PLAY = 60.0  # [s] of 3 v 3
 WAYS = {"on": True, "off": False}
@@ -28,7 +28,7 @@ def task(batch: Batch, scene: str, recovery: bool) -> Match:
 
 
 def past_post(batch: Batch, recovery: bool) -> Match:
-    """Return runs of robot 0 to a ball that is seen past a robot in the way which nobody pushes aside."""
+    """Return runs of robot 0 to a ball visible past an immovable robot in the way."""
     return behind_post(batch, RUNS, recovery=recovery)
 
 
@@ -46,7 +46,7 @@ TASKS: dict[str, Callable[..., Match]] = {
 
 
 def until_got(match: Match) -> np.ndarray:
-    """Return the time [s] until somebody of a staged task has the ball (M,); inf: not within LONGEST."""
+    """Return the time [s] until a robot of a staged task has the ball (M,); inf: not within LONGEST."""
     got = np.full(match.count, np.inf)
     for step in play(match, LONGEST):
         has_ball = (match.robots["has_ball"] == 1).any(axis=1)
@@ -58,7 +58,7 @@ def until_got(match: Match) -> np.ndarray:
 
 
 def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return stuck balls that the referee calls in 3 v 3 play (M,), and robots that he pulls apart (M,)."""
+    """Return the referee's calls of stuck balls in 3 v 3 play (M,), and the robots pulled apart (M,)."""
     match = kick_off(batch, matches=MATCHES, team=f"sacks-2001:recovery={recovery}")
     stuck, apart = np.zeros(MATCHES), np.zeros(MATCHES)
     for _ in play(match, PLAY):
@@ -70,37 +70,37 @@ def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
 
 def on_and_off(batch: Batch) -> Samples:
     """Return times to the ball, of robots held in play (M, moments) and in each staged task (M, 3), and calls (M,)."""
-    found: dict[str, Any] = {}
+    samples: dict[str, Any] = {}
     for word, recovery in WAYS.items():
         fate = follow(batch, recovery=recovery)
         late = np.where(fate["got"] <= WITHIN, fate["got"], np.inf)
-        found[f"play {word}"] = np.where(np.isfinite(fate["near"]), late, np.nan)
-        found[f"goals {word}"] = fate["goals"]
+        samples[f"play {word}"] = np.where(np.isfinite(fate["near"]), late, np.nan)
+        samples[f"goals {word}"] = fate["goals"]
         for name, begun in TASKS.items():
-            found[f"{name} {word}"] = until_got(begun(batch, recovery=recovery)).reshape(MATCHES, -1)
-        found[f"calls {word}"], found[f"apart {word}"] = calls(batch, recovery)
-    return found
+            samples[f"{name} {word}"] = until_got(begun(batch, recovery=recovery)).reshape(MATCHES, -1)
+        samples[f"calls {word}"], samples[f"apart {word}"] = calls(batch, recovery)
+    return samples
 
 
 def success(samples: Samples, word: str, task: str = "play") -> float:
-    """Return the share [%] of a task's runs in which the ball was got."""
+    """Return the share [%] of a task's runs in which a robot got the ball."""
     times = samples[f"{task} {word}"]
     return 100.0 * mean(np.where(np.isnan(times), np.nan, np.isfinite(times)))
 
 
 def gain(samples: Samples, task: str = "play") -> float:
-    """Return by how much [pp] success is greater with the recovery."""
+    """Return the success with the recovery minus that without [pp]."""
     return success(samples, "on", task) - success(samples, "off", task)
 
 
 def mean_time(samples: Samples, word: str) -> float:
-    """Return the mean time [s] to the ball of robots held in play, WITHIN for those that do not get it by then."""
+    """Return the mean time [s] to the ball of robots held in play, WITHIN for robots that get it later or never."""
     times = samples[f"play {word}"]
     return mean(np.minimum(times, WITHIN))
 
 
 def time_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw how many have the ball by when."""
+    """Draw the share of runs with the ball won against the time."""
     grid, curves = np.linspace(0.0, LONGEST, 41), []
     for name in ("play", *TASKS):
         for word in WAYS:
@@ -121,22 +121,13 @@ S02 = Claim(
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     criteria=(
         measured("held in play: success with recovery less without", gain, unit="pp", at_least=20.0),
-        measured(
-            f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
-            lambda s: mean_time(s, "on") - mean_time(s, "off"),
-            unit="s",
-            below=0.0,
-        ),
-        measured(
-            "stuck balls a minute of play, with less without",
-            lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY,
-            below=0.0,
-        ),
+        measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
+                 lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
+        measured("stuck balls a minute of play, with less without",
+                 lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY, below=0.0),
         reported("held in play: success without", partial(success, word="off"), unit="%"),
-        reported(
-            "held in play: goals in 100, with less without",
-            lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"])),
-        ),
+        reported("held in play: goals in 100, with less without",
+                 lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
         *(
             reported(f"success, {name}, recovery {word}", partial(success, word=word, task=name), unit="%")
             for name in TASKS
@@ -157,6 +148,6 @@ S02 = Claim(
     seconds=5.0,
     batches=6,
     least=2,  # few robots are held in a batch
-)
+)  # fmt: skip
 
 CLAIMS = (S02,)
