@@ -33,14 +33,7 @@ from soccer_env.random_numbers import uniform
 from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, mind_pushing, wait_at_area
 from soccer_env.skills.searching import LOST, end_search, search
-from soccer_env.skills.set_pieces import (
-    HOLDS_OFF,
-    holds_off,
-    leave_ball,
-    note_set_piece,
-    take_restart,
-    wait_for_pass,
-)
+from soccer_env.skills.set_pieces import HOLDS_OFF, holds_off, leave_ball, note_set_piece, take_restart, wait_for_pass
 from soccer_env.skills.settings import FOLLOWS as SKILLS_FOLLOW
 from soccer_env.skills.settings import NUMBERS as SKILL_NUMBERS
 from soccer_env.skills.settings import fitted, rows_of

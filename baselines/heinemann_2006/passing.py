@@ -19,11 +19,7 @@ from soccer_env.skills.set_pieces import strength_for
 LED = 0.4  # [s] of a mate's motion by which a pass is led, assumed
 TURN_COST = 0.8  # [m] towards the goal that a pass may lose for a quarter turn less, assumed
 LANE_WORTH = 10.0  # [m/rad] towards the goal that room beside a pass is worth, assumed
-OPEN_SPOTS = (
-    (2.5, 1.5),
-    (2.0, 2.2),
-    (1.0, 2.6),
-)  # [m, m] ahead of the ball and aside where for a supporter, assumed
+OPEN_SPOTS = ((2.5, 1.5), (2.0, 2.2), (1.0, 2.6))  # [m, m] ahead of the ball and aside where for a supporter, assumed
 EDGE = 0.5  # [m] from the lines that a supporter keeps, assumed
 STAY = 0.3  # [1] metres towards the goal that a metre less to drive is worth, assumed
 

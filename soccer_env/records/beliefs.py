@@ -94,13 +94,7 @@ OBSTACLE = record(
 )
 
 BELIEF = record(
-    [
-        ("own", OWN_POSE),
-        ("ball", BALL_BELIEF),
-        ("situation", SITUATION),
-        ("heard", HEARD),
-        ("obstacle", OBSTACLE),
-    ]
+    [("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION), ("heard", HEARD), ("obstacle", OBSTACLE)]
 )
 
 

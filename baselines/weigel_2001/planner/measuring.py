@@ -2,12 +2,7 @@
 
 import numpy as np
 
-from soccer_env.baselines.weigel_2001.planner.potential import (
-    FARTHEST,
-    attractive_force,
-    gap_at,
-    repulsive_force,
-)
+from soccer_env.baselines.weigel_2001.planner.potential import FARTHEST, attractive_force, gap_at, repulsive_force
 from soccer_env.baselines.weigel_2001.planner.stepping import obstacle_time
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length

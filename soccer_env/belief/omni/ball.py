@@ -14,15 +14,7 @@ from math import atan2, inf
 import numpy as np
 
 from soccer_env.belief.odometry import motion_of, move_point
-from soccer_env.belief.omni.tracking import (
-    FILTER,
-    at_exposure,
-    carry,
-    correct,
-    predict,
-    reading_of,
-    start,
-)
+from soccer_env.belief.omni.tracking import FILTER, at_exposure, carry, correct, predict, reading_of, start
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, record

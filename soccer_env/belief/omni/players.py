@@ -15,14 +15,7 @@ from math import atan2
 
 import numpy as np
 
-from soccer_env.belief.omni.tracking import (
-    at_exposure,
-    carry,
-    correct,
-    predict,
-    reading_of,
-    start,
-)
+from soccer_env.belief.omni.tracking import at_exposure, carry, correct, predict, reading_of, start
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 from soccer_env.records.beliefs import UNKNOWN, forget

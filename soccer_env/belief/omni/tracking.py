@@ -13,13 +13,7 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from soccer_env.belief.odometry import motion_of, move_point
-from soccer_env.belief.omni.kalman import (
-    COVARIANCE,
-    fit_gains,
-    predict_covariance,
-    start_covariance,
-    update_covariance,
-)
+from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, Range, record
