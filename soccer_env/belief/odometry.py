@@ -1,7 +1,5 @@
 """Where a remembered thing lies after the robot itself has moved.  [Sacks 2001, 3.1.1, 4.1.2]  MS15, MS36"""
 
-from __future__ import annotations
-
 from math import cos, sin
 
 import numpy as np

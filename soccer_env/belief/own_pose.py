@@ -10,8 +10,6 @@ This is what all robots share; `legged/own_pose.py` goes by landmarks, `omni/own
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, exp, sin, sqrt
 
 import numpy as np

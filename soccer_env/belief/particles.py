@@ -11,8 +11,6 @@ resetting]. Everything is in the team frame. A lateral draw is multiplied by `ha
 `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, exp, pi, sin, sqrt
 
 import numpy as np

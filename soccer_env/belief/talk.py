@@ -10,8 +10,6 @@ Rows below `home` are team-mates of each other, as are those from it on; only `r
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

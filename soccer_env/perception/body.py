@@ -6,8 +6,6 @@ none.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.perception.pose import follow_pose, no_pose, tell_pose
 from soccer_env.random_numbers import normal, uniform

@@ -6,8 +6,6 @@ learns which side it plays on. How the match stands is told to every robot, what
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, inf, pi, sin
 
 import numpy as np

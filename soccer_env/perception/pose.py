@@ -6,8 +6,6 @@ slowly, as that of a filter does, and never runs away.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import exp, pi, sqrt
 
 import numpy as np

@@ -14,8 +14,6 @@ is the latest sighting.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, inf, sin
 
 import numpy as np

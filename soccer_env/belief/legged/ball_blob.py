@@ -11,8 +11,6 @@ their width is left less right.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt, tan
 
 import numpy as np

@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.belief.believing import believe_kernel

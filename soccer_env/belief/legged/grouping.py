@@ -16,8 +16,6 @@ between two positions is the literal reading. Counted from edge to edge, more bl
 `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.leagues.legged_sensors import PLAYER_BLOBS

@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import asin, atan2, cos, pi, sin, sqrt
 
 import numpy as np

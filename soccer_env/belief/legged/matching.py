@@ -15,8 +15,6 @@ about 0.65 m, as far as it can have walked.
 `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, exp, log, pi
 
 from soccer_env.compiled import compiled

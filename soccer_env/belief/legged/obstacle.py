@@ -13,8 +13,6 @@ for beyond it a reading may be half a metre too short. The walls of a goal are h
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, inf, sin
 
 import numpy as np

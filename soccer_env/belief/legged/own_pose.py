@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.belief.legged.landmarks import LANDMARK_VIEW, draw_from_landmark, look_at_landmarks, weigh_by_landmarks

@@ -10,8 +10,6 @@ The old memory, `slots` "nearest", knows a single player of each team: whichever
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, sin, tan
 
 import numpy as np

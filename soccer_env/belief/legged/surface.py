@@ -10,8 +10,6 @@ a reading, of the ranger or of a table, and that counts from its camera to the n
 `k`: the league's constants.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 

@@ -10,8 +10,6 @@ Two velocities come out of each pair of readings:
 `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled

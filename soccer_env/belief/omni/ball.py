@@ -7,8 +7,6 @@ reading  by the camera, or by the light barrier while the own body hides the bal
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, inf
 
 import numpy as np

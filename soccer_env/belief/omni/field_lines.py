@@ -6,8 +6,6 @@ Each direction in which a line was seen gives a point on the ground; a pose fits
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, pi, sin, sqrt
 
 import numpy as np

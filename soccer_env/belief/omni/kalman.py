@@ -10,8 +10,6 @@ along it and across it: there the errors of a mirror camera are independent, so 
 four, and neither has to be turned when the robot turns (that the line of sight itself turns a little is left out).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.compiled import compiled

@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.belief.omni.field_lines import LINE_VIEW, draw_from_goal, look_at_lines, weigh_by_lines

@@ -9,8 +9,6 @@ The filter of slot i lies in place i of the memory and moves with it when tracks
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 import numpy as np

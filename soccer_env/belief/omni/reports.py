@@ -6,8 +6,6 @@ poses are in it. What the own camera sees is trusted more.
 `k`: the league's constants; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, inf, sin
 
 from soccer_env.compiled import compiled

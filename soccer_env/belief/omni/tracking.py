@@ -6,8 +6,6 @@ frame's axes: the ball's memory, or a track. A filter goes with it.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt
 
 import numpy as np

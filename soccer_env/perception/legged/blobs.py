@@ -6,8 +6,6 @@ match and for both teams. Only what is in the picture costs a draw.
 `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import floor
 
 import numpy as np

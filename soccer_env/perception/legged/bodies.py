@@ -6,8 +6,6 @@ head, which turns and moves with pan and tilt. Legs are left out: one sees throu
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

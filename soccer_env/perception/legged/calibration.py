@@ -12,8 +12,6 @@ of optics/head_camera.py, the thing is at (ahead + range cos b, left + range sin
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from math import atan2, nan, pi
 

@@ -10,8 +10,6 @@ a mirrored match makes the same picture bit for bit, and only the blobs made fro
 `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt
 
 import numpy as np

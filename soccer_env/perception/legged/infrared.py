@@ -7,8 +7,6 @@ is never in the way.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import cos, inf, sin, sqrt
 
 from soccer_env.compiled import compiled

@@ -14,8 +14,6 @@ lies behind it: a near robot that looks at the ball seems far away.  [Sacks 2001
 `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import point_of_frame
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes

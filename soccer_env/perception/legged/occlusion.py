@@ -4,8 +4,6 @@ The thing is cut into columns of two pixels at most. In each column the outlines
 interval; neighbouring columns of which something is left make a piece. A piece ends where the hiding outline begins.
 """
 
-from __future__ import annotations
-
 from math import ceil, sqrt
 
 import numpy as np

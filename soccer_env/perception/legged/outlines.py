@@ -7,8 +7,6 @@ once only. An outline is traced in one of two ways:
 * project_..., enclose: what reaches behind the lens is cut off there, and the outline is the hull of what is left.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -6,8 +6,6 @@ From the truth: where the camera looks (camera.py), who stands before it (bodies
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
 from soccer_env.perception.legged.blobs import clear, deliver

@@ -6,8 +6,6 @@ teams, and a match and its mirror image, draw the same noise for the same thing.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.compiled import compiled

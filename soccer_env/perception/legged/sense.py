@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.perception.legged.infrared import measure_range

@@ -7,8 +7,6 @@ slice of matches makes once.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import inf, pi, sqrt
 
 import numpy as np

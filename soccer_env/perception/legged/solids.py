@@ -5,8 +5,6 @@ A ray starts at x, y, z [m] and goes along the unit vector dx, dy, dz; a distanc
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import inf, sqrt
 
 from soccer_env.compiled import compiled

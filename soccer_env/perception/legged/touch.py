@@ -14,8 +14,6 @@ into each other, so that a collision presses nothing: that is why the paper look
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled

@@ -6,8 +6,6 @@ within the angle that its round body fills.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import asin, atan2, cos, sin
 
 import numpy as np

@@ -18,8 +18,6 @@ Unlike the method, of which we know no numbers, it learns one light for all colo
 `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import exp, log, pi, sin, sqrt
 
 import numpy as np

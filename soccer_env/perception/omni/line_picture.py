@@ -5,8 +5,6 @@ Direction i of s.lines lies 2 pi i / s.lines to the left of straight ahead; i an
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import ceil, cos, floor, pi, sin, sqrt
 
 import numpy as np

@@ -7,8 +7,6 @@ A robot that was just placed gets its first pictures without delay: those on the
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, records
 from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.perception.body import light_barrier

@@ -9,8 +9,6 @@ dearer by a tenth, and lines and goals tell the own place to centimetres.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 
 from soccer_env.compiled import compiled

@@ -7,8 +7,6 @@
 Policy files are faster and need no library (`agents/`); this is for whatever does not fit into one.
 """
 
-from __future__ import annotations
-
 from soccer_env.teams.function_teams.asking import ask_functions
 from soccer_env.teams.function_teams.team import FunctionTeam, team_of_function
 

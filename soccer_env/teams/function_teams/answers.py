@@ -1,7 +1,5 @@
 """What a user's function may return for the players of a team, checked where it enters."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

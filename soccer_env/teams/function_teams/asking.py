@@ -4,8 +4,6 @@ All of them are asked before the first answer is kept: if one raises, or returns
 changed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial

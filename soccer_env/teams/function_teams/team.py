@@ -8,8 +8,6 @@ the head, or (D, P) whole numbers, each one of the discrete actions. With `flat`
 players: it gets (D P, n) and (D P, ...), and returns a row of actions for each.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
