@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.blocked import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, go_round, note_standing
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, MEMORY, SCRATCH
+from soccer_env.baselines.heinemann_2006.playing import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, go_round, note_standing
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.types import COMMAND, Phase

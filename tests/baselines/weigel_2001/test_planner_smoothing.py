@@ -5,9 +5,9 @@ from math import hypot
 import numpy as np
 import pytest
 
+from soccer_env.baselines.weigel_2001.planner.planning import length_of, smooth
 from soccer_env.baselines.weigel_2001.planner.records import POINT, SCRATCH
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
-from soccer_env.baselines.weigel_2001.planner.smoothing import length_of, smooth
 
 
 def smoothed(

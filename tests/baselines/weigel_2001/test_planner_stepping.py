@@ -5,8 +5,8 @@ from math import atan2, cos, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from soccer_env.baselines.weigel_2001.planner.heap import pop, push
 from soccer_env.baselines.weigel_2001.planner.records import NODE
+from soccer_env.baselines.weigel_2001.planner.searching import pop, push
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.stepping import (
     cell_of,
