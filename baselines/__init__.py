@@ -1,4 +1,4 @@
-"""Play scripted teams: simple ones, and those of the two papers.
+"""Scripted teams: simple ones, and those of the two papers.
 
     still.py         stands still
     walker.py        walks straight ahead
@@ -8,5 +8,5 @@
     heinemann_2006/  the middle-size team of Heinemann et al. (2006)
     weigel_2001/     the planner of the middle-size teams
 
-What they share lies in `soccer_env/skills/`.
+Their shared skills are in `soccer_env/skills/`.
 """

@@ -1,6 +1,6 @@
 """The team that walks straight ahead from where it stands, at strength times its top speed, and stops at nothing.
 
-What moves in drills: strengths 0.25, 0.5, 0.75 and 1 are 3, 6, 9 and 12 cm/s in the legged league.
+It moves the players of drills: strengths 0.25, 0.5, 0.75 and 1 are 3, 6, 9 and 12 cm/s in the legged league.
 
 `k`: the league's constants.
 """

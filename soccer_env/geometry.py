@@ -1,6 +1,6 @@
 """Angles, vectors and frames.
 
-A frame is given by the cosine and sine of its heading, so that one call of each serves all that is turned by it.
+A frame is given by the cosine and sine of its heading, which are computed once for all points of the frame.
 """
 
 from math import floor, pi, sqrt
@@ -55,7 +55,7 @@ def out_of_frame(ahead, left, cosine, sine):
 def point_of_frame(x, y, ahead, left, cosine, sine):
     """Return the point ahead and left of x, y in a frame whose heading has this cosine and sine.
 
-    Unlike `out_of_frame` added to x, y, which differs in the last bit: it begins the sum with x, y.
+    The sum begins with x, y and so differs in the last bit from `out_of_frame` added to x, y.
     """
     return x + cosine * ahead - sine * left, y + sine * ahead + cosine * left
 

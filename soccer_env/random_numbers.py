@@ -2,8 +2,8 @@
 
 SplitMix64 [Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"]: a 64-bit counter that advances
 by an odd constant, and a mixing function over it. One counter for each named stream, so that a new noise source takes
-a stream of its own and never shifts the others; a robot's streams are its own, so that a match of any size draws the
-same for it. Seeds come from `numpy.random.SeedSequence`.
+a stream of its own and never shifts the others; each robot has its own streams, so that it draws the same numbers in a
+match of any size. Seeds come from `numpy.random.SeedSequence`.
 """
 
 from math import cos, log, pi, sqrt
@@ -55,12 +55,12 @@ def start_streams(noise, seed, episode, owner):
 
 
 def check_seeds(seeds: Any, matches: int) -> np.ndarray:
-    """Return the seeds of M matches as (M,) uint64; ValueError if they are not that."""
-    found = np.asarray(seeds, object)  # Python's own: numpy makes floats of a list of large and small ones
-    whole = all(isinstance(seed, (int, np.integer)) and not isinstance(seed, bool) for seed in found.ravel())
-    if found.shape != (matches,) or not whole or not all(0 <= seed < 1 << 64 for seed in found):
+    """Return the seeds of M matches as (M,) uint64; ValueError for anything else."""
+    given = np.asarray(seeds, object)  # Python's own: numpy makes floats of a list of large and small ones
+    whole = all(isinstance(seed, (int, np.integer)) and not isinstance(seed, bool) for seed in given.ravel())
+    if given.shape != (matches,) or not whole or not all(0 <= seed < 1 << 64 for seed in given):
         raise ValueError(f"seeds must be {matches} whole numbers of 0 or more below 2**64, got {seeds!r}")
-    return found.astype(np.uint64)
+    return given.astype(np.uint64)
 
 
 def seeds_for(seed: int | None, matches: int) -> np.ndarray:

@@ -206,7 +206,7 @@ ROBOT = record(
         ("number", "i8", PLAYER),  # 0 ... within the team
         ("keeper", "i8", FLAG),  # 1 for the goalkeeper
         ("active", "i8", FLAG),  # 0: sent off or padding, parked off the field
-        ("command", COMMAND),  # what was asked in this step, clipped
+        ("command", COMMAND),  # the command of this step, clipped
         ("delayed", WALK, (MAX_DELAY_STEPS,)),  # [m/s, rad/s] walk requests on their way to the legs or wheels
         ("target", WALK),  # [m/s, rad/s] robot frame: the walk that the gait or the wheels now aim at
         ("walk", WALK),  # [m/s, rad/s] robot frame: the walk after acceleration limits, before slip
@@ -217,7 +217,7 @@ ROBOT = record(
         ("senses", "i8", FLAG),  # 1: it uses its sensors, `gaze` comes from its belief; 0: its head follows the ball
         ("gaze", GAZE),  # [rad] where the head looks unless the command says otherwise
         ("kick_clock", "f8", NUMBER),  # [s] left of a wind-up or a block (negative: of the recharge, as -s); 0 ready
-        ("kick_strength", "f8", SHARE),  # (0, 1] of the kick being wound up; 0: what goes on is a block
+        ("kick_strength", "f8", SHARE),  # (0, 1] of the kick being wound up; 0: it is a block
         ("has_ball", "i8", FLAG),  # 1: the ball lies in the pocket or at the kicker
         ("stands", "i8", FLAG),  # 1: it rests and holds with all paws or wheels; 0: it walks, drives or brakes
         ("caught_by", "i8", ROW_FROM_ONE),  # 1 + row of the robot between whose legs one of its own is caught; 0: none
@@ -257,7 +257,7 @@ EVENTS = record(
         ("scorer", "i8", ROW_OR_NONE),  # row of the robot that touched the ball last before the goal, or -1
         ("out", "i8", FLAG),  # 1: the whole ball left the field of play
         ("restart", "i8", PHASE),  # the Phase of a restart called in this step, or 0
-        ("restart_team", "i8", TEAM_OR_NONE),  # who takes it, or NO_TEAM
+        ("restart_team", "i8", TEAM_OR_NONE),  # the team that takes it, or NO_TEAM
         ("in_play", "i8", FLAG),  # 1: a restart was taken or its time ran out
         ("stuck", "i8", FLAG),  # 1: the referee called a stuck ball
         ("separated", "i8", FLAG),  # 1: the referee pulled opponents apart

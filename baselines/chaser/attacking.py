@@ -31,7 +31,7 @@ RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
 RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
 RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 PASSED = 0.03  # [m] kept between a robot and a ball that it goes round, assumed
-NEAR_BALL = 0.8  # [m] to the ball within which it does, assumed
+NEAR_BALL = 0.8  # [m] to the ball within which it meets the ball with care, assumed
 DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
 UPFIELD = ASIDE = sqrt(0.5)  # [1] way of a ball out of the mouth of the own goal: 45 degrees off its line, assumed
 ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the own goal may be run at, assumed
@@ -155,7 +155,7 @@ def run_in(command, sight, k, play, x, y, ux, uy, most):
 def meet(command, sight, k, x, y):
     """Run along (x, y) into the ball, only so much faster than it rolls that it hardly bounces off.
 
-    The limit is on the speed towards each other: who tackles a ball that is carried past runs along with it.
+    The limit is on the speed towards each other: a player that tackles a ball carried past runs along with it.
     """
     away = max(length(x, y), 1e-6)
     x, y = x / away, y / away
@@ -228,7 +228,7 @@ def go_round(command, sight, memory, k, play, x, y, ux, uy):
 
 @compiled
 def pass_ball(command, sight, k, play):
-    """Take from a velocity what would drive into the ball: towards it, as it rolls, only what the gap lets brake."""
+    """Limit the speed towards the rolling ball to what the player can brake within the gap."""
     away = max(sight.distance, 1e-6)
     ux, uy = into_frame((sight.ball_x - sight.x) / away, (sight.ball_y - sight.y) / away, sight.cosine, sight.sine)
     rolls_x, rolls_y = into_frame(sight.ball_vx, sight.ball_vy, sight.cosine, sight.sine)

@@ -16,10 +16,7 @@ from soccer_env.skills.moves import LARGE_TURN, go, leave_boards
 from soccer_env.skills.sight import side_of
 
 CORNER = 0.1  # [m] between ball and board, less counts as at the board, assumed
-SLANT, SQUARE = (
-    1.05,
-    0.26,
-)  # [rad] off square to the end board at which a ball is met in the corner, and outside, assumed
+SLANT, SQUARE = 1.05, 0.26  # [rad] off square to the end board: to a ball in the corner, and outside it, assumed
 ALIGNED = 0.3  # [rad] off that way at which the sweep may begin, assumed
 ON_LINE = 0.03  # [m] off it, assumed
 TOUCHING = 0.04  # [m] between front and ball at which it may begin, assumed
@@ -54,7 +51,7 @@ def side_gap(y, k):
 
 @compiled
 def ways_of_sweep(x, y, k):
-    """Return the direction of the way to such a ball, and that in which it is to be swept [rad], team frame."""
+    """Return the direction in which to come at such a ball, and in which to sweep it [rad], team frame."""
     side = side_of(y)
     if x > 0.0:
         slant = SLANT + (SQUARE - SLANT) * clip(side_gap(y, k) / CORNER, 0.0, 1.0)

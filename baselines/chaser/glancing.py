@@ -1,4 +1,4 @@
-"""When the chaser looks up from the ball to see where it is: by the landmarks round the field.
+"""When the chaser looks up from the ball to the landmarks round the field, to see where it is.
 
 A head that follows the ball sees no landmark while the ball is near, and a robot that does not know which way it faces
 plays the ball anywhere. So a player that is unsure sweeps its head over the horizon for a moment on its way to the
@@ -19,8 +19,8 @@ TILT = -8.0 * pi / 180.0  # [rad] of the sweep: goals and landmarks from near to
 SWEEP = 1.2  # [rad] to either side, assumed
 SEEN = 0.2  # [s] unseen at most before a player takes its eyes off the ball, assumed
 FAR = 0.45  # [m] from which ball and horizon fit into one picture, assumed
-ROOM = 0.3  # [m] a ball that is nearer a player lets out of its eyes only if it is quite lost, assumed
-KEEPER_ROOM = 1.0  # [m] the same of a goalkeeper, assumed
+ROOM = 0.3  # [m] to a ball: nearer, a player looks away from it only if it is quite lost, assumed
+KEEPER_ROOM = 1.0  # [m] the same for a goalkeeper, assumed
 
 
 @compiled

@@ -47,8 +47,8 @@ def shot_crosses(sight, k, play, line):
 def guard(command, sight, k, play, line):
     """Stand on the line between the ball and the middle of the goal, a little way out.
 
-    On wheels it parts the angle between the posts instead: from the side the near post is open else, and a ball that
-    rolls along the goal line passes behind the keeper.
+    On wheels it halves the angle between the posts instead: otherwise a ball from the side finds the near post open,
+    and a ball along the goal line passes behind the keeper.
     """
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     away = max(length(x, y), 1e-6)
@@ -75,8 +75,8 @@ def part_angle(sight, k, x):
 def may_clear(sight, k, play):
     """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it.
 
-    A ball that lies at its kicker it clears from anywhere. In a penalty area that field players may not enter every
-    slow ball is the keeper's.
+    The keeper clears a ball at its kicker from anywhere. In a penalty area that field players may not enter, every slow
+    ball is the keeper's.
     """
     if sight.held == 1 and k.keeper_kicks == 1:
         return True
@@ -86,10 +86,8 @@ def may_clear(sight, k, play):
     if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
         return False
     for i in range(sight.others):
-        if (
-            sight.mate[i] == 1
-            and length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.distance
-        ):
+        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
+        if sight.mate[i] == 1 and away < sight.distance:
             return False
     return True
 
@@ -98,7 +96,7 @@ def may_clear(sight, k, play):
 def clear(command, sight, memory, k, play):
     """Play the ball away from the own goal, with a kick once the keeper faces that way.
 
-    On legs a ball at its feet on the side of its own goal is not turned with but gone round: who turns walks on.
+    On legs it goes round a ball at its feet on the side of its own goal: a robot that turns with the ball walks on.
     """
     ux, uy = way_clear(sight, k)
     if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):

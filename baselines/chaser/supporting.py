@@ -1,4 +1,4 @@
-"""Where the chaser's players stand who do not go to the ball: behind it, the next ones spread out in pairs.
+"""Where the chaser's supporters stand: behind the ball, the next ones spread out in pairs.
 
 `k`: the league's constants; `play`: the team's settings.
 """

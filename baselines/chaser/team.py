@@ -33,14 +33,7 @@ from soccer_env.random_numbers import uniform
 from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, mind_pushing, wait_at_area
 from soccer_env.skills.searching import LOST, end_search, search
-from soccer_env.skills.set_pieces import (
-    HOLDS_OFF,
-    holds_off,
-    leave_ball,
-    note_set_piece,
-    take_restart,
-    wait_for_pass,
-)
+from soccer_env.skills.set_pieces import HOLDS_OFF, holds_off, leave_ball, note_set_piece, take_restart, wait_for_pass
 from soccer_env.skills.settings import FOLLOWS as SKILLS_FOLLOW
 from soccer_env.skills.settings import NUMBERS as SKILL_NUMBERS
 from soccer_env.skills.settings import fitted, rows_of
@@ -53,12 +46,12 @@ MEMORY = record(
     [
         ("wait", "f8", NUMBER),  # [s] until the next decision
         ("rank", "i8", PLAYERS),  # field team-mates nearer to the ball: 0 the attacker
-        ("rank_age", "f8", NUMBER),  # [s] that this rank has been held against a better or worse one
+        ("rank_age", "f8", NUMBER),  # [s] for which another rank has been right
         ("side", "f8", UNIT),  # +1 supports on the left of the ball, -1 on its right, 0 undecided
         ("way", "f8", UNIT),  # +1 goes round the ball counter-clockwise, -1 clockwise
         ("aim_error", "f8", NUMBER),  # [rad]
         ("stuck", "f8", NUMBER),  # [s] that the ball at my feet has not moved
-        ("patience", "f8", NUMBER),  # [s] of that until it is worked out
+        ("patience", "f8", NUMBER),  # [s] of being stuck until it is worked out
         ("wriggle", "f8", NUMBER),  # [s] left of working it out
         ("wriggle_side", "f8", UNIT),  # +1 turning left, -1 right
         ("set_piece", "f8", NUMBER),  # [s] left of remembering our restart: above 0 as its taker, below 0 its mate
@@ -135,7 +128,7 @@ FOLLOWS = SKILLS_FOLLOW | {  # what a number grows with in leagues of other fami
 
 
 def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
-    """Return the team; `changes` are NUMBERS by name, for any kind of base. ValueError for one that there is not.
+    """Return the team; `changes` are NUMBERS by name, for every kind of base. ValueError for an unknown name.
 
     `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`.
     """

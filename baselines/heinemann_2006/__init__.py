@@ -1,19 +1,17 @@
 """heinemann-2006: the middle-size team of Tübingen, 2006.  [Heinemann 2006]  MH04, MH05, MH14, MH19 to MH23
 
-Each player decides for itself, from its own belief and tracks, into which the radio's words have gone. What the paper
-tells is here; what any team on wheels does near the ball and at restarts is shared with the chaser.
+Each player decides for itself, from its own belief and tracks, which include the radio's reports. The paper's ideas are
+here; the play near the ball and at restarts is shared with the chaser.
 
 Files:
 
     team.py        the teams, and the kernel that decides for all players
-    explaining.py  what a player tells people who watch: role or behaviour, way, forces
+    explaining.py  what a player tells people who watch: role, way, forces
     settings.py    every number and switch             memory.py      what a player remembers, and scratch arrays
     playing.py     chooses what to do and does it      roles.py       who attacks, who defends, who supports
-    driving.py     along a plan, within limits         crowd.py       the obstacles that a way is planned round
+    driving.py     along a plan, within limits         intercepting.py  where and when a rolling ball is met
     attacking.py   to the ball, and at the goal        dribbling.py   with the ball in the guide
-    goalkeeper.py  passive and active                  intercepting.py  where and when a rolling ball is met
-    passing.py     to whom, how hard, and where a supporter stands open
-    blocked.py     round the ball, if what is wanted is out of reach
+    goalkeeper.py  passive and active                  passing.py     to whom, how hard, and how supporters stand open
 
 `weigel-2001` is the same team with the planner of Weigel et al., which knows no velocities.
 """

@@ -60,7 +60,7 @@ def attack(command, memory, k, play, scratch):
 def pass_or_aim(sight, k, play, ux, uy):
     """Return whether to pass, along which unit vector to play the ball, and how far the mate is [m].
 
-    A shot that is open comes first; who is pressed passes back as well.
+    An open shot comes first; a pressed player also passes back.
     """
     reach = 0.5 * k.pitch_length - sight.ball_x < play.skills.shot_range
     if reach and shot_room(sight, k, ux, uy) > play.skills.room:

@@ -12,8 +12,7 @@ below a grip, v w <= g, and the base steps aside as it turns: it turns about the
 
 from math import atan2
 
-from soccer_env.baselines.heinemann_2006.crowd import note_crowd
-from soccer_env.baselines.heinemann_2006.driving import plan_to
+from soccer_env.baselines.heinemann_2006.driving import note_crowd, plan_to
 from soccer_env.baselines.weigel_2001.planner.measuring import place_on
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap

@@ -2,22 +2,27 @@
 
     "With the continuous replanning this approach generates very efficient and smooth paths"    [Heinemann 2006, 3]
 
-The base steps aside, so that where it looks is free: it turns while it drives. Velocity and turn together have one
-acceleration: who turns by w at speed v has to bend its way in its own frame by v w.
+The base steps aside, so that it is free to look anywhere: it turns while it drives. Velocity and turn share one
+acceleration: a base that turns by w at speed v must bend its way in its own frame by v w.
+
+Obstacles are the other robots, where they are believed to be and to go (MH06, MH15): the robot's own tracks, from its
+camera and from its team-mates' reports by radio.
+
+    "the position of the obstacles is no longer static for the whole planning process"    [Heinemann 2006, 3]
 
 `k`: the league's constants; `play`: the team's settings.
 """
 
 from math import atan2, sqrt
 
-from soccer_env.baselines.heinemann_2006.crowd import note_crowd
 from soccer_env.baselines.heinemann_2006.settings import PLANNERS
 from soccer_env.baselines.weigel_2001.planner.measuring import place_on
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
-from soccer_env.skills.moves import braking_speed, drive_differential, go, hold_back, push, turn_by
+from soccer_env.skills.moves import FOUGHT_FOR, braking_speed, drive_differential, go, hold_back, push, turn_by
 from soccer_env.skills.sight import side_of
 
 NO_PLANNER = PLANNERS["none"]
@@ -46,9 +51,8 @@ def plan_to(k, play, scratch, x, y):
     sight = scratch.sight
     ways_of(scratch, k, play)
     side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
-    plan_way(
-        sight.x, sight.y, x, y, side, scratch.crowd[: scratch.count], scratch.ways[0], scratch.work[0], scratch.plan[0]
-    )
+    crowd, ways, work, plan = scratch.crowd[: scratch.count], scratch.ways[0], scratch.work[0], scratch.plan[0]
+    plan_way(sight.x, sight.y, x, y, side, crowd, ways, work, plan)
 
 
 @compiled
@@ -117,3 +121,30 @@ def drive_along(command, memory, k, play, sight, x, y, speed, facing):
 def turn_limit(k, play, speed):
     """Return how fast [rad/s] a base may turn at a speed [m/s] so that the bend in its own frame takes its share."""
     return play.turning * k.drive_acceleration / max(speed, 1e-3)
+
+
+@compiled
+def note_crowd(scratch, k, play, fights):
+    """Fill the obstacles from the tracks; a player that fights for the ball plans no way round those who have it."""
+    sight, count = scratch.sight, 0
+    for i in range(sight.others):
+        at_ball = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < FOUGHT_FOR
+        if count == MOST_OBSTACLES or (fights and at_ball and (sight.mate[i] == 1 or sight.field[i] == 1)):
+            continue
+        one = scratch.crowd[count]
+        one.x, one.y = sight.other_x[i], sight.other_y[i]
+        one.vx, one.vy = bounded(sight.other_vx[i], sight.other_vy[i], play)
+        one.radius = k.body_reach + play.keeps_off
+        count += 1
+    scratch.count = count
+
+
+@compiled
+def bounded(vx, vy, play):
+    """Return a believed velocity [m/s], no faster than robots drive: a mistaken pair of readings is faster.  MH25"""
+    if play.velocity == 0:
+        return 0.0, 0.0
+    speed = length(vx, vy)
+    if speed <= play.fastest:
+        return vx, vy
+    return play.fastest * vx / speed, play.fastest * vy / speed

@@ -5,8 +5,7 @@
 
 import numpy as np
 
-from soccer_env.baselines.heinemann_2006.crowd import note_crowd
-from soccer_env.baselines.heinemann_2006.driving import ways_of
+from soccer_env.baselines.heinemann_2006.driving import note_crowd, ways_of
 from soccer_env.baselines.heinemann_2006.memory import ROLES, SCRATCH
 from soccer_env.baselines.heinemann_2006.team import act
 from soccer_env.baselines.weigel_2001.planner.potential import gradient
@@ -17,7 +16,7 @@ from soccer_env.types import COMMAND
 
 
 def plan(mind: Mind) -> np.ndarray:
-    """Return the path of the plan that it would drive along now: it is asked again, with a copy of its memory."""
+    """Return the path that the player would drive along now: it decides again, with a copy of its memory."""
     scratch, memory = np.zeros(1, SCRATCH), mind.memory.copy()
     memory["skill"]["wait"] = 0.0
     plan_again(mind.beliefs, mind.tracks, memory, mind.noise.copy(), mind.constants, settings_of(mind), scratch)
@@ -27,11 +26,11 @@ def plan(mind: Mind) -> np.ndarray:
 
 
 def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the direction of descent of the potential at each point, the others where they are now."""
-    scratch, found = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
+    """Return the descent of the potential at each point, with the other robots where they are now."""
+    scratch, slopes = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
     scratch["place"][0, 0] = tuple(target)
-    descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, found)
-    return found
+    descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
+    return slopes
 
 
 def settings_of(mind: Mind) -> np.ndarray:
@@ -48,7 +47,7 @@ def plan_again(beliefs, tracks, memory, noise, constants, settings, scratch):
 
 
 @compiled
-def descent(beliefs, tracks, constants, settings, scratch, points, found):
+def descent(beliefs, tracks, constants, settings, scratch, points, slopes):
     """Fill in minus the gradient of the potential at each point.  MH10"""
     k, play, work = constants[0], settings[0], scratch[0]
     work.sight.pace = 1.0
@@ -59,7 +58,7 @@ def descent(beliefs, tracks, constants, settings, scratch, points, found):
     for i in range(len(points)):
         u, v = points[i, 0] / ways.cell, points[i, 1] / ways.cell
         x, y = gradient(u, v, 0.0, work.place[0], work.crowd[: work.count], ways)
-        found[i, 0], found[i, 1] = -x, -y
+        slopes[i, 0], slopes[i, 1] = -x, -y
 
 
 SHOWN: dict[str, tuple[str, ...]] = {"role": ROLES}

@@ -52,9 +52,8 @@ def passive_place(ball_x, ball_y, k, play):
     x, y = max(ball_x + 0.5 * k.pitch_length, 1e-6), ball_y
     if play.stance == CIRCLE:
         away = length(x, y)
-        return max(-0.5 * k.pitch_length + play.keeper_radius * x / away, line), clip(
-            play.keeper_radius * y / away, -wide, wide
-        )
+        aside = clip(play.keeper_radius * y / away, -wide, wide)
+        return max(-0.5 * k.pitch_length + play.keeper_radius * x / away, line), aside
     return line, clip(play.keeper_out * y / x, -wide, wide)
 
 
@@ -75,7 +74,7 @@ def is_shot(sight, k, play):
 def interception(sight, k, play):
     """Return where [m, m] to move into the trajectory of a shot: perpendicular into it, the shortest way.  MH20, MH21
 
-    If the ball would be there first, on to the point of the trajectory before the goal line at which the keeper is
+    If the ball would be there first, the keeper goes to the point of the trajectory before the goal line at which it is
     earliest against the ball, by its reaction and its acceleration.
     """
     speed = length(sight.ball_vx, sight.ball_vy)
@@ -106,7 +105,7 @@ def foot(x, y, ux, uy, last):
 def spare_time(sight, ux, uy, speed, along, k, play):
     """Return how much earlier than the ball the keeper is at a point of the trajectory [s]; below 0: later.  MH21
 
-    What is seen is already that of the moment at which the command takes effect; a longer reaction comes on top.
+    The sight already holds for the moment at which the command takes effect; a longer reaction comes on top.
     """
     x, y = sight.ball_x + along * ux - sight.x, sight.ball_y + along * uy - sight.y
     away = max(length(x, y), 1e-6)

@@ -34,9 +34,9 @@ def rolling_time(speed, far, k):
 def moving_time(far, speed, reaction, k):
     """Return the time [s] in which a base at a speed [m/s] towards a place goes to it, after a reaction [s].  MH21
 
-    It does not brake there: sqrt(2 s / a) from rest up to the top speed v, and s / v + v / (2 a) beyond. Who moves is
-    where somebody who began at rest v^2 / (2 a) behind would be after v / a, and so is, with time run back, who moves
-    away.
+    It does not brake there: sqrt(2 s / a) from rest up to the top speed v, and s / v + v / (2 a) beyond. A base that
+    moves is where a base that began at rest v^2 / (2 a) behind would be after v / a; so is, with time run back, a base
+    that moves away.
     """
     if far <= 0.0:
         return 0.0

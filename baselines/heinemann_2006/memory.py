@@ -1,4 +1,4 @@
-"""What a player of heinemann-2006 remembers between two decisions, and the scratch arrays that it decides in."""
+"""What a player of heinemann-2006 remembers between two decisions, and the scratch arrays of a decision."""
 
 import numpy as np
 
@@ -32,7 +32,7 @@ MEMORY = record(
         ("heard", CALL),  # the call that has come
         ("said", CALL),  # the latest one, which is on its way or has come
         ("said_age", "f8", NUMBER),  # [s] since it was made
-        ("drove", "i8", COUNT),  # decisions for which it goes on at the velocity below; 0: it does not
+        ("drove", "i8", COUNT),  # decisions for which the velocity below is known; 0: it is not
         ("drive_x", "f8", NUMBER),  # [m/s] velocity asked for, team frame
         ("drive_y", "f8", NUMBER),  # [m/s]
         ("arrived", "i8", FLAG),  # 1: it is at the place that it last wanted to be at

@@ -19,18 +19,14 @@ from soccer_env.skills.set_pieces import strength_for
 LED = 0.4  # [s] of a mate's motion by which a pass is led, assumed
 TURN_COST = 0.8  # [m] towards the goal that a pass may lose for a quarter turn less, assumed
 LANE_WORTH = 10.0  # [m/rad] towards the goal that room beside a pass is worth, assumed
-OPEN_SPOTS = (
-    (2.5, 1.5),
-    (2.0, 2.2),
-    (1.0, 2.6),
-)  # [m, m] ahead of the ball and aside where for a supporter, assumed
+OPEN_SPOTS = ((2.5, 1.5), (2.0, 2.2), (1.0, 2.6))  # [m, m] ahead of the ball and aside of it, assumed
 EDGE = 0.5  # [m] from the lines that a supporter keeps, assumed
 STAY = 0.3  # [1] metres towards the goal that a metre less to drive is worth, assumed
 
 
 @compiled
 def choose_pass(sight, k, play, pressed):
-    """Return the unit vector to the mate best passed to, how far it is [m], and what it is worth [m]; -inf for none."""
+    """Return the unit vector to the best mate for a pass, its distance [m], and the pass's worth [m]; -inf for none."""
     best, best_x, best_y, best_far = -inf, 1.0, 0.0, 0.0
     if play.passes == 0:
         return best_x, best_y, best_far, best
@@ -41,7 +37,7 @@ def choose_pass(sight, k, play, pressed):
         x, y = led_spot(sight, k, i)
         dx, dy = x - sight.ball_x, y - sight.ball_y
         far = max(length(dx, dy), 1e-6)
-        gain = towards_goal(k, sight.ball_x, sight.ball_y) - towards_goal(k, x, y)
+        gain = goal_distance(k, sight.ball_x, sight.ball_y) - goal_distance(k, x, y)
         if far < play.pass_near or far > play.pass_far or gain < least:
             continue
         ux, uy = dx / far, dy / far
@@ -63,7 +59,7 @@ def led_spot(sight, k, i):
 
 
 @compiled
-def towards_goal(k, x, y):
+def goal_distance(k, x, y):
     """Return how far [m] a place is from the middle of the opponents' goal."""
     return length(0.5 * k.pitch_length - x, y)
 
@@ -93,7 +89,7 @@ def pass_strength(k, play, far):
 
 @compiled
 def own_ball(sight):
-    """Tell whether the own team is nearer to the ball than the opponents are."""
+    """Tell whether the own team is nearer to the ball than the opponents."""
     own, other = sight.distance, inf
     for i in range(sight.others):
         away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
@@ -115,7 +111,7 @@ def open_place(sight, skill, k):
         y = clip(sight.ball_y + side * aside, -edge_y, edge_y)
         far = max(length(x - sight.ball_x, y - sight.ball_y), 1e-6)
         room = lane_room(sight, k, (x - sight.ball_x) / far, (y - sight.ball_y) / far, far)
-        worth = LANE_WORTH * room - towards_goal(k, x, y) - STAY * length(x - sight.x, y - sight.y)
+        worth = LANE_WORTH * room - goal_distance(k, x, y) - STAY * length(x - sight.x, y - sight.y)
         if worth > best:
             best, best_x, best_y = worth, x, y
     return best_x, best_y

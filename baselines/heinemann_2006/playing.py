@@ -1,5 +1,8 @@
 """What a player of heinemann-2006 does: restarts first, then its role.  MH05, MH23
 
+A player that has stood for long away from its place and without the ball goes a quarter round the ball: plans end
+before a ring of robots, and a player that holds off an opponent waits for it to move; both may last.
+
 `k`: the league's constants; `play`: the team's settings.
 """
 
@@ -9,13 +12,13 @@ from soccer_env.baselines.chaser.attacking import comes_to_me, receive
 from soccer_env.baselines.chaser.supporting import support_point
 from soccer_env.baselines.chaser.team import watch_ball
 from soccer_env.baselines.heinemann_2006.attacking import attack
-from soccer_env.baselines.heinemann_2006.blocked import go_round, note_standing
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
 from soccer_env.baselines.heinemann_2006.memory import KEEPER
 from soccer_env.baselines.heinemann_2006.passing import open_place, own_ball
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
 from soccer_env.skills.deciding import PLAY, free_ring
 from soccer_env.skills.searching import LOST, end_search, search
 from soccer_env.skills.set_pieces import (
@@ -27,8 +30,13 @@ from soccer_env.skills.set_pieces import (
     take_restart,
     wait_for_pass,
 )
+from soccer_env.skills.sight import side_of
 
 SAME_TIME = 1e-6  # [s] less than a control step: sums of steps differ by rounding
+PATIENCE = 5.0  # [s] of standing, assumed
+DETOUR = 2.0  # [s] of going round, assumed
+STAYS = 0.6  # [m] within which a robot counts as standing, assumed: spinning wheels tell it nothing
+LEAST_RADIUS = 1.2  # [m] about the ball, assumed
 
 
 @compiled
@@ -55,7 +63,7 @@ def decide(belief, command, memory, noise, k, play, scratch):
 
 @compiled
 def hear(situation, told, memory, sight, play):
-    """Fill in how the match stands by the latest word of the referee box that has come: none comes at once.  MH05"""
+    """Fill in the match as the referee box has told it by radio, which takes a while.  MH05"""
     heard, said = memory.heard, memory.said
     memory.said_age = 0.0 if is_new(situation, said) else memory.said_age + sight.elapsed
     said.phase, said.placing = situation.phase, situation.placing
@@ -107,3 +115,29 @@ def stand_ready(command, memory, k, play, scratch, ring):
         x, y = open_place(sight, memory.skill, k)
         x, y = round_ball(sight, k, x, y)
     drive_to(command, memory, k, play, scratch, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+
+
+@compiled
+def note_standing(situation, memory, sight):
+    """Note for how long a field player has stood in play without the ball and away from its place."""
+    memory.detour = max(memory.detour - sight.elapsed, 0.0)
+    waits = (memory.arrived == 1 and memory.skill.rank > 0) or sight.held == 1
+    if waits or situation.phase != PLAY or length(sight.x - memory.stands_x, sight.y - memory.stands_y) > STAYS:
+        memory.stood, memory.stands_x, memory.stands_y = 0.0, sight.x, sight.y
+    memory.stood += sight.elapsed
+    if memory.stood > PATIENCE:
+        memory.stood, memory.detour = 0.0, DETOUR
+        if memory.detour_side == 0.0:
+            memory.detour_side = side_of(sight.y - sight.ball_y)
+
+
+@compiled
+def go_round(command, memory, k, play, scratch):
+    """Drive a quarter round the ball, always to the same side."""
+    sight = scratch.sight
+    x, y = sight.x - sight.ball_x, sight.y - sight.ball_y
+    away = max(length(x, y), 1e-6)
+    far = memory.detour_side * max(away, LEAST_RADIUS) / away
+    edge_x, edge_y = 0.5 * k.pitch_length, 0.5 * k.pitch_width
+    to_x, to_y = clip(sight.ball_x - far * y, -edge_x, edge_x), clip(sight.ball_y + far * x, -edge_y, edge_y)
+    drive_to(command, memory, k, play, scratch, to_x, to_y, atan2(-y, -x), 0.0)

@@ -1,8 +1,8 @@
 """Who attacks, who defends and who supports: each player for itself, from the shared beliefs, with hysteresis.  MH23
 
-The attacker is the field player with the shortest way to the back of the ball, of a rolling one who can be at it
-first; the defender the one of the others that is nearest to a place between ball and goal; the rest support.
-`skill.rank` says it to the shared skills: 0 attacks, 1 defends, 2 and on support in pairs.
+The attacker is the field player with the shortest way to the back of the ball or, if the ball rolls, the one that can
+meet it first; the defender is the other player nearest to a place between ball and goal; the rest support.
+The shared skills read `skill.rank`: 0 attacks, 1 defends, 2 and on support in pairs.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -13,7 +13,7 @@ from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, SUPPO
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 
-ROLLS = 0.8  # [m/s] from which on a ball is met where it rolls to, assumed
+ROLLS = 0.8  # [m/s] from which a ball is met where it rolls to, assumed
 MOUTH = 2.0  # [m] before the middle of the goal that a defender's place is reckoned from, assumed
 
 

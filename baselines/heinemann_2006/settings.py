@@ -109,15 +109,15 @@ TEAM_SETTINGS = np.dtype(
 
 def settings_of(settings: HeinemannSettings) -> np.ndarray:
     """Return the record of compiled code for each kind of base, in the order of `DRIVE_KINDS`."""
-    found = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
+    rows = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
     own = settings.record()
     for name in own.dtype.names or ():
-        found[name] = own[name]
-    found["skills"] = chaser(settings.strength).settings
+        rows[name] = own[name]
+    rows["skills"] = chaser(settings.strength).settings
     planner = PlannerSettings(
         time_variant=settings.planner == "time_variant",
         most_iterations=settings.most_iterations,
         most_evaluations=settings.most_evaluations,
     )
-    found["ways"][:] = planner.record()
-    return found
+    rows["ways"][:] = planner.record()
+    return rows

@@ -2,16 +2,16 @@
 
 Each player decides for itself, from its own belief and tracks, in the three parts of the paper's software:
 
-    XLSs       what it knows: self, ball, foes, pals: belief, tracks, and soccer_env/skills/sight.py
-    planner    what it does: the planner, with one module for each mechanism
-    XLAs       how it walks and looks
+    XLSs       "extended logical sensors", what it knows of self, ball, foes, pals: belief, tracks, skills/sight.py
+    planner    what it does: planner.py, with one module for each mechanism
+    XLAs       "extended logical actuators", how it walks and looks: actuators.py
 
 Files:
 
     team.py        the teams, and the kernel that decides for all players
-    explaining.py  what a player tells people who watch: role or behaviour, way, forces
+    explaining.py  what a player tells people who watch: behaviour, way, forces
     settings.py    every number and switch             memory.py      what a player remembers
-    planner.py     chooses a behaviour and does it     xla.py         what legs and head can do
+    planner.py     chooses a behaviour and does it     actuators.py   what legs and head can do
     ball_notes.py  what it notes of the ball           positions.py   who goes to the ball, where others stand
     stuck.py       how it notices that it is stuck     recovery.py    how it gets free
     forces.py      the potential field                 steering.py    where a dribbler goes

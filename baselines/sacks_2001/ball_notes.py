@@ -1,4 +1,4 @@
-"""What a player notes of the ball before it decides: when it was seen for certain, and when between the paws.  MS27
+"""What a player notes of the ball before a decision: when it was seen for certain, and when between the paws.  MS27
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -14,7 +14,7 @@ JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
 FOUND = 2  # sightings that make a ball certain, assumed
 OUTSIDE, OUTSIDE_SHARE = 0.10, 0.10  # [m], [1] of its distance, that a ball may seem to lie behind the boards, assumed
 GAP = 0.5  # [s] unseen that ends a row of sightings, assumed
-LOOK_DOWN = 0.8  # [s] with the head on its way down and down, after which an unseen ball is not there, assumed
+LOOK_DOWN = 0.8  # [s] of lowering the head and looking down, after which an unseen ball is not there, assumed
 AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, assumed
 
 
@@ -22,7 +22,7 @@ AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, a
 def note_sighting(belief, memory, k, play, elapsed):
     """Note how long ago the ball was seen for certain: some times in a row, and not off the field.
 
-    A glimpse may be of anything orange, and there are orange patches behind the boards.
+    A glimpse may show anything orange, such as the patches behind the boards.
     """
     ball = belief.ball
     if ball.age > GAP or ball.confidence <= 0.0 or lies_outside(belief, k, play):
@@ -46,9 +46,9 @@ def lies_outside(belief, k, play):
 
 @compiled
 def note_possession(ball, memory, k, play, elapsed):
-    """Note how long ago the ball was seen between the paws: it is not there any more if looking down does not show it.
+    """Note how long ago the ball was seen between the paws: it is gone if looking down does not show it.  MS27
 
-    Nor is it after a kick: then the robot looks after the ball.  MS27
+    It is also gone after a kick: then the robot looks after the ball.
     """
     memory.had_ball += elapsed
     memory.down = memory.down + elapsed if memory.glances == 0 else 0.0

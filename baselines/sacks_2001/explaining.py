@@ -18,7 +18,7 @@ WAY_SHOWN = 0.5  # [m] of the way of a dribble, which has a direction and no end
 
 
 def plan(mind: Mind) -> np.ndarray:
-    """Return the way to the ball that it approaches, or the one that it dribbles; it plans no other."""
+    """Return the way to a ball that the player approaches, or the way of its dribble; it plans no other way."""
     own, ball, memory = mind.beliefs["own"][0], mind.beliefs["ball"][0], mind.memory[0]
     place = np.array([own["x"], own["y"]])
     if memory["behaviour"] == APPROACH:
@@ -29,15 +29,15 @@ def plan(mind: Mind) -> np.ndarray:
 
 
 def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the total force on a robot that stood at each point as it is turned now; the goal is the target."""
-    found = np.zeros((len(points), 2))
+    """Return the total force on the robot at each point, with its present heading; the goal is the target."""
+    total = np.zeros((len(points), 2))
     beliefs, tracks = mind.beliefs.copy(), mind.tracks.copy()
-    force_field(mind.beliefs, mind.tracks, beliefs, tracks, mind.constants, mind.settings, points, found)
-    return found
+    force_field(mind.beliefs, mind.tracks, beliefs, tracks, mind.constants, mind.settings, points, total)
+    return total
 
 
 @compiled
-def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, settings, points, found):
+def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, settings, points, total):
     """Fill in the force at each point, by the code that the team dribbles by."""
     k, play, own, moved = constants[0], settings[0], beliefs[0].own, moved_beliefs[0]
     for i in range(len(points)):
@@ -45,14 +45,14 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
         goal_x, goal_y = direction_to_goal(moved.own, k)
         pull_x, pull_y = goal_force(goal_x, goal_y, play)
         push_x, push_y = force_of_players(moved, moved_tracks[0], goal_x, goal_y, k, play)
-        found[i, 0] = pull_x + push_x
-        found[i, 1] = pull_y + push_y + wall_force(points[i, 1], 0.5 * k.pitch_width, play)
+        total[i, 0] = pull_x + push_x
+        total[i, 1] = pull_y + push_y + wall_force(points[i, 1], 0.5 * k.pitch_width, play)
     moved.own.x, moved.own.y = own.x, own.y
 
 
 @compiled
 def move_to(belief, tracks, moved, moved_tracks, x, y):
-    """Believe the same of everything from another place: players and the ranger's obstacle stay where they are."""
+    """Move the believed own place to (x, y); players and the ranger's obstacle stay where they are."""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
     ahead, left = into_frame(x - belief.own.x, y - belief.own.y, cosine, sine)
     moved.own.x, moved.own.y = x, y

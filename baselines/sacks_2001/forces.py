@@ -1,8 +1,8 @@
 """Artificial potential fields: the forces of Khatib and Sacks's changes to them.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
 
-Robot and players are points (MS44), a distance is what the sensors gave: from the camera to a player's surface (MS42).
-Walls are not sensed: their distance is that of the own place. Vectors are in metres of the team frame, the goal ahead;
-all forces have no unit.
+Robot and players are points (MS44); distances are as sensed: from the camera to a player's surface (MS42). Walls are
+not sensed: their distance is that of the own place. Vectors are in metres of the team frame, the goal ahead; forces
+have no unit.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -14,7 +14,7 @@ from soccer_env.geometry import length
 
 PROPORTIONAL = GOAL_FORCES["proportional"]
 SURFACE = DISTANCES["surface"]
-NEAREST = 0.01  # [m] a player nearer than this repels as from there: no division by zero
+NEAREST = 0.01  # [m] a nearer player repels as at this distance: no division by zero
 
 
 @compiled
@@ -44,8 +44,8 @@ def repulsion(distance, gain, far, play):
 def as_sensed(x, y, k, play):
     """Return the vector [m], robot frame, to a player whose middle is believed at x, y: as the sensors gave it.  MS42
 
-    From the camera, head level, to the surface before it, half a body nearer than its middle (as in MS35): beliefs add
-    both to what jersey and ranger say. "middle" is from middle to middle, 25 cm more for one straight ahead.
+    From the camera, head level, to the player's surface, half a body nearer than its middle (as in MS35): beliefs add
+    both to the readings. "middle" is from middle to middle, 25 cm more for a player straight ahead.
     """
     if play.distance_from != SURFACE:
         return x, y
@@ -61,7 +61,7 @@ def as_sensed(x, y, k, play):
 def player_force(dx, dy, goal_x, goal_y, play):
     """Return the force of a player at (dx, dy) [m] as sensed, the goal at (goal_x, goal_y).  MS41, MS42
 
-    Times max(0, cos(angle to player - angle to goal)): nobody beside or behind it repels.
+    Times max(0, cos(angle to player - angle to goal)): players beside or behind the robot do not repel.
     """
     away = max(length(dx, dy), NEAREST)
     size = repulsion(away, play.player_gain, play.player_range, play)

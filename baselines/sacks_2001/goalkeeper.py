@@ -1,8 +1,8 @@
 """The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53
 
-The paper has the goalkeeper block balls (3.2) and react to their speed (5). How it blocks is not said: by a sidestep,
-or, in a league whose goalkeepers can, by lying down with its forelegs spread. What it does with a ball that it has is
-not said either: that it kicks it clear is ours.
+The paper has the goalkeeper block balls (3.2) and react to their speed (5). It does not say how it blocks: here by a
+sidestep or, in a league whose goalkeepers can, by lying down with its forelegs spread. Nor does it say what the
+goalkeeper does with a ball that it has: kicking it clear is ours.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -13,9 +13,9 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.skills.moves import faces, go, turn_by, way_clear
 
-FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay, one of unknown speed so fast, assumed
+FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay; speed of a ball of unknown speed, assumed
 CLEAR_COSINE = 0.77  # [1] of the angle to the way clear of the goal within which it kicks, 40 degrees, assumed
-SLOW = 0.3  # [m/s] one that comes nearer more slowly is gone to, assumed
+SLOW = 0.3  # [m/s] the goalkeeper goes to a slower ball, assumed
 
 
 @compiled
@@ -26,7 +26,7 @@ def is_shot(ball, play):
 
 @compiled
 def passes_by(ball):
-    """Return how far to the left of the robot [m] a ball passes that goes on as it does: d^2 w / speed.  MS53
+    """Return how far to the left of the robot [m] a ball will pass that goes straight on: d^2 w / speed.  MS53
 
     From radial and angular velocity alone, as the robot sees them.
     """
@@ -57,8 +57,8 @@ def meet_shot(command, sight, ball, k, play):
 def will_block(ball, aside, k, play):
     """Tell whether it is time to spread the forelegs for a ball that passes so far [m] to the left.  MS53
 
-    They reach it, and it comes before half of the time is over for which they stay spread. Where reactions do not
-    depend on how fast the ball comes, all balls count as fast.
+    The legs reach the ball, and it comes within half of the time for which they stay spread. Where reactions do not
+    depend on the ball's speed, all balls count as fast.
     """
     if play.keeper_blocks == 0 or k.block_raise_time <= 0.0:
         return False
@@ -91,6 +91,6 @@ def may_clear(sight, play, k):
 
 @compiled
 def can_clear(situation, sight, k, play):
-    """Tell whether a goalkeeper that has the ball kicks it clear now, for it faces away from its goal."""
+    """Tell whether a goalkeeper that has the ball kicks it clear now, since it faces away from its goal."""
     ux, uy = way_clear(sight, k)
     return play.keeper_clears == 1 and situation.keeper == 1 and faces(sight, ux, uy, CLEAR_COSINE)

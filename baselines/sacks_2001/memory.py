@@ -26,11 +26,11 @@ MEMORY = record(
         ("left", "f8", NUMBER),  # [s] of the present piece of a recovery
         ("side", "f8", UNIT),  # +1 left, -1 right: of a sidestep or an orbit
         ("had_ball", "f8", ENDLESS),  # [s] since the ball was last seen between the paws
-        ("down", "f8", NUMBER),  # [s] for which the head has not been sent up
+        ("down", "f8", NUMBER),  # [s] since the head was last sent up
         ("glances", "i8", FLAG),  # 1: the head is sent up, away from the ball
         ("winding", "f8", NUMBER),  # [s] for which a kick has been asked for
         ("kicked", "f8", NUMBER),  # [s] left of looking after a kicked ball
-        ("foiled", "f8", NUMBER),  # [s] left of not shooting, after a shot that something stopped at once
+        ("foiled", "f8", NUMBER),  # [s] left without shooting, after a shot that something stopped at once
         ("replan", "f8", NUMBER),  # [s] until the next decision on the way
         ("way", "f8", NUMBER),  # [rad] of the dribble, team frame
         ("way_side", "f8", UNIT),  # +1 left of the goal, -1 right of it, 0 not yet  MS47

@@ -1,7 +1,7 @@
 """The planner: what a player of sacks-2001 does, from what it believes.  [Sacks 2001, 2, 4]  MS01
 
-Once a control step: the XLSs (sight, belief, tracks) are looked at, one behaviour is chosen, and its XLA commands legs
-and head.
+Once a control step it reads the XLSs (sight, belief, tracks) and chooses one behaviour, whose XLA (`actuators.py`)
+commands legs and head.
 
     lost the ball                         search
     goalkeeper                            meet a shot  >  clear  >  guard                     goalkeeper.py
@@ -15,6 +15,20 @@ and head.
 
 from math import atan2
 
+from soccer_env.baselines.sacks_2001.actuators import (
+    glance,
+    look_ahead,
+    look_around,
+    look_down,
+    orbit,
+    rotate,
+    search,
+    sidestep,
+    step_with_ball,
+    turn_with_ball,
+    walk_back,
+    walk_to_ball,
+)
 from soccer_env.baselines.sacks_2001.ball_notes import JUST_SEEN, note_possession, note_sighting
 from soccer_env.baselines.sacks_2001.goalkeeper import can_clear, guard, is_shot, may_clear, meet_shot
 from soccer_env.baselines.sacks_2001.memory import (
@@ -36,29 +50,13 @@ from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recov
 from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, may_shoot
 from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
 from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_near, is_stuck, share_of_step, watch_approach
-from soccer_env.baselines.sacks_2001.xla import (
-    glance,
-    look_ahead,
-    look_around,
-    look_down,
-    orbit,
-    rotate,
-    search,
-    sidestep,
-    step_with_ball,
-    turn_with_ball,
-    walk_back,
-    walk_to_ball,
-)
 from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
 from soccer_env.skills.deciding import free_ring
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, wait_at_area
 from soccer_env.skills.sight import side_of
 
-REALLY_HAS = (
-    1.0  # [s] of doing one thing with the ball after which an approach is over; until then its counters go on, assumed
-)
+REALLY_HAS = 1.0  # [s] of one behaviour with the ball after which an approach is over, with its counters, assumed
 FULL_TURN = 6.3  # [rad]
 STAY_HOME = 6.0  # [s] at the own place before the search on the spot begins anew, assumed
 PASS_STRENGTH = 0.3  # [1] of a kick to a team-mate: the softest, assumed
@@ -84,7 +82,7 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def keep_out(memory, command, sight, k, play):
-    """Walk out of the own penalty area, and leave a ball in it to the goalkeeper: what the rules force on the paper."""
+    """Walk out of the own penalty area, and leave a ball in it to the goalkeeper: the rules ask it, not the paper."""
     in_it = is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius)
     if not leave_area(command, sight, k, play, 0.0) and in_it and memory.behaviour == APPROACH:
         wait_at_area(command, sight, k, play)
@@ -115,7 +113,7 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
 
 @compiled
 def wait_for_ball(situation, memory, sight, k, play, has_ball):
-    """Return what a player does that leaves the ball to others, APPROACH for one that goes after it."""
+    """Return the behaviour of a player that leaves the ball to others, or APPROACH if it goes for the ball."""
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
         return GUARD
     if free_ring(situation, k) > 0.0:
@@ -127,13 +125,13 @@ def wait_for_ball(situation, memory, sight, k, play, has_ball):
 
 @compiled
 def is_kicking(memory):
-    """Tell whether the leg winds up for a kick that was asked for: it cannot be called back."""
+    """Tell whether the leg winds up for a kick, which cannot be called back."""
     return (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > 0.0
 
 
 @compiled
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
-    """Return what an attacker does: approach and notice when it is stuck, or something with the ball.  MS22, MS26"""
+    """Return an attacker's behaviour: approach and notice when it is stuck, or play the ball.  MS22, MS26"""
     if not has_ball or is_contested(belief, tracks, play):
         watch_approach(belief.ball, memory, k, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
@@ -160,7 +158,7 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
 
 @compiled
 def is_contested(belief, tracks, play):
-    """Tell whether an opponent stands so near ahead that the ball between the paws is its ball as well.  MS27"""
+    """Tell whether an opponent stands so near ahead that it has the ball between the paws as well.  MS27"""
     obstacle = belief.obstacle
     if 0.0 < obstacle.distance < play.contested_range and abs(obstacle.bearing) < play.contested_angle:
         return True

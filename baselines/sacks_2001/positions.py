@@ -1,7 +1,7 @@
 """Who goes to the ball, and where the others stand.  [Sacks 2001, 1]
 
-Team-mates tell each other by loudspeaker how far they are from the ball, in words of four bits (MS06). Whoever
-believes itself nearer than any of them says attacks; the others support.
+Team-mates tell each other by loudspeaker how far they are from the ball, in words of four bits (MS06). A player that
+believes itself nearer than the others say attacks; the others support.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -14,7 +14,7 @@ from soccer_env.skills.keeping_rules import ROOM, may_not_enter, out_of_own_area
 from soccer_env.skills.moves import go
 from soccer_env.skills.sight import side_of
 
-OLD_WORD = 2.5  # [s] after which what a team-mate said counts no more, assumed
+OLD_WORD = 2.5  # [s] after which a team-mate's word no longer counts, assumed
 EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assumed
 CHANGE_SIDE = 0.2  # [m] that the ball is off the middle before supporters change sides, assumed
 ROW = 0.6  # [m] between one pair of supporters and the next behind it, assumed
@@ -64,7 +64,7 @@ def wait_for_restart(command, sight, k, play, ring):
 
 @compiled
 def go_home(command, sight, situation, k, play):
-    """Go to the own place and look up the field: where a ball that was not found all round is waited for."""
+    """Go to the own place and look up the field, to wait for a ball that was not found all round."""
     half = 0.25 * k.pitch_width
     y = half if situation.number % 2 == 0 else -half
     x = -0.5 * k.pitch_length + EDGE * k.body_reach if situation.keeper == 1 else -0.15 * k.pitch_length

@@ -11,7 +11,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.skills.sight import side_of
 
-FACING = 0.15  # [rad] a robot that is turned to the ball this far faces it, assumed
+FACING = 0.15  # [rad] to the ball: within it a robot faces the ball, assumed
 ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed
 
 
@@ -51,8 +51,8 @@ def go_on_recovering(belief, tracks, memory, k, play, elapsed):
 def side_to_step(belief, tracks, k, play):
     """Return +1 for left, -1 for right: so that the ball gets between the robot and the opponents' goal.  MS24
 
-    That is where the line from the goal through the ball runs on behind it. sacks-2001-future goes where fewer players
-    stand, if the sides differ.
+    The line from the goal through the ball runs on there. sacks-2001-future goes where fewer players stand, if the
+    sides differ.
     """
     own, ball = belief.own, belief.ball
     if play.free_side == 1:

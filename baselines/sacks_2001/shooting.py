@@ -21,7 +21,7 @@ WIDEST_PASS = 1.2  # [rad] beside straight ahead, assumed
 
 @compiled
 def choose_target(sight, k, play):
-    """Return the unit vector from the ball to the middle of the goal; who chooses shots aims where it is open."""
+    """Return the unit vector from the ball to the middle of the goal; with `choose_shots` to where the goal is open."""
     if play.choose_shots == 1:
         ux, uy, room = choose_shot(sight, k)
         if room > play.shot_room:
@@ -33,7 +33,7 @@ def choose_target(sight, k, play):
 
 @compiled
 def may_shoot(belief, tracks, sight, memory, k, play):
-    """Tell whether the robot is to shoot as soon as it faces the goal: nobody is to be dribbled round.  MS26"""
+    """Tell whether the robot is to shoot as soon as it faces the goal: nobody has to be dribbled round.  MS26"""
     if play.shoots == 0:
         return False
     if play.choose_shots == 1:

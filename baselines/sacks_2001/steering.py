@@ -14,7 +14,7 @@ from soccer_env.geometry import clip, length, out_of_frame, wrap
 from soccer_env.skills.sight import side_of
 
 SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
-BEHIND_LINE = 0.10  # [m] the goal that a dribbler makes for lies so far behind the line, assumed
+BEHIND_LINE = 0.10  # [m] from the goal line to the point behind it at which a dribbler aims, assumed
 CLEARLY_BETTER = 2.0  # [1] how much less the other side must repel a decisive robot, assumed
 
 
@@ -26,7 +26,7 @@ def direction_to_goal(own, k):
 
 @compiled
 def choose_way(belief, tracks, memory, k, play):
-    """Decide on the way of a dribble: memory.way [rad], team frame, and on which side of the goal it lies."""
+    """Choose the way of a dribble: memory.way [rad], team frame, and the side of the goal on which it lies."""
     own = belief.own
     goal_x, goal_y = direction_to_goal(own, k)
     pull_x, pull_y = goal_force(goal_x, goal_y, play)
@@ -62,7 +62,7 @@ def force_of_players(belief, tracks, goal_x, goal_y, k, play):
 
 @compiled
 def obstacle_as_sensed(obstacle, k, play):
-    """Return the vector [m], robot frame, to the ranger's obstacle: as long as the reading itself.  MS42, MS49"""
+    """Return the vector [m], robot frame, to the ranger's obstacle, of the length of the reading.  MS42, MS49"""
     x, y = obstacle.distance * cos(obstacle.bearing), obstacle.distance * sin(obstacle.bearing)
     return as_sensed(x, y, k, play)
 
@@ -85,8 +85,8 @@ def player_behind(obstacle, tracks, k, play):
 def limited(pull_x, pull_y, push_x, push_y, side, play):
     """Return the direction of the total force off the goal's [rad], left positive, at most play.goal_limit.  MS46
 
-    MS47: where the others push mostly away from the goal, by more than 135 degrees, the robot stays on the side (+1,
-    -1, 0 none) on which it was.
+    MS47: where the others push mostly away from the goal, by more than 135 degrees, the robot keeps its side (+1, -1, 0
+    none).
     """
     off = angle_between(pull_x, pull_y, pull_x + push_x, pull_y + push_y)
     if play.clamp == 0 or abs(off) <= play.goal_limit:

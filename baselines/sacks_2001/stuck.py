@@ -1,6 +1,6 @@
 """How a robot notices that it is stuck: the ball does not come nearer.  [Sacks 2001, 3.3]  MS19, MS20, MS22
 
-Tested only while it tries to get to the ball (MS22): whoever calls decides that.
+The planner tests this only while the robot tries to get to the ball (MS22).
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -19,9 +19,9 @@ def watch_approach(ball, memory, k, play, elapsed):
     """Move both counters by what the ball did in `elapsed` [s] of approach: net readings, time near the ball.
 
     MS19: +1 if the radial velocity is near zero or positive, -1 if it is significantly less than zero, never below
-    zero; between the two the counter rests. The bands do not widen with the error of a velocity. However large that
-    is, the count then falls in the long run for a robot that nears the ball faster than the middle between the bands,
-    and rises for one that stands.
+    zero; between the two the counter rests. The bands do not widen with the error of a velocity. However large the
+    error, the count falls in the long run for a robot that nears the ball faster than the middle between the bands, and
+    rises for a robot that stands.
     """
     if is_near(ball, k, play):  # MS20
         memory.near += elapsed
@@ -57,7 +57,7 @@ def is_near(ball, k, play):
 def from_camera(distance, bearing, k):
     """Return the distance [m] over the ground from the camera, level ahead, to a ball seen from the body's middle.
 
-    The ranges of the paper are readings, and those are taken where the camera is.
+    The paper's ranges are readings, which count from the camera.
     """
     return length(distance * cos(bearing) - k.head_camera_ahead, distance * sin(bearing))
 

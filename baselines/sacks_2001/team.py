@@ -34,7 +34,7 @@ def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
 
 
 def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team with other numbers than the paper's: what plays better here (its page says which)."""
+    """Return the team with other numbers than the paper's, which play better here (its page says which)."""
     settings = SacksSettings().changed({"strength": strength, **TUNED, **changes})
     return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 

@@ -1,4 +1,4 @@
-"""weigel-2001: what the paper of 2006 tells of the team of Freiburg, 2001.  [Heinemann 2006, 3]
+"""weigel-2001: the planner of the Freiburg team of 2001, as the paper of 2006 describes it.  [Heinemann 2006, 3]
 
-planner/    ways round obstacles by a potential field on a grid: its own, and the one of 2006
+planner/    ways round obstacles by a potential field on a grid: the planner of 2001, and that of 2006
 """

@@ -1,9 +1,7 @@
-"""The loop in which robots bring their beliefs up to their percepts, then talk: the same for every kind of robot.
+"""The loop over matches and robots in which robots update their beliefs and talk, the same for every kind of robot.
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -14,7 +12,7 @@ from soccer_env.compiled import compiled
 
 
 class Minds(NamedTuple):
-    """What the robots of M matches of R robots believe and remember; memories and messages are the kind's own."""
+    """Beliefs and memories in M matches of R robots; each kind of robot has its own records of memory and message."""
 
     beliefs: np.ndarray  # (M, R) BELIEF
     tracks: np.ndarray  # (M, R, slots) TRACK
@@ -26,13 +24,13 @@ class Minds(NamedTuple):
 
 
 class MemoryNumbers(NamedTuple):
-    """What league and settings say to beliefs."""
+    """The constants and settings that beliefs read."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     sensors: np.ndarray  # (1,) record of the league's sensors
     memory: np.ndarray  # (1,) record of its memory
     tables: np.ndarray  # (1,) what was calibrated before the match
-    home: int  # rows below it are team-mates of each other, as are those from it on
+    home: int  # robots in rows below it are one team, the others the other team
 
 
 def believe_kernel(
@@ -40,17 +38,17 @@ def believe_kernel(
 ) -> Callable[..., None]:
     """Return the compiled loop over matches and robots of a kind.
 
-    make_scratch() makes the scratch that believe_robot(percept, belief, tracks, memory, particles, noise, gaze,
-    scratch, k, s, w, table) works in. It gets its robot's rows one by one: the arrays of a bundle would have their
-    references counted once more at every call.
-    talk(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows) is among the robots of one match.
+    believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table) updates one robot;
+    make_scratch() returns the `scratch` arrays for it. Its robot's rows are passed one by one, since each array in a
+    bundle would cost another reference count at every call.
+    talk(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows) runs once for the robots of a match.
     """
 
     @compiled
     def believe_slice(percepts, minds, numbers, asleep, rows, first, last):
-        """Bring the beliefs of some robots of a slice of matches up to their percepts (M, R).
+        """Update the beliefs of some robots of a slice of matches from their percepts (M, R).
 
-        Nothing happens in matches that are `asleep` (M,), over before this step.
+        Nothing happens in matches that are `asleep` (M,): those that ended before this step.
         """
         numbers = MemoryNumbers(*numbers)
         k = numbers.constants[0]

@@ -1,7 +1,5 @@
 """Where a remembered thing lies after the robot itself has moved.  [Sacks 2001, 3.1.1, 4.1.2]  MS15, MS36"""
 
-from __future__ import annotations
-
 from math import cos, sin
 
 import numpy as np
@@ -24,6 +22,6 @@ def move_point(x, y, forward, left, turn):
     """Return a still point of the ground in the robot frame after the robot's own motion.  MS15, MS36
 
     x, y: the point before [m]; forward, left: the displacement [m] in the axes of before; turn [rad], left positive.
-    Exact for any motion: of a rigid body only where it was and where it is counts, not the way between.
+    Exact for any motion: only the first and the last pose of a rigid body count, not the way between.
     """
     return into_frame(x - forward, y - left, cos(turn), sin(turn))

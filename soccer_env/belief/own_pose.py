@@ -1,16 +1,14 @@
-"""Where a robot believes itself to be: by a pose that it is given, by particles, or by odometry.  MH08
+"""Where a robot believes itself to be: by a given pose, by particles, or by odometry.  MH08
 
 * it has just been placed, and was told where: that pose, with all particles put round it;
 * it senses a noisy pose (`pose="percept"`): that pose, which costs next to nothing;
 * it has particles: odometry in every frame, landmarks or lines every few frames;
 * it has none: odometry alone. The error grows and the confidence falls.
 
-This is what all robots share; `legged/own_pose.py` goes by landmarks, `omni/own_pose.py` by white lines.
+All robots share this; `legged/landmarks.py` weighs particles by landmarks, `omni/field_lines.py` by white lines.
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import cos, exp, sin, sqrt
 
@@ -35,7 +33,7 @@ from soccer_env.records.percepts import POSE_SENSED, POSE_TOLD
 SURE = 100.0  # confidence of a pose that is given
 HELD = 0.3  # [1] share of the particles that do not move with the odometry while others are near, assumed
 RECENT = 1.0  # [s] unseen after which a player that was near may have gone, assumed
-PATIENCE = 4  # [1] times `pose_every` without anything to see after which the particles move all the same, assumed
+PATIENCE = 4  # [1] times `pose_every` without a landmark or line after which the particles move all the same, assumed
 
 POSE_MEMORY = record(
     [
@@ -57,7 +55,7 @@ POSE_MEMORY = record(
 def is_crowded(tracks, k):
     """Return 1 if another player is believed so near that the two may touch, else 0.
 
-    No sensor feels that a robot is pushed or held (MS06); that somebody stands there to do it can be seen.
+    No sensor feels that a robot is pushed or held (MS06), but it sees a player that stands there to do it.
     """
     for i in range(tracks.shape[0]):
         track = tracks[i]
@@ -68,7 +66,7 @@ def is_crowded(tracks, k):
 
 @compiled
 def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
-    """Bring the own pose up to what the robot feels or is told; return whether its particles are due.
+    """Update the own pose from what the robot feels or is told; return whether its particles are due.
 
     crowded: 1 while another player may be pushing or holding the robot, who cannot feel it.
     """
@@ -126,7 +124,7 @@ def forget_motion(memory):
 
 @compiled
 def motion_since(memory, k, w):
-    """Return the motion since the particles were moved, as `move_particle` wants it, and begin anew.
+    """Return the motion since the particles were moved, as `move_particle` takes it, and begin anew.
 
     Its deviations grow with the way (feet and wheels slip), with time, and most of all while another player is near:
     legs and wheels do not feel that the body is pushed, turned or held.
@@ -149,9 +147,9 @@ def field_of(k):
 
 @compiled
 def go_on_blind(own, memory, particles, noise, hand, k, w):
-    """Move the particles although nothing is seen, once patience is at its end.
+    """Move the particles after PATIENCE although the robot sees nothing.
 
-    The confidence is then the share of them that are still near the pose.
+    The confidence is then the share of particles that are still near the pose.
     """
     if memory.frames < PATIENCE * w.pose_every:
         return
@@ -163,9 +161,9 @@ def go_on_blind(own, memory, particles, noise, hand, k, w):
 
 @compiled
 def conclude(own, memory, particles, seen, noise, w):
-    """Estimate the own pose from particles weighed by `seen` numbers, and resample; return whether some are free.
+    """Estimate the own pose from particles weighed by `seen` measurements, and resample; return whether some are free.
 
-    The confidence is the share of weight in the cluster, less the wider it is and the worse it fits.
+    The confidence is the cluster's share of the weight, lower for a wide cluster and for a bad fit.
     """
     count = particles.shape[0]
     total, cost, best = weights_from_costs(particles)

@@ -4,14 +4,12 @@ Monte-Carlo localisation [Fox, Burgard, Dellaert, Thrun 1999; Heinemann et al. 2
 
     move_particle -> weigh (landmarks.py, field_lines.py) -> estimate -> resample -> fresh particles from what is seen
 
-Two rules bring a robot back that was carried away: the share of fresh particles grows when what is seen fits worse than
-it used to [Gutmann, Fox 2002, augmented MCL], and fresh ones are drawn from what is seen [Lenser, Veloso 2000, sensor
+Two rules locate a robot again that was carried away: the share of fresh particles grows when the particles fit worse
+than before [Gutmann, Fox 2002, augmented MCL], and fresh ones are drawn from what is seen [Lenser, Veloso 2000, sensor
 resetting]. Everything is in the team frame. A lateral draw is multiplied by `hand`, the handedness of the noise.
 
 `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, exp, pi, sin, sqrt
 
@@ -26,9 +24,9 @@ from soccer_env.types import RobotStream
 PARTICLES = int(RobotStream.PARTICLES)
 TRIANGLE = sqrt(6.0)  # half base of the symmetric triangular distribution whose deviation is 1
 OUTLIER = 9.0  # [sd2] squared error at which a cost reaches half of what it can, assumed: three deviations
-REPLACED = 1.5  # [1] a cluster elsewhere must be heavier by this before the own pose jumps there, assumed
-SETTLED = 0.3  # [1] and it must have this share of all weight: a cloud has no place to jump to, assumed
-SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: what was believed keeps a chance
+REPLACED = 1.5  # [1] how much heavier another cluster must be before the own pose jumps there, assumed
+SETTLED = 0.3  # [1] share of all weight that it must have: a cloud is no place to jump to, assumed
+SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: the old belief keeps a chance
 
 PARTICLE = record(
     [
@@ -104,7 +102,7 @@ def move_particle(particle, motion, half_length, half_width, noise, hand):
 
 @compiled
 def move_particles(particles, motion, half_length, half_width, noise, hand):
-    """Move all particles; nothing is seen by which they could be weighed."""
+    """Move all particles without weighing them."""
     for i in range(particles.shape[0]):
         move_particle(particles[i], motion, half_length, half_width, noise, hand)
 
@@ -173,8 +171,8 @@ def cluster_near(particles, x, y, heading, w):
 def estimate(particles, own, total, best, w):
     """Take the mean of the heaviest cluster as the own pose; return its weight and squared spread [m2].
 
-    The cluster round the pose that the robot believed in is left only for one that is clearly heavier: the mean of a
-    set with two clusters would lie at neither.
+    The cluster round the believed pose is left only for a clearly heavier one: the mean of two clusters would lie in
+    neither.
     """
     weight, x, y, heading, spread = cluster_near(particles, own.x, own.y, own.heading, w)
     other = particles[best]
@@ -189,8 +187,8 @@ def estimate(particles, own, total, best, w):
 def resample(particles, total, kept, noise):
     """Keep `kept` particles, each as often as its weight deserves (systematic resampling); the others get weight 0.
 
-    In place: a particle that is kept stays where it is and its copies go to the places of those that are not. The
-    weights sum to `total`; those of particles that are kept are 1 afterwards.
+    In place: a kept particle stays in its row and its copies fill the rows of dropped ones. The weights sum to `total`;
+    kept particles get the weight 1.
     """
     step = total / max(kept, 1)
     pointer = step * uniform(noise, PARTICLES)
@@ -216,7 +214,7 @@ def resample(particles, total, kept, noise):
 
 @compiled
 def draw_seeing(particle, sight, half_length, half_width, noise, hand):
-    """Draw a pose from which a known thing is seen as it is: at its bearing, and if that is known at its range.
+    """Draw a pose from which a known thing is seen at its measured bearing, and at its range if that is known.
 
     sight: x, y of the thing [m], its direction as a unit vector of the robot frame, its range [m] (0 unknown), the
     share of the range by which that errs, and x, y of the camera in the robot frame [m].

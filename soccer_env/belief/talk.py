@@ -1,16 +1,14 @@
 """What team-mates tell each other, by loudspeaker or by radio: messages that take time and get lost.  MS06, MH05
 
-Everybody speaks in the same frames; what was said arrives a while later at all team-mates, or is lost for all. One
-message of a robot is on its way at a time: it does not speak before the last one has arrived.
+All robots speak in the same frames; a message arrives a while later at all team-mates, or is lost for all. A robot has
+one message on its way at a time: it does not speak before the last one has arrived.
 
     legged/talk.py   words of four bits by loudspeaker        omni/radio.py   reports of pose, ball and number
 
-Rows below `home` are team-mates of each other, as are those from it on; only `rows` take part.
+Rows below `home` are one team, the others the other team; only `rows` take part.
 
 `k`: the league's constants.
 """
-
-from __future__ import annotations
 
 from math import inf
 
@@ -23,11 +21,11 @@ from soccer_env.types import RobotStream
 
 RADIO = int(RobotStream.RADIO)
 SEEN = 0.5  # [s] a ball that was seen so recently is "seen": pictures miss one now and then, assumed
-REMEMBERED = 2.0  # periods for which a word that arrived counts
+REMEMBERED = 2.0  # periods for which a word counts after its arrival
 
 
 def message_of(kind: np.dtype) -> np.dtype:
-    """Return the record of what a robot says, in words or reports."""
+    """Return the record of a robot's messages, in words or reports."""
     return record(
         [
             ("reports", kind, (2,)),  # the last one that arrived, and the one on its way
@@ -42,7 +40,7 @@ def message_of(kind: np.dtype) -> np.dtype:
 
 @compiled
 def frames_between(period, delay, k):
-    """Return the frames between two messages of a robot, and those that one is on its way."""
+    """Return the frames between two messages of a robot, and the frames that a message is on its way."""
     wait = int(delay / k.dt + 0.5)
     return max(int(period / k.dt + 0.5), wait, 1), wait
 
@@ -58,16 +56,16 @@ def deliver(message, frame):
 
 @compiled
 def send(message, frame, wait, lost):
-    """Send what was written into the free report, or lose it."""
+    """Send the report that was written, or lose it."""
     message.reports[1 - message.latest].frame = frame
     message.flying, message.due = 0 if lost else 1, frame + wait
 
 
 @compiled
 def hear(heard, messages, r, frame, frames, k, home, rows):
-    """Fill in what the team-mate says that is nearest to the ball, of messages not older than some frames; the newest.
+    """Fill in the word of the team-mate nearest to the ball, from messages at most `frames` old.
 
-    Team-mates that are equally near and equally recent say the same, so that it does not matter whose word is taken.
+    Team-mates that are equally near and equally recent say the same word, so that either may be taken.
     """
     heard.word = SILENT
     heard.distance = inf

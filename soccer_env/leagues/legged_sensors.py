@@ -99,7 +99,7 @@ class LeggedSensors(Options):
     infrared_power: float = 3.0  # [1] growth with the distance over 0.4 m, the same
     infrared_pointing: float = 1.5 * DEGREE  # [rad] sd of the beam's direction, the same
     odometry_noise: float = 0.03  # [1] sd of each component of a step's displacement, assumed; slip comes on top
-    pose_noise: float = 0.08  # [m] sd of the noisy pose made by perception/pose.py, assumed
+    pose_noise: float = 0.08  # [m] sd of the noisy pose made by perception/body.py, assumed
     pose_turn_noise: float = 0.10  # [rad] the same
     pose_time: float = 1.0  # [s] correlation time of its errors, assumed
     place_noise: float = 0.03  # [m] sd of where a robot is put at a restart against where it is told, assumed

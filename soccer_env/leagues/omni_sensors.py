@@ -61,7 +61,7 @@ class OmniSensors(Options):
     camera_delay: int = 1  # [frames] from exposure to percept, assumed: the image is taken and searched
     odometry_noise: float = 0.02  # [1] sd of each component of a step's displacement, assumed; slip comes on top
     barrier_miss: float = 0.01  # [1] frames in which the light barrier at the kicker errs, assumed
-    pose_noise: float = 0.10  # [m] sd of the noisy pose made by perception/pose.py, assumed
+    pose_noise: float = 0.10  # [m] sd of the noisy pose made by perception/body.py, assumed
     pose_turn_noise: float = 0.05  # [rad] the same
     pose_time: float = 1.0  # [s] correlation time of its errors, assumed
     place_noise: float = 0.05  # [m] sd of where a robot is put at a restart against where it is told, assumed

@@ -1,11 +1,10 @@
 """What robots perceive: percepts made from the truth, with the errors of real sensors.
 
-    body.py    What a robot feels of itself: odometry, the accelerometer, its kicker, and a pose that it is given.
-    ideal.py   senses="ideal": copy the truth into the fields of beliefs and tracks, as a sensor without error or ...
+    body.py    What a robot feels of itself: odometry, accelerometer, kicker, and a pose if it is given one.
+    ideal.py   senses="ideal": the truth in the fields of beliefs and tracks, as from a perfect sensor.
     legged/    What legged robots perceive: blobs in the picture of a camera on a moving head, and an infrared ranger.
     omni/      What middle-size robots perceive: an omnidirectional camera, white lines, a light barrier.
-    pose.py    The pose that a robot is given from outside: a noisy one in every frame, or where it was put at a ...
-    sensing.py The loop in which robots sense: what is common to all kinds of robots, round what each kind does ...
+    sensing.py The loop over matches and robots in which robots sense, the same for every kind of robot.
 
-One folder a kind of robot; what lies here is every robot's.
+Each kind of robot has a folder; the modules here serve all robots.
 """

@@ -1,28 +1,42 @@
-"""What a robot feels of itself: odometry, the accelerometer, its kicker, and a pose that it is given.  MS06
+"""What a robot feels of itself: odometry, accelerometer, kicker, and a pose if it is given one.  MS06
 
-Nobody feels contacts: a legged robot's touch sensors are elsewhere (legged/touch.py), and Heinemann et al. 2006 tell of
-none.
+No robot feels contacts here: a legged robot's touch sensors are in legged/touch.py, and Heinemann et al. 2006 mention
+none. A pose is in the team frame, own goal behind. The noisy pose of every frame stands for a localisation that works:
+its error changes slowly, like a filter's, and never runs away.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
+from math import exp, pi, sqrt
+
+import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.perception.pose import follow_pose, no_pose, tell_pose
+from soccer_env.geometry import direction_of, wrap
+from soccer_env.guards.ranges import NUMBER, record
 from soccer_env.random_numbers import normal, uniform
+from soccer_env.records.percepts import NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.types import RobotStream
 
 ODOMETRY = int(RobotStream.ODOMETRY)
 BARRIER = int(RobotStream.BARRIER)
+POSE = int(RobotStream.POSE)
+POSE_ERROR = record(
+    [  # error of the noisy pose: state of the sensor, which delivers the pose alone
+        ("x", "f4", NUMBER),  # [m] team frame
+        ("y", "f4", NUMBER),  # [m] team frame
+        ("heading", "f4", NUMBER),  # [rad]
+    ]
+)
+LEAST_TIME = 1e-9  # [s] a correlation time of zero makes independent errors
 
 
 @compiled
 def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
-    """Fill in a BODY_PERCEPT of either league, but for the light barrier.  [Sacks 2001, 1]  MS06
+    """Fill in a BODY_PERCEPT of either league, except the light barrier.  [Sacks 2001, 1]  MS06
 
-    `pose_sensed` 1 gives the noisy pose in every frame, and `pose_error` keeps what it is off by; a robot that was
-    carried is told where it stands, always.
+    With `pose_sensed` 1 the robot gets a noisy pose in every frame, and `pose_error` holds its error. A robot that was
+    just placed is always told its pose.
     """
     first = body.handedness == 0.0  # a percept that was never filled in
     body.frame = match.step
@@ -44,9 +58,9 @@ def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
 def count_steps(robot, body, k, s):
     """Fill in the odometry: what the legs or wheels did in this frame, whatever the ground made of it.  MS06
 
-    Neither slip nor pushing is felt, so that a robot that is stuck believes that it walks. The body keeps its direction
-    over the ground during a step, so that the walk is the displacement in the axes of the last frame. Errors are in
-    proportion to what is measured; factors look the same in a mirror, so that handedness has no part in them.
+    The robot feels neither slip nor pushing: when stuck, it believes that it walks. The body keeps its direction over
+    the ground during a step, so the walk is the displacement in the axes of the last frame. Errors are factors on the
+    measurement and the same in a mirror, so handedness plays no part.
     """
     body.forward = measured(robot.walk.forward * k.dt, robot.noise, s)
     body.left = measured(robot.walk.left * k.dt, robot.noise, s)
@@ -61,6 +75,49 @@ def measured(step, noise, s):
 
 @compiled
 def light_barrier(robot, body, s):
-    """Fill in whether the light barrier at the kicker is broken; it errs either way in a share of the frames."""
+    """Fill in whether the light barrier at the kicker is broken; in a share of the frames the reading is wrong."""
     wrong = uniform(robot.noise, BARRIER) < s.barrier_miss
     body.held = 1 if (robot.has_ball == 1) != wrong else 0
+
+
+@compiled
+def no_pose(body):
+    """Mark the percept as one without a pose."""
+    body.pose = NO_POSE
+    body.x = body.y = body.heading = 0.0
+
+
+@compiled
+def follow_pose(match, robot, body, error, k, s, first):
+    """Fill in the noisy pose: the truth plus an error (POSE_ERROR) that changes slowly.
+
+    Each component of the error is a first-order autoregressive process e' = a e + sqrt(1 - a^2) sd n with
+    a = exp(-dt / s.pose_time) and n standard normal; drawn from its stationary distribution in the first frame.
+    """
+    keep = 0.0 if first else exp(-k.dt / max(s.pose_time, LEAST_TIME))
+    fresh = sqrt(1.0 - keep * keep)
+    hand = match.handedness
+    error.x = keep * np.float64(error.x) + fresh * s.pose_noise * normal(robot.noise, POSE)
+    error.y = keep * np.float64(error.y) + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
+    error.heading = keep * np.float64(error.heading) + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
+    body.pose = POSE_SENSED
+    give_pose(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
+
+
+@compiled
+def tell_pose(match, robot, body, s):
+    """Fill in the pose that a robot is told when it is placed: a hand's breadth off the true one."""
+    hand = match.handedness
+    x = s.place_noise * normal(robot.noise, POSE)
+    y = s.place_noise * hand * normal(robot.noise, POSE)
+    body.pose = POSE_TOLD
+    give_pose(match, robot, body, x, y, s.place_turn_noise * hand * normal(robot.noise, POSE))
+
+
+@compiled
+def give_pose(match, robot, body, error_x, error_y, error_heading):
+    """Fill in the true pose in the team frame [m, m, rad] plus an error in the same axes."""
+    side = direction_of(match, robot.team)
+    heading = robot.heading if side > 0.0 else robot.heading + pi
+    body.x, body.y = side * robot.x + error_x, side * robot.y + error_y
+    body.heading = wrap(heading + error_heading)

@@ -1,12 +1,10 @@
-"""senses="ideal": copy the truth into the fields of beliefs and tracks, as a sensor without error or memory would.
+"""senses="ideal": the truth in the fields of beliefs and tracks, as from a sensor without error or memory.
 
 Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never
-learns which side it plays on. How the match stands is told to every robot, whatever else it has to perceive.
+learns which side it plays on. Every robot is told how the match stands, with sensors too.
 
 `k`: the league's constants.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, inf, pi, sin
 
@@ -37,7 +35,7 @@ def believe_truth_slice(world, beliefs, tracks, constants, rows, first, last):
 
 @compiled
 def tell_slice(world, beliefs, asleep, rows, first, last):
-    """Tell some robots of a slice of matches how the match stands; nothing new in those that are `asleep` (M,)."""
+    """Tell some robots of a slice of matches how the match stands, except in matches that are `asleep` (M,)."""
     world = World(*world)
     for m in range(first, last):
         match, robots = world.matches[m], world.robots[m]
@@ -55,7 +53,7 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     ball_truth(robot, ball, belief.ball, cosine, sine)
     situation(match, robots, belief.situation, r)
     heard_truth(ball, robots, belief.heard, r)
-    belief.obstacle.distance = belief.obstacle.bearing = 0.0  # all players are where their tracks say
+    belief.obstacle.distance = belief.obstacle.bearing = 0.0  # the tracks show every player
     fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
     fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 
@@ -112,7 +110,7 @@ def situation(match, robots, known, r):
 
 @compiled
 def heard_truth(ball, robots, heard, r):
-    """Fill in how far the team-mate that is nearest to the ball is from it, as if all told the truth at once."""
+    """Fill in the distance to the ball of the team-mate nearest to it, as if all told the truth at once."""
     nearest = inf
     for other in range(robots.shape[0]):
         if other != r and robots[other].team == robots[r].team and robots[other].active == 1:
@@ -136,32 +134,32 @@ def nearest_players(robots, r, same_team, slots, rows, squares):
     `same_team` 1 asks for team-mates of robot r, 0 for opponents; equal distances go by row. `squares` is a scratch
     array for their squared distances.
     """
-    found = 0
+    count = 0
     for other in range(robots.shape[0]):
         mate = 1 if robots[other].team == robots[r].team else 0
         if other == r or mate != same_team or robots[other].active == 0:
             continue
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         square = x * x + y * y
-        place = found if found < slots else slots
+        place = count if count < slots else slots
         while place > 0 and square < squares[place - 1]:
             if place < slots:
                 rows[place], squares[place] = rows[place - 1], squares[place - 1]
             place -= 1
         if place < slots:
             rows[place], squares[place] = other, square
-            found = min(found + 1, slots)
-    return found
+            count = min(count + 1, slots)
+    return count
 
 
 @compiled
 def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
     """Fill `slots` slots from `first` on with the nearest players of a kind, nearest first."""
-    found = nearest_players(robots, r, same_team, slots, rows, squares)
-    for slot in range(found):
+    count = nearest_players(robots, r, same_team, slots, rows, squares)
+    for slot in range(count):
         see_player(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
         tracks[first + slot].teammate = same_team
-    clear_slots(tracks, first + found, first + slots)
+    clear_slots(tracks, first + count, first + slots)
 
 
 @compiled

@@ -1,9 +1,7 @@
-"""The loop in which robots sense: what is common to all kinds of robots, round what each kind does itself.
+"""The loop over matches and robots in which robots sense, the same for every kind of robot.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -16,15 +14,15 @@ from soccer_env.records.world import World
 
 
 class Sensing(NamedTuple):
-    """What perception fills, of M matches of R robots; the records are the kind's own."""
+    """The arrays that perception fills for M matches of R robots; each kind of robot has its own records."""
 
     percepts: np.ndarray  # (M, R) what the sensors deliver, with a BODY_PERCEPT "body"
-    states: np.ndarray  # (M, R) what they remember and do not deliver, with a POSE_ERROR "pose_error"
+    states: np.ndarray  # (M, R) what they remember but do not deliver, with a POSE_ERROR "pose_error"
     pending: np.ndarray  # (M, R, frames) pictures on their way, as percepts
 
 
 class SensorNumbers(NamedTuple):
-    """What league and settings say to perception."""
+    """The constants and settings that perception reads."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     sensors: np.ndarray  # (1,) record of the league's sensors
@@ -34,13 +32,13 @@ class SensorNumbers(NamedTuple):
 def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., None]) -> Callable[..., None]:
     """Return the compiled loop over matches and robots of a kind.
 
-    make_scratch(k, s) makes what sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s) works in,
-    which fills in all of robot r's percept but for what its body feels.
+    sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s) fills in robot r's percept, except what
+    its body feels; make_scratch(k, s) returns the `scratch` arrays for it.
     """
 
     @compiled
     def sense_slice(world, sensing, numbers, asleep, rows, first, last):
-        """Fill the percepts of some robots of a slice of matches; those of matches that are `asleep` (M,) stay."""
+        """Fill the percepts of some robots of a slice of matches; matches that are `asleep` (M,) keep theirs."""
         world = World(*world)
         numbers = SensorNumbers(*numbers)
         k, s = numbers.constants[0], numbers.sensors[0]

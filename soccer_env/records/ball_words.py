@@ -1,11 +1,11 @@
-"""Words of four bits: how far a robot is from the ball, as far as fifteen words can tell.  MS06
+"""Words of four bits: how far a robot is from the ball, in fifteen ranges.  MS06
 
-Word 1 is below NEAREST, each further one covers a range GROWTH times as long; the last is all that is farther:
+Word 1 is below NEAREST, each further word covers a range GROWTH times as long, the last word everything beyond:
 
     word       1      2      3      4      5      6      7     8     9    10    11    12    13    14    15
     up to   0.12   0.15   0.20   0.25   0.32   0.41   0.53  0.68  0.86  1.11  1.42  1.81  2.32  2.97   inf  [m]
 
-Near robots, which may want the same ball, are thus told apart, and far ones are not. Word 0 says that the robot does
+So the words tell near robots apart, which may want the same ball, but not far ones. Word 0 says that the robot does
 not see the ball.
 """
 
@@ -21,7 +21,7 @@ GROWTH = 1.28  # [1] so that the words reach from the chest across a field of 3 
 
 @compiled
 def word_for(distance: float) -> int:
-    """Return the word 1 ... 15 for a distance to the ball [m]; 0 for one that is infinite: no ball is seen."""
+    """Return the word 1 ... 15 for a distance to the ball [m]; 0 for an infinite distance: no ball is seen."""
     if distance == inf:
         return SILENT
     word, edge = 1, NEAREST

@@ -54,7 +54,7 @@ BALL_BELIEF = record(
         ("vy", "f8", NUMBER),  # [m/s]
         ("radial", "f8", NUMBER),  # [m/s] rate of the distance as the moving robot sees it
         ("angular", "f8", NUMBER),  # [rad/s] rate of the bearing as the moving, turning robot sees it
-        ("confidence", "f8", CONFIDENCE),  # [0, 100]; 0: it is not known where it is
+        ("confidence", "f8", CONFIDENCE),  # [0, 100]; 0: its place is unknown
         ("age", "f8", ENDLESS),  # [s] since it was seen; inf: not since the robot was put down
         ("held", "i8", FLAG),  # 1: it lies in my pocket or at my kicker
     ]
@@ -79,7 +79,7 @@ TRACK = record(
 )
 
 HEARD = record(
-    [  # what team-mates say of the ball; the one that is nearest to it counts
+    [  # what team-mates say of the ball; the team-mate nearest to it counts
         ("word", "i8", WORDS),  # 1 ... 15: range of its distance to the ball, see ball_words.py; 0: nobody says
         ("distance", "f8", ENDLESS),  # [m] its distance to the ball; inf if nobody says
         ("age", "f8", ENDLESS),  # [s] since it said so; inf if nobody says
@@ -94,17 +94,11 @@ OBSTACLE = record(
 )
 
 BELIEF = record(
-    [
-        ("own", OWN_POSE),
-        ("ball", BALL_BELIEF),
-        ("situation", SITUATION),
-        ("heard", HEARD),
-        ("obstacle", OBSTACLE),
-    ]
+    [("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION), ("heard", HEARD), ("obstacle", OBSTACLE)]
 )
 
 
-# Slots for other players: how one is emptied, whoever fills it
+# Slots for other players
 
 
 @compiled

@@ -18,7 +18,7 @@ LINES = 32  # room for directions in which white lines are looked for
 OTHERS = 2 * MAX_TEAM - 1  # room for every other player
 
 NO_POSE = 0
-POSE_SENSED = 1  # the noisy pose of perception/pose.py
+POSE_SENSED = 1  # the noisy pose of perception/body.py
 POSE_TOLD = 2  # the robot was put somewhere and told where
 
 PIXEL = Range(-10000, 10000)  # [px] from the middle of a picture
@@ -57,7 +57,7 @@ TOUCH = record(
         ("head", "i1", FLAG),  # 1: the one on the head is pressed
         ("chin", "i1", FLAG),  # 1: the one under the chin
         ("back", "i1", FLAG),  # 1: the one on the back
-        ("feet", "i1", Range(0, 4)),  # how many of the four under the paws are: those of paws that stand
+        ("feet", "i1", Range(0, 4)),  # how many of the four under the paws are pressed: one for each paw that stands
     ]
 )
 

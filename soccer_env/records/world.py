@@ -1,6 +1,6 @@
-"""World: the true records of M matches, bundled so that kernels get them as one thing.
+"""World: the true records of M matches, bundled into one argument of kernels.
 
-Whoever takes a World sees the truth. Neither belief/ nor a team ever gets one.
+Code that takes a World sees the truth. Neither belief/ nor a team ever gets one.
 
 Bundles go into kernels as plain tuples, which numba recognises half a microsecond faster each, and get their names
 there: `world = World(*world)` costs nothing.

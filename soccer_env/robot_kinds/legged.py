@@ -23,13 +23,13 @@ GROUPS: tuple[Group, ...] = (  # percepts of a camera on a head; those of severa
 def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     """Return head, blobs and obstacle of robots (R,), each (R, n, parts)."""
     obstacle = beliefs["obstacle"]
-    found = {"head": np.stack([CENTI * percepts["pan"], CENTI * percepts["tilt"]], axis=-1)[:, None]}
-    found["obstacle"] = np.stack([CENTI * obstacle["bearing"], CENTI * obstacle["distance"]], axis=-1)[:, None]
+    arrays = {"head": np.stack([CENTI * percepts["pan"], CENTI * percepts["tilt"]], axis=-1)[:, None]}
+    arrays["obstacle"] = np.stack([CENTI * obstacle["bearing"], CENTI * obstacle["distance"]], axis=-1)[:, None]
     for name, _, _ in GROUPS[1:-1]:
         blobs = percepts[name]
-        there = (blobs["area"] > 0)[..., None]
-        found[name] = np.where(there, np.stack([blobs[part] for part in BOX], axis=-1), 0)
-    return found
+        visible = (blobs["area"] > 0)[..., None]
+        arrays[name] = np.where(visible, np.stack([blobs[part] for part in BOX], axis=-1), 0)
+    return arrays
 
 
 def seen(percepts: np.ndarray) -> Seen:

@@ -20,13 +20,13 @@ GROUPS: tuple[Group, ...] = (
 
 def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     """Return sightings and lines of robots (R,), each (R, n, parts)."""
-    found = {}
+    arrays = {}
     for name, count, _ in GROUPS[:-1]:
         things = percepts[name].reshape(len(percepts), -1)[:, :count]
         side = np.where(things["teammate"] == 1, 1.0, -1.0) if name == "players" else 1.0
         polar = np.stack([CENTI * things["bearing"], CENTI * side * things["distance"]], axis=-1)
-        found[name] = np.where((things["seen"] > 0)[..., None], polar, 0.0)
-    return found | {"lines": LINE_STEPS * percepts["lines"][..., None]}
+        arrays[name] = np.where((things["seen"] > 0)[..., None], polar, 0.0)
+    return arrays | {"lines": LINE_STEPS * percepts["lines"][..., None]}
 
 
 def seen(percepts: np.ndarray) -> Seen:

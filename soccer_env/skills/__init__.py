@@ -1,13 +1,13 @@
-"""What scripted players share, from a belief to a command.
+"""Skills that scripted players share, from a belief to a command.
 
 sight.py          a belief, turned into the team frame once a decision
 moves.py          ways to move, to aim and to play the ball
 carrying.py       the ball carried between the paws or the arms of the guide
-deciding.py       when a player decides, and how well by its strength
-searching.py      a player without a ball
+deciding.py       when a player decides, and how its strength limits it
+searching.py      the search for a lost ball
 settings.py       the numbers that skills read
-    set_pieces.py     restarts: pass, and leave the ball to others
-keeping_rules.py  where a player may not go, and how it does not push
+set_pieces.py     restarts: pass, and leave the ball to others
+keeping_rules.py  where a player may not go, and how it avoids pushing
 """
 
 from soccer_env.skills.moves import go, push, stand, turn_by

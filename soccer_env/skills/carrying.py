@@ -33,7 +33,7 @@ def turn_about_ball(command, sight, memory, k, play, error):
     """Turn by `error` [rad] on a circle about the ball, only as fast as the motors can follow it.
 
     A circle of radius r takes w^2 r across, and a change of the turn r dw/dt along it: each gets the same share of what
-    the wheels give. Who turns faster, or turns before its wheels have brought it aside, sheds the ball.
+    the wheels give. A robot that turns faster, or before its wheels have moved it aside, loses the ball.
     """
     rate = sqrt(play.circle_share * k.drive_acceleration / sight.touch) * sight.pace
     last = clip(memory.turn * k.drive_turn, -rate, rate)
@@ -55,9 +55,9 @@ def is_pressed(sight):
 
 @compiled
 def is_opposed(sight, ux, uy):
-    """Tell whether an opponent is at the ball from the side to which it is pushed, along the unit vector (ux, uy).
+    """Tell whether an opponent stands at the ball, against a push along the unit vector (ux, uy).
 
-    What two press between them at speed shoots out aside. Who is beside the ball or behind it presses nothing.
+    A ball pressed between two robots at speed shoots out aside. An opponent beside or behind the ball does not press.
     """
     for i in range(sight.others):
         x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
@@ -69,7 +69,7 @@ def is_opposed(sight, ux, uy):
 
 @compiled
 def pushing_speed(sight, k, ux, uy):
-    """Return how fast a ball at the feet may be pushed along (ux, uy) [m/s]: at the goal as fast as one likes."""
+    """Return how fast a ball at the feet may be pushed along (ux, uy) [m/s]: at full speed towards the goal."""
     if is_opposed(sight, ux, uy):
         return SLOW
     return line_speed(sight, k, ux, uy) if goal_room(sight, k, ux, uy) < 0.0 else k.drive_forward

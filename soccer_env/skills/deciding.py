@@ -1,4 +1,4 @@
-"""When a scripted player decides, how well by its strength, and how far it keeps off the opponents' restart.
+"""When a scripted player decides, how its strength limits it, and how far it keeps off the opponents' restart.
 
 A team's memory has `wait` and `aim_error`, and `forward`, `aside`, `turn` and `kick` for the command that is repeated.
 
@@ -43,7 +43,7 @@ def apply_strength(sight, memory, noise, k, weakness, wait, aim, pace):
 
 @compiled
 def keep_decision(memory, command):
-    """Remember the command, to be repeated."""
+    """Remember the command, to repeat it."""
     memory.forward, memory.aside, memory.turn = command.forward, command.left, command.turn
     memory.kick = command.kick
 

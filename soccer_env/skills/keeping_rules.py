@@ -1,7 +1,7 @@
 """How the chaser's field players keep the legged league's rules: out of their own penalty area, and no shoving.
 
-The own area is the goalkeeper's, and so is a ball in it: an attacker waits at its edge, and whoever is inside comes
-out by the shortest way. Who has walked into an opponent for nearly as long as is allowed steps back from it, from a
+The own area is the goalkeeper's, and so is a ball in it: an attacker waits at its edge, and a player inside comes out
+by the shortest way. A player that has walked into an opponent for nearly as long as allowed steps back from it, from a
 goalkeeper in its area wherever the ball is; the player nearest to the ball may push others for it.
 
 `k`: the league's constants; `play`: the team's settings.
@@ -18,8 +18,8 @@ ROOM = 0.08  # [m] more than its reach that a field player keeps off its own are
 WAIT = 0.35  # [m] from a ball in the own area at which an attacker waits for it, assumed
 TOUCH = 1.8  # [body reaches] between the centres of two robots that are taken to touch, assumed
 PRESS = 0.25  # [1] of the top speed towards another above which a robot walks into it, as the referee has it
-AHEAD = 0.6  # [rad] off straight ahead within which the ranger meets who is behind the ball, assumed
-SHORTEST = 0.25  # [s] of a push all the same, assumed
+AHEAD = 0.6  # [rad] off straight ahead within which the ranger meets a robot behind the ball, assumed
+SHORTEST = 0.25  # [s] of a push, always allowed, assumed
 
 
 @compiled
@@ -55,7 +55,7 @@ def leave_area(command, sight, k, play, berth):
     go(command, sight, k, play, x, y, facing, k.drive_forward)
     ahead, left = into_frame(x - sight.x, y - sight.y, sight.cosine, sight.sine)
     away = max(length(ahead, left), 1e-6)
-    push(command, sight, k, ahead / away, left / away, k.drive_forward)  # backwards too: who turns first is too late
+    push(command, sight, k, ahead / away, left / away, k.drive_forward)  # backwards too: turning first takes too long
     return True
 
 
@@ -72,10 +72,10 @@ def wait_at_area(command, sight, k, play):
 
 @compiled
 def mind_pushing(obstacle, command, sight, memory, k, retreat):
-    """Step back from an opponent that the player has walked into, `retreat` [s] before it is for too long.
+    """Step back from an opponent that the player has walked into, `retreat` [s] before the allowed time is over.
 
-    A player that looks down at the ball does not see who is behind it, and nobody feels contacts: near the opponents'
-    goal it takes the ball on step by step, between which it stands for as long.
+    A player that looks down at the ball does not see who is behind it, and robots do not feel contacts: near the
+    opponents' goal it walks on with the ball for a while, then stands for as long.
     """
     if k.rules_pushing + k.rules_keeper_pushing == 0 or k.legs + k.walled == 0:
         return
@@ -112,12 +112,11 @@ def may_meet_keeper(obstacle, command, sight, memory, k):
 
 @compiled
 def walks_into(command, sight, k):
-    """Return the slot of the opponent that the player walks into and how long it may [s]; -1 if there is none."""
-    found, allowed, near = -1, inf, TOUCH * k.body_reach
+    """Return the slot of the opponent that the player walks into and the allowed time [s]; -1 if there is none."""
+    slot, allowed, near = -1, inf, TOUCH * k.body_reach
     exempt = sight.distance < k.rules_pushing_exempt and is_nearest(sight)
-    walk_x, walk_y = out_of_frame(
-        command.forward * k.drive_forward, command.left * k.drive_sideways, sight.cosine, sight.sine
-    )
+    ahead, left = command.forward * k.drive_forward, command.left * k.drive_sideways
+    walk_x, walk_y = out_of_frame(ahead, left, sight.cosine, sight.sine)
     for i in range(sight.others):
         x, y = sight.other_x[i] - sight.x, sight.other_y[i] - sight.y
         away = max(length(x, y), 1e-6)
@@ -127,8 +126,8 @@ def walks_into(command, sight, k):
         time = k.rules_keeper_pushing_time if keeps else (inf if exempt else k.rules_pushing_time)
         far = near + 2.0 * k.ball_radius if keeps and sight.held == 1 else near  # through the ball counts as well
         if away < far and time < allowed:
-            found, allowed = i, time
-    return found, allowed
+            slot, allowed = i, time
+    return slot, allowed
 
 
 @compiled

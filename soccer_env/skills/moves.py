@@ -45,7 +45,7 @@ def stand(command):
 def turn_by(command, sight, k, play, angle):
     """Turn by an angle [rad] within the settling time; on wheels that step aside slower at speed.  MH01
 
-    Who turns by w at speed v has to bend its way in its own frame by v w, and has no acceleration left to brake with.
+    A base that turns by w at speed v must bend its way in its own frame by v w, and has less acceleration for braking.
     """
     most = 1.0
     if k.drive_kind == WHEELS_OMNI:
@@ -96,9 +96,9 @@ def go(command, sight, k, play, x, y, facing, final):
 
 @compiled
 def hold_back(sight, k, play, dx, dy, speed, fights):
-    """Return a way (unit vector) and speed [m/s] that drive into nobody: only as fast as the way to it lets brake.
+    """Return a way (unit vector) and speed [m/s] that drive into nobody: slow enough to brake before every robot.
 
-    Who fights for the ball may drive at those who have it, but never at a goalkeeper.
+    A player that fights for the ball may drive at the players who have it, but never at a goalkeeper.
     """
     vx, vy = speed * dx, speed * dy
     for i in range(sight.others):
@@ -229,7 +229,7 @@ def choose_shot(sight, k):
 
 @compiled
 def choose_way(sight, k, play):
-    """Return the unit vector along which the ball is best brought on, round the opponents that stand before it."""
+    """Return the best unit vector along which to bring the ball on, round the opponents that stand before it."""
     x, y = 0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(x, y), 1e-6)
     side = side_of(sight.ball_y)
@@ -252,8 +252,8 @@ def choose_way(sight, k, play):
 def way_clear(sight, k):
     """Return the unit vector along which the ball is played clear of the own goal, never across its mouth.
 
-    Away from a point as far behind the middle of the goal as the goal is half wide: straight out from the middle, at
-    most 45 degrees aside between the posts, where away from the middle of the goal would be along its line.
+    The way leads away from a point half a goal's width behind the middle of the goal: straight out from the middle, at
+    most 45 degrees aside between the posts. Away from the middle itself it would lead along the goal line.
     """
     x, y = sight.ball_x + 0.5 * k.pitch_length + 0.5 * k.pitch_goal_width, sight.ball_y
     away = max(length(x, y), 1e-6)

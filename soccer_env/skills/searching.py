@@ -10,7 +10,7 @@ from soccer_env.geometry import length, wrap
 from soccer_env.skills.moves import go, leave_boards
 from soccer_env.skills.sight import side_of
 
-LOST = 2.0  # [s] unseen for longer the ball has to be searched for, assumed
+LOST = 2.0  # [s] unseen after which the ball is searched for, assumed
 SEARCH = 0.9  # [1] of the top turn rate while searching, assumed: the camera still has each place in many pictures
 FULL_TURN = 6.3  # [rad]
 LONGEST_WALK = 10.0  # [s] to the next place to look from, assumed
@@ -44,7 +44,7 @@ def search(belief, command, sight, memory, k, play):
 
 @compiled
 def begin_search(belief, sight, memory, k):
-    """Choose the side to turn to: where the ball was last, and if it was never seen towards the centre spot."""
+    """Choose the side to turn to: where the ball was last, or towards the centre spot if it was never seen."""
     bearing = sight.bearing
     if belief.ball.confidence <= 0.0:
         bearing = wrap(atan2(-sight.y, -sight.x) - sight.heading)

@@ -34,7 +34,7 @@ PASSES_BY = 0.1  # [m] that a supporter on its way leaves between itself and the
 
 @compiled
 def note_set_piece(situation, sight, memory, k):
-    """Remember that the own team takes a restart, and as whom: above 0 the taker, below 0 its mate, 0 nobody."""
+    """Remember the own team's restart and the player's part: above 0 it is the taker, below 0 a mate, 0 neither."""
     if k.rules_second_touch == 0 or situation.phase == PENALTY_KICK:
         memory.set_piece = 0.0
     elif situation.phase != PLAY:
@@ -75,7 +75,7 @@ def take_restart(command, situation, sight, k, play):
 def strength_for(k, far, arrival):
     """Return the strength of a kick [1] after which the ball rolls past a distance [m] at a speed [m/s].
 
-    Without the way on which it slides at first.
+    The way on which it slides at first is left out.
     """
     speed = sqrt(arrival * arrival + 2.0 * k.ball_rolling * far) * (1.0 + k.ball_shell)
     share = (speed - k.kicker_slowest) / (k.kicker_fastest - k.kicker_slowest)
@@ -115,7 +115,7 @@ def out_of_area(sight, k, x, y, ring):
 def round_ball(sight, k, x, y):
     """Return where a supporter goes first [m, m] on its way to (x, y), so that it does not push the ball there.
 
-    Who runs back past the ball would else take it along to its own goal.
+    A player that runs back past the ball would otherwise push it towards its own goal.
     """
     far = max(length(x - sight.x, y - sight.y), 1e-6)
     ux, uy = (x - sight.x) / far, (y - sight.y) / far
@@ -130,7 +130,7 @@ def round_ball(sight, k, x, y):
 
 @compiled
 def holds_off(sight, k):
-    """Tell whether a player stands in the way of an opponent that has the ball, where to fight would put it out."""
+    """Tell whether to stand in the way of an opponent that has the ball, where fighting for it would be a foul."""
     if k.rules_charging == 0 or sight.ball_x < DEFEND - 0.5 * k.pitch_length:
         return False
     for i in range(sight.others):

@@ -51,12 +51,12 @@ def rows_of(numbers: dict[str, tuple[float, float, float]]) -> np.ndarray:
 
 
 def fitted(settings: np.ndarray, league: League, follows: dict[str, int] = FOLLOWS) -> np.ndarray:
-    """Return a team's settings (3,) for a league: in one of another family they follow its pitch and its robot."""
+    """Return a team's settings (3,) for a league: in a league of another family they scale with its pitch and robot."""
     if league.family in FAMILIES:
         return settings
-    k, found = constants_of(league)[0], settings.copy()
+    k, scaled = constants_of(league)[0], settings.copy()
     here = (k["pitch_length"], k["body_reach"], k["drive_forward"])
     for kind, chosen in enumerate(CHOSEN_IN):
         for name, size in follows.items():
-            found[name][kind] *= here[size] / chosen[size]
-    return found
+            scaled[name][kind] *= here[size] / chosen[size]
+    return scaled

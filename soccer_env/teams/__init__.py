@@ -1,11 +1,11 @@
 """What a team is, and the registry of named teams.
 
-    team.py       the protocol, and compiled teams
-    explaining.py what a team tells people who watch it
-    lineup.py     several teams, one of which plays each episode
-    kernels.py    the kernel of a team, made from what one player does
-    function_teams/ functions of observations as teams: policies of any library
-    registry.py   teams by name: shipped, of packages, of files, of modules of one's own
+    team.py          the protocol, and compiled teams
+    explaining.py    how a team explains itself to people who watch it
+    lineup.py        several teams, one of which plays each episode
+    kernels.py       the kernel of a team, made from the function of one player
+    function_teams/  functions of observations as teams: policies of any library
+    registry.py      teams by name: shipped ones, and those of packages, files and your own modules
 
 The teams themselves stand in `baselines/` and `agents/`.
 """

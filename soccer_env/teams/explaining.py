@@ -1,8 +1,7 @@
-"""How a team explains itself to people who watch it: words for what it remembers, where it plans to go, what pulls it.
+"""How a team explains itself to people who watch it: words for its memory, the way that it plans, the forces on it.
 
-A team names the module of its explanation as "MODULE:NAME" in `CompiledTeam.explains`; it is imported when somebody
-looks. Nothing here is asked while a match is played, and nothing that is asked changes a match: all arguments are
-copies.
+A team names its explanation as "MODULE:NAME" in `CompiledTeam.explains`; the module is imported when a viewer asks.
+Nothing here runs while a match is played, and nothing here changes a match: all arguments are copies.
 """
 
 from collections.abc import Callable, Mapping
@@ -17,7 +16,7 @@ from soccer_env.teams.team import Team
 
 
 class Mind(NamedTuple):
-    """What one player decides from, in copies of its own: records of shape (1,), as a kernel takes them."""
+    """Copies of everything that one player decides from: records of shape (1,), as a kernel takes them."""
 
     beliefs: np.ndarray  # (1,) BELIEF
     tracks: np.ndarray  # (1, slots) TRACK
@@ -33,29 +32,29 @@ Forces = Callable[[Mind, np.ndarray, np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Explanation:
-    """What a team can tell of itself; None: it does not work that way. Places and vectors are of the team frame."""
+    """What a team can tell of itself; None: it has no such thing. Places and vectors are in the team frame."""
 
     shown: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Fields of the memory that people want to see, with words for their values, () for a number."""
+    """Fields of the memory to show, with words for their values, () for a number."""
     plan: Plan | None = None
-    """plan(mind): points (N, 2) [m] of the way that it would take now, none where it does not plan."""
+    """plan(mind): points (N, 2) [m] of the way that it would take now, none if it plans no way."""
     forces: Forces | None = None
     """forces(mind, target (2,), points (P, 2)): the force on a robot at each point, (P, 2), of no unit."""
     needs_target: bool = False
-    """Whether the forces pull to the end of the plan; else to a goal of their own."""
+    """Whether the forces pull to the end of the plan, not to a goal of their own."""
 
 
 def explanation_of(team: object) -> Explanation | None:
-    """Return what a team tells of itself, None for one that tells nothing."""
+    """Return a team's explanation, None if it has none."""
     module, _, name = str(getattr(team, "explains", "")).partition(":")
-    found: Explanation | None = getattr(import_module(module), name) if module else None
-    return found
+    explanation: Explanation | None = getattr(import_module(module), name) if module else None
+    return explanation
 
 
 def shipped_team(name: str) -> Team | None:
     """Return a shipped team by its name, None for any other: a name out of a file must import nothing else.
 
-    A strength or settings behind the name that no team has are left out.
+    A strength or settings behind the name that the team does not have are ignored.
     """
     plain = name.partition(":")[0].partition("@")[0]
     if plain not in NAMES:
@@ -67,7 +66,7 @@ def shipped_team(name: str) -> Team | None:
 
 
 def what_it_is(where: str) -> str:
-    """Return the first line about a team that MODULE:NAME makes: that of its own function for a variant of another."""
+    """Return the first line about the team of MODULE:NAME: for a variant of a team, that of its own function."""
     module, _, function = where.partition(":")
     if function == "team":
         return first_line(module)

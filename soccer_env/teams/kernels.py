@@ -1,4 +1,4 @@
-"""Kernels of compiled teams, made from what one player does: the loop over matches and players stands here alone.
+"""Kernels of compiled teams, made from the function of one player: only this file loops over matches and players.
 
     @compiled
     def act(belief, tracks, memory, noise, command, k, settings, scratch):
@@ -6,7 +6,7 @@
 
     team = CompiledTeam("runner", per_player(act), NO_MEMORY, np.array([(1.0,)], STRENGTH))
 
-Make a kernel once, where the module is read: another call makes another kernel, which is compiled anew.
+Make a kernel once, at the top of a module: every call makes another kernel, which is compiled again.
 
 `k`: the league's constants.
 """
@@ -29,7 +29,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
     act(belief, tracks, memory, noise, command, k, settings, scratch): one player's belief, (slots,) tracks, memory and
     random streams, the command to fill in, the league's constants, the team's settings (its only record, or that of the
     league's kind of base if there is one for each, in the order of `DRIVE_KINDS`), and a record of dtype `scratch` to
-    work in, which holds whatever the player before left there.
+    work in, which still holds what the player before wrote there.
     """
 
     @compiled
@@ -45,7 +45,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
 
 
 def per_blind_player(act: Callable[..., None]) -> Callable[..., None]:
-    """Return the kernel of a team with `blind=True`, for whose players nothing is sensed: no belief reaches them.
+    """Return the kernel of a team with `blind=True`, whose players sense nothing and have no beliefs.
 
     act(memory, noise, command, k, settings) is as in `per_player`.
     """

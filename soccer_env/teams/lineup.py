@@ -15,12 +15,12 @@ CHOOSER = 1 << 20
 
 
 class Lineup:
-    """Several teams, one of which plays each episode of a match; give it where a team is asked for.
+    """Several teams, one of which plays each episode of a match; give it wherever a team is expected.
 
-    teams: names as `make_team` takes them, or team objects. weights: relative frequencies, all alike by default;
-    `lineup.weights` (teams,) may be changed between steps, and counts from the next episode on. names: what the teams
-    are called in infos and results, each different; by default their own. Which one plays follows from the match's
-    seed, the number of the episode, the side and the weights. ValueError says what is wrong.
+    teams: names as `make_team` takes them, or team objects. weights: relative frequencies, equal by default;
+    `lineup.weights` (teams,) may be changed between steps, and counts from the next episode on. names: names of the
+    teams in infos and results, all different; by default their own. The match's seed, the number of the episode, the
+    side and the weights decide which team plays. ValueError says what is wrong.
 
         soccer_v0.parallel_env(opponents=Lineup(["chaser@0.2", "sacks-2001", "runs/a.safetensors"], weights=[1, 2, 3]))
     """
@@ -54,7 +54,7 @@ class Lineup:
 
 
 def names_of(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ...]:
-    """Return what teams are called: their own names, of those that share one the texts that named them."""
+    """Return the names of teams: their own, or the text that named them where two teams share a name."""
     own = [called(*pair) for pair in zip(given, made, strict=True)]
     return tuple(
         text if isinstance(text, str) and own.count(name) > 1 else name for text, name in zip(given, own, strict=True)
@@ -62,7 +62,7 @@ def names_of(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ..
 
 
 def check_weights(weights: np.ndarray, count: int) -> None:
-    """Raise ValueError unless weights are as many finite numbers, none below 0 and not all 0."""
+    """Raise ValueError unless there are `count` finite weights, none below 0 and not all 0."""
     numbers = weights.dtype.kind in "fiu" and weights.shape == (count,)
     if not numbers or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
         raise ValueError(f"weights of a Lineup must be {count} numbers from 0, not all 0, got {weights}")

@@ -1,16 +1,16 @@
-"""Teams by name: shipped ones, those of installed packages, of files and of modules of one's own.
+"""Teams by name: shipped ones, and those of installed packages, files and your own modules.
 
-A package of one's own ships teams by name with the entry point group `soccer_env.teams`; in its pyproject.toml:
+A package of yours ships teams by name with the entry point group `soccer_env.teams`; in its pyproject.toml:
 
     [project.entry-points."soccer_env.teams"]
     lions = "my_package.lions:team"
 
-What an entry point names is a factory, not a team: it takes `strength` (0 to 1, what follows the @ of lions@0.5) and,
-by name, whatever settings the team has (lions:brave=True), and returns the team.
+An entry point names a factory, not a team: it takes `strength` (0 to 1, the number after the @ of lions@0.5) and, by
+name, the settings of the team (lions:brave=True), and returns the team.
 
     def team(strength: float = 1.0, brave: bool = False) -> Team: ...
 
-MODULE:NAME names such a factory, or a team, in a module of one's own.
+MODULE:NAME names such a factory, or a team, in your own module.
 """
 
 from collections.abc import Callable
@@ -49,14 +49,14 @@ TORCH = (".pt", ".pth", ".ckpt", ".pkl", ".pickle")  # files of torch, whose pic
 
 def registered() -> dict[str, str]:
     """Return the names of all known teams and where they are made, those of installed packages included."""
-    found = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
-    return {**found, **NAMES}
+    installed = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
+    return {**installed, **NAMES}
 
 
 def parse_team(text: str) -> tuple[str, float, dict[str, Any]]:
     """Split NAME, NAME@STRENGTH or NAME@STRENGTH:switch=value,... into name, strength and settings.
 
-    ValueError for a strength outside 0 to 1 and for settings that are not written so.
+    ValueError for a strength outside 0 to 1 and for settings of another form.
     """
     if Path(text).is_file():
         return text, 1.0, {}
@@ -131,7 +131,7 @@ def remedy(given: object) -> str:
 
 
 def no_team(name: str, known: dict[str, str]) -> str:
-    """Return what is said of a name that is no team's; of a file of torch how it becomes one."""
+    """Return the error message for an unknown name; for a file of torch it says how that becomes a team."""
     if Path(name).suffix not in TORCH:
         return unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})")
     return (
@@ -141,9 +141,9 @@ def no_team(name: str, known: dict[str, str]) -> str:
 
 
 def called(given: str | Team, made: Team) -> str:
-    """Return what a team is called where results are told, however it was named: a policy by its own name.
+    """Return a team's name in results, however the team was given: a policy has its own name.
 
-    A weakened one as chaser@0.25, one with settings as its text has them.
+    A weakened team is called chaser@0.25, for example; a team with settings keeps its text.
     """
     if not isinstance(given, str):
         settings: Any = getattr(made, "settings", None)
@@ -159,7 +159,7 @@ def called(given: str | Team, made: Team) -> str:
 
 
 def weakened(strength: float) -> str:
-    """Return how a name says a strength: nothing of the full one."""
+    """Return the suffix of a name for a strength, "" for the full one."""
     return "" if strength == 1.0 else f"@{strength:g}"
 
 
@@ -170,7 +170,7 @@ def in_module(text: str) -> bool:
 
 
 def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) -> Team:
-    """Return the team that MODULE:NAME names, or what the function that it names returns for a strength."""
+    """Return the team of MODULE:NAME, or the team that the function of that name returns for a strength."""
     path, at, written = text.partition("@")
     made = of_module("team", path, object)
     if isinstance(made, type) or hasattr(made, "act"):
@@ -202,7 +202,7 @@ def found(where: str) -> Callable[..., Any]:
 
 
 def check_factory(name: str, where: str, factory: Any) -> None:
-    """Raise ValueError unless what a named team stands for is a factory that takes a strength."""
+    """Raise ValueError unless the factory of a named team is a function that takes a strength."""
     accepted = signature(factory).parameters.values() if callable(factory) else ()
     if not any(one.name == "strength" or one.kind is one.VAR_KEYWORD for one in accepted):
         raise ValueError(f"team {name!r} must be a function that takes strength=, {where} is {factory!r}")

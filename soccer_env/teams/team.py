@@ -22,9 +22,9 @@ TEAM_STREAM = int(RobotStream.TEAM)
 
 @dataclass(frozen=True)
 class View:
-    """What the P players of a team may know, in M matches: beliefs (M, P), tracks (M, P, slots), see `types`."""
+    """What the P players of a team may know in M matches: beliefs (M, P) and tracks (M, P, slots)."""
 
-    league: League  # in which they play
+    league: League  # that they play
     beliefs: np.ndarray  # (M, P) of `BELIEF`
     tracks: np.ndarray  # (M, P, slots) of `TRACK`
 
@@ -79,16 +79,16 @@ class Team(Protocol):
 
     @property
     def name(self) -> str:
-        """Return what the team is called."""
+        """Return the name of the team."""
         ...
 
     @property
     def memory_dtype(self) -> np.dtype:
-        """Return the record of what a player must remember; saved and hashed with the match."""
+        """Return the record of a player's memory, which is saved and hashed with the match."""
         ...
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Return the commands of all players; memory (M, P) of `memory_dtype` is the team's to change."""
+        """Return the commands of all players; the team may change memory (M, P), of `memory_dtype`."""
         ...
 
 
@@ -111,19 +111,19 @@ class CompiledTeam:
     explains: str = ""  # "MODULE:NAME" of what it tells people who watch, see explaining.py
 
     def __repr__(self) -> str:
-        """Return its name and what was asked of it otherwise than by default."""
-        asked: dict[str, Any] = {}
+        """Return the name and all settings that differ from their defaults."""
+        given: dict[str, Any] = {}
         if "strength" in (self.settings.dtype.names or ()) and self.settings["strength"][0] != 1.0:
-            asked["strength"] = float(self.settings["strength"][0])
+            given["strength"] = float(self.settings["strength"][0])
         if self.options is not None:
             held = type(self.options).__dataclass_fields__.values()  # type: ignore[attr-defined]
-            asked |= {item.name: getattr(self.options, item.name) for item in held if item.default is not MISSING}
-            asked = {name: value for name, value in asked.items() if value != getattr(type(self.options), name, value)}
-        asked |= {"observe": self.observe} if isinstance(self, ObservingTeam) else {}
-        return f"{type(self).__name__}({', '.join([repr(self.name), *(f'{k}={v!r}' for k, v in asked.items())])})"
+            given |= {item.name: getattr(self.options, item.name) for item in held if item.default is not MISSING}
+            given = {name: value for name, value in given.items() if value != getattr(type(self.options), name, value)}
+        given |= {"observe": self.observe} if isinstance(self, ObservingTeam) else {}
+        return f"{type(self).__name__}({', '.join([repr(self.name), *(f'{k}={v!r}' for k, v in given.items())])})"
 
     def __reduce__(self) -> Made:
-        """Copy with the kernel that stands in the team's module."""
+        """Pickle the kernel by its name in the team's module."""
         return by_names(self, {item.name: getattr(self, item.name) for item in fields(self)})
 
     def check_league(self, league: League) -> None:
@@ -135,24 +135,14 @@ class CompiledTeam:
         return self.settings if self.fit is None else self.fit(self.settings, league)
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Return the commands (M, P, 7) of all players, as the match would have the kernel make them."""
+        """Return the commands (M, P, 7) of all players, from the kernel as in a match."""
         from soccer_env.types import COMMAND
 
         players = np.arange(view.beliefs.shape[1])
         commands = np.zeros(view.beliefs.shape, COMMAND)
         noise = np.ascontiguousarray(rng._states[:, rng._players])
-        self.kernel(
-            view.beliefs,
-            view.tracks,
-            memory,
-            noise,
-            commands,
-            players,
-            constants_of(view.league),
-            self.settings_in(view.league),
-            0,
-            len(commands),
-        )
+        k, settings = constants_of(view.league), self.settings_in(view.league)
+        self.kernel(view.beliefs, view.tracks, memory, noise, commands, players, k, settings, 0, len(commands))
         rng._states[:, rng._players] = noise
         return np.stack([commands[name] for name in COMMAND.names or ()], axis=-1)
 
@@ -162,14 +152,14 @@ class ObservingTeam(CompiledTeam):
     """A compiled team that decides from the observations that learners get, as learned policies do.
 
     kernel(observations, memory, commands, players, constants, settings, first, last): observations (M, R, n) float32
-    are written for its players, by the code that writes those of a learner, while the field "wait" of its memory, the
-    control steps until its next decision, is 0 for one of them.
+    are written for its players by the code that writes a learner's, in steps in which the field "wait" of the memory,
+    the control steps until the next decision, is 0 for one of them.
     """
 
     observe: str = "belief"  # built from "truth" (with ideal senses only), "percepts" (with sensors only) or "belief"
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Raise ValueError: this team needs what a body feels, which no view holds: it plays only inside a match."""
+        """Raise ValueError: this team needs body percepts, which no view holds, and plays only inside a match."""
         raise ValueError(
             f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
         )

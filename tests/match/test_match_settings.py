@@ -120,7 +120,9 @@ BAD_SETTINGS = [
 ]
 
 
-@pytest.mark.parametrize(("settings", "message"), BAD_SETTINGS, ids=[str(s).partition(" at 0x")[0] for s, _ in BAD_SETTINGS])
+@pytest.mark.parametrize(
+    ("settings", "message"), BAD_SETTINGS, ids=[str(s).partition(" at 0x")[0] for s, _ in BAD_SETTINGS]
+)
 def test_bad_settings_are_refused_with_what_is_allowed(settings: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError) as error:
         Match(**settings)

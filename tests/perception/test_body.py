@@ -10,8 +10,7 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.omni_sensors import OmniSensors
-from soccer_env.perception.body import light_barrier, sense_body
-from soccer_env.perception.pose import POSE_ERROR
+from soccer_env.perception.body import POSE_ERROR, light_barrier, sense_body
 from soccer_env.records.percepts import BODY_PERCEPT, NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.types import MATCH, ROBOT, ROBOT_EVENTS
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league, steady

@@ -14,8 +14,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from soccer_env.belief.legged.own_pose import believe_pose_legged
-from soccer_env.belief.omni.own_pose import believe_pose_omni
+from soccer_env.belief.legged.landmarks import believe_pose_legged
+from soccer_env.belief.omni.field_lines import believe_pose_omni
 from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled

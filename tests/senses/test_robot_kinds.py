@@ -21,7 +21,7 @@ from soccer_env.leagues.options import Options
 from soccer_env.leagues.robot_kind import CENTI, KINDS, POLAR, Noted, RobotKind, Seen, kind_of
 from soccer_env.observations import names_of
 from soccer_env.observations.entry import Entry
-from soccer_env.perception.pose import POSE_ERROR
+from soccer_env.perception.body import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 from soccer_env.random_numbers import normal
 from soccer_env.records.percepts import BODY_PERCEPT

@@ -1,6 +1,6 @@
 """Plan ways round obstacles by a potential field on a grid.  [Heinemann 2006, 3]  MH09 to MH18, MH25
 
-The planner of Weigel et al. as Heinemann et al. describe it, and theirs, which moves the obstacles as the plan goes on.
+The planner of Weigel et al. as Heinemann et al. describe it, and their own, which moves obstacles as the plan goes on.
 It knows neither team nor match: places and velocities go in, in metres of a pitch's frame, and a plan comes out.
 
     from soccer_env.baselines.weigel_2001.planner import Planner
@@ -10,12 +10,12 @@ It knows neither team nor match: places and velocities go in, in metres of a pit
 
 Files:
 
-    planner.py      `Planner`, for Python           plan.py         `Plan`: what came out; measured, replayed
+    planner.py      `Planner`, for Python           plan.py         `Plan`: the result, measured and replayed
     settings.py     every number and switch         records.py      the records of obstacles, plans, scratch arrays
     potential.py    forces and their gradient       stepping.py     from cell to cell, and how long that takes
-    walking.py      one pass over the grid          searching.py    out of a local minimum
-    heap.py         the search's queue              smoothing.py    the path that a robot drives, and its length
-    planning.py     passes until the time agrees    travelling.py   a point that plans anew every cycle
+    walking.py      one pass over the grid          searching.py    the search out of a local minimum, its queue
+    planning.py     passes until the time agrees, and the path that a robot drives
+    travelling.py   a point that plans anew every cycle
     measuring.py    clearance, turn, forces         drawing.py      pictures of plans and of travels
 
 Teams call the kernel `planning.plan_way`, with a `records.SCRATCH` to work in.

@@ -6,8 +6,8 @@
     draw_plan(axes, planner.plan((4.0, 3.0), (4.0, -2.0), obstacles))
     canvas.savefig("plan.png")
 
-As in the paper's figure the planned path is a thin blue line, the travelled one a thick red one. Nothing is imported
-here but what the caller has.
+As in the paper's figure the planned path is a thin blue line, the travelled one a thick red one. This
+module does not import matplotlib.
 """
 
 from typing import Any
@@ -36,7 +36,7 @@ def draw_plan(axes: Any, plan: Plan, forces: bool = True) -> None:
 
 
 def draw_travel(axes: Any, travel: Travel, cycle: int) -> None:
-    """Draw a travel at the begin of a cycle: what was planned there, and what had been travelled.  MH18"""
+    """Draw a travel at the beginning of a cycle: the path planned there, and the path travelled so far.  MH18"""
     cycle = min(cycle, len(travel.stations) - 1)
     draw_pitch(axes, travel.settings)
     left = (len(travel.stations) - 1 - cycle) * CYCLE

@@ -1,13 +1,8 @@
-"""What a plan is worth: how near it comes to others as they move, how much it turns, and the forces along it."""
+"""Measures of a plan: how near it comes to moving obstacles, how much it turns, and the forces along it."""
 
 import numpy as np
 
-from soccer_env.baselines.weigel_2001.planner.potential import (
-    FARTHEST,
-    attractive_force,
-    gap_at,
-    repulsive_force,
-)
+from soccer_env.baselines.weigel_2001.planner.potential import FARTHEST, attractive_force, gap_at, repulsive_force
 from soccer_env.baselines.weigel_2001.planner.stepping import obstacle_time
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
@@ -45,15 +40,15 @@ def least_gap(plan, obstacles, settings, step, place):
 
 
 @compiled
-def fill_forces(plan, obstacles, settings, found):
+def fill_forces(plan, obstacles, settings, forces):
     """Fill (count, 4) with the forces at a plan's cells as vectors: x, y of the attractive, x, y of the repulsive."""
     goal = plan.robot if settings.backward == 1 else plan.target
     for i in range(plan.count):
         cell = plan.cells[i]
         x, y = cell.u * settings.cell, cell.v * settings.cell
-        found[i, 0], found[i, 1] = attractive_force(x, y, goal, settings)
+        forces[i, 0], forces[i, 1] = attractive_force(x, y, goal, settings)
         now = obstacle_time(cell.t, settings)
-        found[i, 2], found[i, 3] = repulsive_force(x, y, now, obstacles, settings)
+        forces[i, 2], forces[i, 3] = repulsive_force(x, y, now, obstacles, settings)
 
 
 def turn_of(path: np.ndarray) -> float:

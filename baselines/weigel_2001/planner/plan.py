@@ -1,4 +1,4 @@
-"""`Plan`: the way that was found, how it was found, and what it is worth; measured and replayed."""
+"""`Plan`: the way that was found, how it was found, its measures, and how to plan it again."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ LOOK = 0.01  # [s] between two looks at the gap along a plan
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """A way from the robot to the target, N cells long, with all that it was planned from: it can be planned again."""
+    """A way from the robot to the target, N cells long, with its inputs, so that it can be planned again."""
 
     record: np.ndarray  # (1,) of records.PLAN
     obstacles: np.ndarray  # (n,) of records.OBSTACLE
     settings: PlannerSettings
-    asked: tuple[float, float, float, float]  # [m] robot and target, as given
+    ends: tuple[float, float, float, float]  # [m] robot and target, as given
 
     @property
     def path(self) -> np.ndarray:
         """The path to drive (N, 2) [m], from the robot to the target."""
-        found: np.ndarray = self._points(self.record["path"][0])
-        return found
+        points: np.ndarray = self._points(self.record["path"][0])
+        return points
 
     @property
     def cells(self) -> np.ndarray:
@@ -39,9 +39,9 @@ class Plan:
 
     @property
     def cell_times(self) -> np.ndarray:
-        """The time (N,) [s] from now that each cell is planned to be reached at."""
-        found: np.ndarray = self.record["cells"][0]["t"][: len(self)].copy()
-        return found
+        """The planned time of arrival (N,) [s] from now at each cell."""
+        times: np.ndarray = self.record["cells"][0]["t"][: len(self)].copy()
+        return times
 
     @property
     def slopes(self) -> np.ndarray:
@@ -61,25 +61,25 @@ class Plan:
 
     @property
     def converged(self) -> bool:
-        """Whether the time that it was planned for and the time that it takes agree."""
+        """Whether T a priori and T a posteriori of the plan agree."""
         return bool(self.record["converged"][0])
 
     @property
     def iterations(self) -> int:
-        """How many passes over the grid it took."""
+        """The number of passes over the grid."""
         return int(self.record["iterations"][0])
 
     @property
     def guesses(self) -> np.ndarray:
         """T a priori of each pass [s]."""
-        found: np.ndarray = self.record["guesses"][0][: self.iterations].copy()
-        return found
+        guesses: np.ndarray = self.record["guesses"][0][: self.iterations].copy()
+        return guesses
 
     @property
     def times(self) -> np.ndarray:
         """T a posteriori of each pass [s]."""
-        found: np.ndarray = self.record["times"][0][: self.iterations].copy()
-        return found
+        times: np.ndarray = self.record["times"][0][: self.iterations].copy()
+        return times
 
     @property
     def time(self) -> float:
@@ -119,9 +119,9 @@ class Plan:
 
     def forces(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the attractive and the repulsive force (N, 2) at each cell when it is reached."""
-        found = np.zeros((len(self), 4))
-        fill_forces(self.record[0], self.obstacles, self.settings.record()[0], found)
-        return found[:, :2], found[:, 2:]
+        forces = np.zeros((len(self), 4))
+        fill_forces(self.record[0], self.obstacles, self.settings.record()[0], forces)
+        return forces[:, :2], forces[:, 2:]
 
     def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
         """Return where the robot is after t [s] at full speed (2,), and where the obstacles (n, 2) are by then [m]."""
@@ -132,16 +132,16 @@ class Plan:
         return np.array([place["x"][0], place["y"][0]]), others
 
     def again(self, **changes: Any) -> Plan:
-        """Return the plan made once more: the same to the last bit, or one by changed settings."""
+        """Return the plan made again: bit-identical, or with changed settings."""
         settings = self.settings.changed(changes)
-        return make_plan(self.asked, int(self.record["side"][0]), self.obstacles, settings, np.zeros(1, SCRATCH))
+        return make_plan(self.ends, int(self.record["side"][0]), self.obstacles, settings, np.zeros(1, SCRATCH))
 
     def _points(self, points: np.ndarray) -> np.ndarray:
         return np.stack([points["x"][: len(self)], points["y"][: len(self)]], axis=-1)
 
 
 def make_plan(
-    asked: tuple[float, float, float, float],
+    ends: tuple[float, float, float, float],
     side: int,
     obstacles: np.ndarray,
     settings: PlannerSettings,
@@ -149,8 +149,5 @@ def make_plan(
 ) -> Plan:
     """Return the plan for checked input."""
     record = np.zeros(1, PLAN)
-    plan_way(*asked, side, obstacles, settings.record()[0], scratch[0], record[0])
-    return Plan(record, obstacles, settings, asked)
-
-
-__all__ = ["Plan", "make_plan"]
+    plan_way(*ends, side, obstacles, settings.record()[0], scratch[0], record[0])
+    return Plan(record, obstacles, settings, ends)

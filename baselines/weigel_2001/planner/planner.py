@@ -11,7 +11,7 @@ from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.travelling import CYCLE, Travel, make_travel
 from soccer_env.guards.checking import Range, one_of, refuse, whole_number
 
-FARTHEST = 1000.0  # [m] from the middle of the pitch: what is farther is no place on it but a mistake
+FARTHEST = 1000.0  # [m] from the middle of the pitch: a place farther away is a mistake
 FASTEST = 100.0  # [m/s] of an obstacle; robots of 2006 drive at up to 5  MH25
 OBSTACLE_RADIUS = 0.25  # [m] of an obstacle without one: half of the 50 cm that a robot may take, rules of 2006
 FORM = "rows of x, y, vx, vy, and a radius if you like"
@@ -34,8 +34,8 @@ class Planner:
         """Return a plan from robot to target, both (x, y) [m], the middle of the pitch at 0, 0.
 
         obstacles: up to 32 rows of x, y [m], vx, vy [m/s] and maybe a radius [m], or records.OBSTACLE. side: +1 or -1,
-        to which side of y a way goes that could as well go to the other: the mirrored scene has the other side.
-        Places beyond the pitch's margin are held at it. ValueError for what is no such number.
+        the side of y that a way takes if both are equal: the mirrored scene has the other side. Places beyond the
+        pitch's margin are held at it. ValueError for anything else.
         """
         return make_plan(*self._checked(robot, target, obstacles, side), self.settings, self._scratch)
 
@@ -44,7 +44,7 @@ class Planner:
     ) -> Travel:
         """Return the travel of a point that drives at full speed and plans anew every 20 ms, until it is there.
 
-        Obstacles go straight on; arguments as of `plan`. Whoever is not there after so many seconds is not.
+        Obstacles go straight on; arguments as of `plan`. The travel ends after so many seconds at the latest.
         """
         allowed = Range(CYCLE, 1000.0)
         if not (isinstance(seconds, (int, float)) and allowed.holds(seconds)):
@@ -60,16 +60,16 @@ class Planner:
 
 def place(name: str, value: Any) -> tuple[float, float]:
     """Return a place [m] as two numbers; ValueError names it."""
-    found = numbers(name, "two numbers x, y", value)
-    if found.shape != (2,):
+    point = numbers(name, "two numbers x, y", value)
+    if point.shape != (2,):
         refuse(name, "two numbers x, y", value)
-    if not (np.abs(found) <= FARTHEST).all():
+    if not (np.abs(point) <= FARTHEST).all():
         refuse(name, f"finite and within {FARTHEST:g} m of the middle of the pitch", value)
-    return float(found[0]), float(found[1])
+    return float(point[0]), float(point[1])
 
 
 def crowd(value: Any) -> np.ndarray:
-    """Return obstacles as records; ValueError names what is wrong with which."""
+    """Return obstacles as records; ValueError names the obstacle and what is wrong with it."""
     if isinstance(value, np.ndarray) and value.dtype == OBSTACLE and value.ndim == 1:
         rows = np.stack([value[name] for name in OBSTACLE.names or ()], axis=-1)
     else:
@@ -84,21 +84,21 @@ def crowd(value: Any) -> np.ndarray:
 
 def as_records(rows: np.ndarray) -> np.ndarray:
     """Return rows of x, y, vx, vy and maybe a radius as records; ValueError for numbers that are out of range."""
-    found = np.zeros(len(rows), OBSTACLE)
-    found["radius"] = OBSTACLE_RADIUS
+    obstacles = np.zeros(len(rows), OBSTACLE)
+    obstacles["radius"] = OBSTACLE_RADIUS
     limits = {"x": FARTHEST, "y": FARTHEST, "vx": FASTEST, "vy": FASTEST, "radius": 5.0}
     for column, name in zip(rows.T, OBSTACLE.names or (), strict=False):
         low = 0.0 if name == "radius" else -limits[name]
         for i in np.flatnonzero(~((column >= low) & (column <= limits[name]))):
             refuse(f"obstacles[{i}].{name}", Range(low, limits[name]).text(), float(column[i]))
-        found[name] = column
-    return found
+        obstacles[name] = column
+    return obstacles
 
 
 def numbers(name: str, allowed: str, value: Any) -> np.ndarray:
-    """Return a value as an array of numbers; ValueError if it is none."""
+    """Return a value as an array of numbers; ValueError for anything else."""
     try:
-        found = np.array(value, dtype=float)
+        array = np.array(value, dtype=float)
     except (TypeError, ValueError):
         refuse(name, allowed, value)
-    return found
+    return array

@@ -5,15 +5,15 @@ line, and becomes that of the way found, until both agree:
 
     T_0 = |target - robot| / v_max,    T_{n+1} = T_n + (1 - damping) (time of way n - T_n)
 
-By the paper's words alone (`literal`) there is no damping. Where two times cannot agree, because each leads to a way
-of the other, T swings then and the last plan is any of two: hence damping, a cap and the best plan as a fallback.
+By the paper's words alone (`literal`) there is no damping. Then T swings where two times cannot agree, because each
+leads to a way of the other, and the last plan is either of the two: hence damping, a cap, and the best plan as a
+fallback.
 """
 
 from math import floor, inf
 
 from soccer_env.baselines.weigel_2001.planner.records import ARRIVED, GRID
 from soccer_env.baselines.weigel_2001.planner.settings import FALLBACKS
-from soccer_env.baselines.weigel_2001.planner.smoothing import length_of, smooth
 from soccer_env.baselines.weigel_2001.planner.stepping import step_length
 from soccer_env.baselines.weigel_2001.planner.walking import plan_pass
 from soccer_env.compiled import compiled
@@ -27,7 +27,7 @@ WORSE = 1e6  # [s] by which a way that does not join robot and target is worse t
 def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, scratch, plan):
     """Fill a plan from robot to target [m] past obstacles (OBSTACLE), as many as the array holds.  MH16, MH17
 
-    side: +1, or -1 in the mirrored scene: to which side of y a way goes that could as well go to the other.
+    side: the side of y that a way takes if both are equal: +1, or -1 in the mirrored scene.
     settings, scratch (SCRATCH), plan (PLAN): records.
     """
     begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, plan)
@@ -53,7 +53,7 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
 
 @compiled
 def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, plan):
-    """Note what is asked for, places held inside the grid."""
+    """Begin a plan from robot to target, both held inside the grid."""
     half_u = int(floor((0.5 * settings.pitch_length + settings.margin) / settings.cell))
     half_v = int(floor((0.5 * settings.pitch_width + settings.margin) / settings.cell))
     half_v = min(half_v, (GRID // (2 * half_u + 1) - 1) // 2)  # never beyond the marks, whatever the record says
@@ -69,7 +69,7 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
 
 @compiled
 def held(place, far):
-    """Return a coordinate held within +-far; what is no number becomes -far."""
+    """Return a coordinate held within +-far; NaN becomes -far."""
     if not place > -far:
         return -far
     return far if place > far else place
@@ -104,7 +104,7 @@ def take_time(settings, scratch, plan):
 
 @compiled
 def is_kept(worth, best, settings):
-    """Tell whether a plan that may not be the last replaces the one before."""
+    """Tell whether a plan that does not agree yet replaces the one before."""
     if settings.literal == 1:
         return True
     return settings.fallback != FIRST and (settings.fallback != BEST or worth < best)
@@ -112,7 +112,7 @@ def is_kept(worth, best, settings):
 
 @compiled
 def keep(number, ended, took, settings, scratch, plan):
-    """Make a pass the plan, from robot to target."""
+    """Copy a pass into the plan, from robot to target."""
     last = scratch.count - 1
     for i in range(scratch.count):
         j = last - i if settings.backward == 1 else i
@@ -120,3 +120,61 @@ def keep(number, ended, took, settings, scratch, plan):
         plan.path[i] = scratch.path[j]
     plan.count, plan.ended, plan.kept = scratch.count, ended, number
     plan.time, plan.length = took, length_of(plan.path, plan.count)
+
+
+# The path that a robot drives along a way of cells. T is measured on the path: the way of cells is longer, by 8 % where
+# it goes 22.5 degrees off an axis  (MH16)
+
+
+@compiled
+def reflected(i, last):
+    """Return the index within 0 to last, and the index of the end that a number beyond them is reflected at, or -1."""
+    if i < 0:
+        return -i, 0
+    if i > last:
+        return 2 * last - i, last
+    return i, -1
+
+
+@compiled
+def cell_at(i, last, way):
+    """Return a cell's u and v; beyond an end the way goes on, turned about that end, so that the end is a mean too."""
+    inner, end = reflected(i, last)
+    if end < 0:
+        return way[inner].u, way[inner].v
+    return 2 * way[end].u - way[inner].u, 2 * way[end].v - way[inner].v
+
+
+@compiled
+def smooth(begin, end, settings, scratch):
+    """Fill the path: the way's cells, each the mean of those around it, shifted onto begin and end.  MH16
+
+    The shift goes evenly from that of the first cell to that of the last.
+    """
+    way, path, last = scratch.way, scratch.path, scratch.count - 1
+    h = min(settings.smoothing, last)
+    sum_u, sum_v = 0, 0
+    for i in range(-h, h + 1):
+        u, v = cell_at(i, last, way)
+        sum_u, sum_v = sum_u + u, sum_v + v
+    first_x, first_y = begin.x - settings.cell * way[0].u, begin.y - settings.cell * way[0].v
+    last_x, last_y = end.x - settings.cell * way[last].u, end.y - settings.cell * way[last].v
+    for i in range(last + 1):
+        share = i / last
+        path[i].x = settings.cell * sum_u / (2 * h + 1) + first_x + share * (last_x - first_x)
+        path[i].y = settings.cell * sum_v / (2 * h + 1) + first_y + share * (last_y - first_y)
+        if i < last:
+            gone_u, gone_v = cell_at(i - h, last, way)
+            u, v = cell_at(i + 1 + h, last, way)
+            sum_u, sum_v = sum_u + u - gone_u, sum_v + v - gone_v
+    path[0].x, path[0].y = begin.x, begin.y
+    path[last].x, path[last].y = end.x, end.y
+
+
+@compiled
+def length_of(path, count):
+    """Return the length [m] of a path of so many points."""
+    total = 0.0
+    for i in range(1, count):
+        total += length(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y)
+    return total

@@ -77,7 +77,7 @@ def repulsive_force(x, y, t, obstacles, settings):
 
 @compiled
 def attractive_force(x, y, goal, settings):
-    """Return the force of what the way goes to, proportional to its distance, as a vector."""
+    """Return the force of the way's goal, proportional to its distance, as a vector."""
     return settings.attraction * (goal.x - x), settings.attraction * (goal.y - y)
 
 

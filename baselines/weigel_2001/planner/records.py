@@ -1,4 +1,4 @@
-"""The records of the planner: obstacles, a plan, and the scratch arrays that it is made in."""
+"""The records of the planner: obstacles, a plan, and scratch arrays."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ CELL = np.dtype(
     [
         ("u", "i4"),  # cells from the middle of the pitch along x
         ("v", "i4"),  # cells from the middle of the pitch along y
-        ("t", "f8"),  # [s] from now, to which the obstacles were moved for it
+        ("t", "f8"),  # [s] from now: the obstacles were moved to this time
         ("slope_x", "f8"),  # [1] gradient of the potential, (2); 0 where none was needed
         ("slope_y", "f8"),  # [1]
     ]
@@ -43,7 +43,7 @@ PLAN = np.dtype(
     [
         ("robot", POINT),  # as asked for, but inside the grid
         ("target", POINT),  # the same
-        ("side", "i8"),  # +1 or -1: to which side of y what is equal on both goes
+        ("side", "i8"),  # +1 or -1: the side of y that a way takes if both are equal
         ("count", "i8"),  # cells, and points of the path
         ("cells", CELL, (MOST_CELLS,)),  # from robot to target
         ("path", POINT, (MOST_CELLS,)),  # the cells' way, smoothed: begins at the robot, ends at the target
@@ -65,8 +65,8 @@ NODE = np.dtype(
     [
         ("u", "i2"),
         ("v", "i2"),
-        ("parent", "i2"),  # node that it was come from; -1 for the first
-        ("under", "i2"),  # what the grid's mark of its cell was
+        ("parent", "i2"),  # node from which it was reached; -1 for the first
+        ("under", "i2"),  # the grid's mark of its cell before
         ("t", "f8"),  # [s] as of a CELL
         ("far", "f8"),  # [m] from the first node
         ("gap", "f8"),  # [m] to the nearest obstacle
@@ -78,9 +78,9 @@ SCRATCH = np.dtype(
     [
         ("half_u", "i8"),  # cells on each side of the middle one
         ("half_v", "i8"),
-        ("end_u", "i8"),  # where a pass is to end
+        ("end_u", "i8"),  # cell at which a pass ends
         ("end_v", "i8"),
-        ("goal", POINT),  # what attracts it: the exact place of that
+        ("goal", POINT),  # the exact place that attracts it
         ("clock", "f8"),  # [1] -1: time runs back along the way, +1: on
         ("tight", "f8"),  # [m] cells with no larger gap to an obstacle are not searched
         ("side", "i8"),

@@ -1,14 +1,13 @@
 """Out of a local minimum: a search along the grid from where the way came to a cell twice.  [Heinemann 2006, 3]  MH12
 
-Neighbours are tried in the order of their potential, until one is found that lies below all that the way has come by. A
-way also ends where nobody stands on the straight line to its end nearby: with somebody beside it the end is no minimum.
+Neighbours are tried in the order of their potential, until one is lower than every cell of the way. A search also ends
+near the way's end if the straight line to the end is free: with an obstacle beside it, the end is no minimum.
 """
 
 from math import inf
 
 import numpy as np
 
-from soccer_env.baselines.weigel_2001.planner.heap import pop, push
 from soccer_env.baselines.weigel_2001.planner.potential import gap_at, potential
 from soccer_env.baselines.weigel_2001.planner.records import ARRIVED, CAPPED, ENCLOSED, MOST_CELLS, MOST_NODES
 from soccer_env.baselines.weigel_2001.planner.stepping import obstacle_time, step_length, step_time
@@ -21,19 +20,19 @@ NEAR_V = np.array([0, 1, 1, 1, 0, -1, -1, -1])
 
 @compiled
 def index_of(u, v, scratch):
-    """Return where the mark of a cell stands."""
+    """Return the index of a cell's mark."""
     return (u + scratch.half_u) * (2 * scratch.half_v + 1) + v + scratch.half_v
 
 
 @compiled
 def is_inside(u, v, scratch):
-    """Tell whether there is such a cell."""
+    """Tell whether a cell lies in the grid."""
     return abs(u) <= scratch.half_u and abs(v) <= scratch.half_v
 
 
 @compiled
 def is_at_end(u, v, scratch):
-    """Tell whether a cell is that where the way ends, or one of its eight neighbours."""
+    """Tell whether a cell is the way's end or one of its eight neighbours."""
     return abs(u - scratch.end_u) <= 1 and abs(v - scratch.end_v) <= 1
 
 
@@ -49,7 +48,7 @@ def add_cell(u, v, t, scratch):
 
 @compiled
 def cut_way(count, scratch):
-    """Keep the first cells of the way."""
+    """Keep the first `count` cells of the way."""
     for i in range(count, scratch.count):
         scratch.marks[index_of(scratch.way[i].u, scratch.way[i].v, scratch)] = 0
     scratch.count = count
@@ -69,9 +68,9 @@ def leave_minimum(obstacles, settings, scratch):
     lowest, at = inf, scratch.count - 1
     for i in range(max(scratch.count - settings.last_cells, 0), scratch.count):
         cell = scratch.way[i]
-        found = potential_of(cell.u, cell.v, obstacle_time(cell.t, settings), obstacles, settings, scratch)
-        if found < lowest:
-            lowest, at = found, i
+        value = potential_of(cell.u, cell.v, obstacle_time(cell.t, settings), obstacles, settings, scratch)
+        if value < lowest:
+            lowest, at = value, i
     scratch.lowest = min(scratch.lowest, lowest)
     cut_way(at + 1, scratch)
     last, made, ended = search(obstacles, settings, scratch)
@@ -84,8 +83,8 @@ def leave_minimum(obstacles, settings, scratch):
 def search(obstacles, settings, scratch):
     """Search from the way's last cell; return the last node of a way out, how many were made, and how the pass ends.
 
-    GOES_ON: the node is lower than anything before. ARRIVED: the end is straight ahead. If there is no way out, the
-    node is that of lowest potential.
+    GOES_ON: the node is lower than every cell before. ARRIVED: the end is straight ahead. If there is no way out, the
+    node is the one of lowest potential.
     """
     nodes, heap, begin = scratch.nodes, scratch.heap, scratch.way[scratch.count - 1]
     made = add_node(0, begin.u, begin.v, -1, obstacles, settings, scratch)
@@ -109,7 +108,7 @@ def search(obstacles, settings, scratch):
 
 @compiled
 def sees_end(node, obstacles, settings, scratch):
-    """Tell whether a way's end is as near to a node as obstacles reach, and nobody on the straight line to it."""
+    """Tell whether the way's end is within the obstacles' reach of a node and the straight line to it is free."""
     to_u, to_v = scratch.end_u - node.u, scratch.end_v - node.v
     away = step_length(to_u, to_v, settings)
     if away > settings.reach:
@@ -126,7 +125,7 @@ def sees_end(node, obstacles, settings, scratch):
 
 @compiled
 def expand(node, made, size, obstacles, settings, scratch):
-    """Make nodes of the neighbours of one that are free; return how many nodes there are, and the heap's size."""
+    """Make nodes of a node's free neighbours; return how many nodes there are, and the heap's size."""
     here = scratch.nodes[node]
     for i in range(len(NEAR_U)):
         du, dv = NEAR_U[i], NEAR_V[i] * scratch.side
@@ -141,7 +140,7 @@ def expand(node, made, size, obstacles, settings, scratch):
 
 @compiled
 def add_node(made, u, v, parent, obstacles, settings, scratch):
-    """Make a node of a cell, unless it is blocked by an obstacle that its parent is not leaving; return how many."""
+    """Make a node of a cell, unless an obstacle that its parent is not leaving blocks it; return how many there are."""
     node, first = scratch.nodes[made], scratch.way[scratch.count - 1]
     node.far = 0.0
     if parent >= 0:
@@ -162,7 +161,7 @@ def add_node(made, u, v, parent, obstacles, settings, scratch):
 
 @compiled
 def join(last, settings, scratch):
-    """Put the nodes up to one at the end of the way, less what is a loop then; return False if there is no room."""
+    """Append the nodes up to `last` to the way, without loops; return False if there is no room."""
     nodes, way = scratch.nodes, scratch.way
     many, node = 0, last
     while nodes[node].under == 0:
@@ -179,3 +178,42 @@ def join(last, settings, scratch):
         t = before.t + scratch.clock * step_time(way[i].u - before.u, way[i].v - before.v, settings)
         add_cell(way[i].u, way[i].v, t, scratch)
     return True
+
+
+# The queue of a search: a binary heap of node numbers, the node of least potential at its root, of equal ones the older
+
+
+@compiled
+def comes_first(a, b, nodes):
+    """Tell whether node a comes before node b."""
+    return nodes[a].potential < nodes[b].potential or (nodes[a].potential == nodes[b].potential and a < b)
+
+
+@compiled
+def push(heap, size, node, nodes):
+    """Add a node to a heap of some size; return the new size."""
+    at = size
+    while at > 0:
+        above = (at - 1) // 2
+        if not comes_first(node, heap[above], nodes):
+            break
+        heap[at] = heap[above]
+        at = above
+    heap[at] = node
+    return size + 1
+
+
+@compiled
+def pop(heap, size, nodes):
+    """Take the first node out of a heap that is not empty; return it, the size is one less."""
+    first, last = heap[0], heap[size - 1]
+    at, below = 0, 1
+    while below < size - 1:
+        if below + 1 < size - 1 and comes_first(heap[below + 1], heap[below], nodes):
+            below += 1
+        if comes_first(last, heap[below], nodes):
+            break
+        heap[at] = heap[below]
+        at, below = below, 2 * below + 1
+    heap[at] = last
+    return first

@@ -11,7 +11,7 @@ HALF_OF_45 = sqrt(2.0) - 1.0  # tan(22.5 degrees): a direction nearer to an axis
 
 @compiled
 def cell_of(place, half, settings):
-    """Return the cell of a coordinate [m], the nearest there is; what is no number goes to the lower end.
+    """Return the nearest cell to a coordinate [m]; NaN goes to the lower end.
 
     Halves go away from the middle on both sides, so that the mirrored place has the mirrored cell.
     """

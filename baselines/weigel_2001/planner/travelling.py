@@ -1,7 +1,7 @@
 """A point that plans anew every cycle and drives on: the paper's demonstration, without a robot.  MH14, MH18, MH25
 
-It drives at full speed along the newest path and turns at once; obstacles go straight on. What a plan is worth by
-itself shows here; what becomes of it with inertia, noise and delay is for the match to show.
+It drives at full speed along the newest path and turns at once; obstacles go straight on. A travel shows the plans by
+themselves; a match shows them with inertia, noise and delay.
 """
 
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ CYCLE = 0.02  # [s] Heinemann 2006, 2: "a global 20ms cycle"  MH14
 
 STATION = np.dtype(
     [
-        ("x", "f8"),  # [m] the point at the begin of a cycle
+        ("x", "f8"),  # [m] the point at the beginning of a cycle
         ("y", "f8"),  # [m]
         ("gap", "f8"),  # [m] to the nearest obstacle, from surface to surface
         ("left", "f8"),  # [m] from the target
@@ -44,7 +44,7 @@ class Travel:
 
     @property
     def path(self) -> np.ndarray:
-        """The places (S, 2) [m] that it came by."""
+        """The places (S, 2) [m] of its way."""
         return np.stack([self.stations["x"], self.stations["y"]], axis=-1)
 
     @property
@@ -69,23 +69,23 @@ class Travel:
 
     @property
     def cycles_away(self) -> int:
-        """In how many cycles it drove away from the target."""
+        """The number of cycles in which it drove away from the target."""
         return int((np.diff(self.stations["left"]) > 0.0).sum())
 
     def planned(self, cycle: int) -> np.ndarray:
-        """Return the path (N, 2) [m] that was planned at the begin of a cycle."""
+        """Return the path (N, 2) [m] that was planned at the beginning of a cycle."""
         plan = self.plans[cycle]
         points = plan["path"][: plan["count"]]
         return np.stack([points["x"], points["y"]], axis=-1)
 
     def others(self, cycle: int) -> np.ndarray:
-        """Return where the obstacles were at the begin of a cycle (n, 2) [m]."""
+        """Return where the obstacles were at the beginning of a cycle (n, 2) [m]."""
         t = cycle * CYCLE
         return np.stack([self.obstacles[a] + t * self.obstacles[f"v{a}"] for a in "xy"], axis=-1)
 
 
 def make_travel(
-    asked: tuple[float, float, float, float],
+    ends: tuple[float, float, float, float],
     side: int,
     obstacles: np.ndarray,
     settings: PlannerSettings,
@@ -96,14 +96,14 @@ def make_travel(
     most = round(seconds / CYCLE)
     stations, plans = np.zeros(most + 1, STATION), np.zeros(most + 1, PLAN)
     now = obstacles.copy()
-    count = travel(*asked, side, obstacles, now, settings.record()[0], scratch[0], plans, stations, np.zeros(1, POINT))
+    count = travel(*ends, side, obstacles, now, settings.record()[0], scratch[0], plans, stations, np.zeros(1, POINT))
     near = settings.speed * CYCLE
     return Travel(stations[:count], plans[:count], obstacles, settings, bool(stations["left"][count - 1] <= near))
 
 
 @compiled
 def travel(x, y, target_x, target_y, side, obstacles, now, settings, scratch, plans, stations, place):
-    """Fill stations and plans cycle by cycle until the target is nearer than a cycle; return how many.  MH14
+    """Fill stations and plans cycle by cycle until the target is nearer than a cycle; return their number.  MH14
 
     now: obstacles as they move, a copy to work in; place: (1,) record.
     """
@@ -123,6 +123,3 @@ def travel(x, y, target_x, target_y, side, obstacles, now, settings, scratch, pl
         place_on(plan.path, plan.count, settings.speed * CYCLE, place[0])
         x, y = place[0].x, place[0].y
     return len(stations)
-
-
-__all__ = ["CYCLE", "STATION", "Travel", "make_travel", "travel"]

@@ -42,7 +42,7 @@ def plan_pass(guess, obstacles, settings, scratch, plan):
 
 @compiled
 def tight_gap(begin, t_begin, end, t_end, obstacles, settings):
-    """Return the gap [m] at which a cell is blocked: 0, or less where the robot is among others at begin or end."""
+    """Return the gap [m] at which a cell is blocked: 0, or less if another robot is at the way's begin or end."""
     first = gap_at(begin.x, begin.y, obstacle_time(t_begin, settings), obstacles, settings)
     last = gap_at(end.x, end.y, obstacle_time(t_end, settings), obstacles, settings)
     nearer = min(first, last)
@@ -77,7 +77,7 @@ def walk(obstacles, settings, scratch):
 
 @compiled
 def is_new(u, v, scratch):
-    """Tell whether there is such a cell and the way has not been there.  MH12"""
+    """Tell whether a cell lies in the grid and the way has not been there.  MH12"""
     return is_inside(u, v, scratch) and scratch.marks[index_of(u, v, scratch)] == 0
 
 

@@ -2,13 +2,12 @@
 
     ball.py        The ball that a legged robot believes in.
     ball_blob.py   From orange blobs in the picture to a place of the ball.
-    believe.py     The memory of a legged robot: ball, players, obstacle, own pose, gaze, what it hears.
+    believe.py     The memory of a legged robot: ball, players, obstacle, own pose, gaze, and what it hears.
     grouping.py    From blobs of one jersey colour to players: which blobs belong together.
     head.py        Where the head looks by itself: at the ball while it is seen, else in search of it.
-    landmarks.py   How well poses fit the landmarks and goals that a legged robot sees.
+    landmarks.py   The own pose of a legged robot: particles weighed by the landmarks and goals that it sees.
     matching.py    Which player in memory is the one that is seen now.
     obstacle.py    The obstacle that a legged robot makes of a reading of its infrared ranger.
-    own_pose.py    The own pose of a legged robot: its particles go by landmarks and goals.
     players.py     The other players that a legged robot believes in.
     surface.py     From a player's middle to its surface, as the sensors measure it, and back.
     talk.py        Words of four bits by loudspeaker: how far the ball is, 1 to 15, or 0 "I do not see it".

@@ -1,8 +1,8 @@
 """The ball that a legged robot believes in.  [Sacks 2001, 2, 3.1.1, 3.2]  MS02, MS03, MS08 to MS18
 
-Every frame: what is remembered is moved by the robot's own steps, the picture is searched for the ball, the last few
-sightings are averaged, and every third of a second the velocity is taken. A robot that lies on its side or is sent off
-does not look, and one that was carried somewhere forgets the ball.
+Every frame, the remembered places are moved against the robot's own steps, the picture is searched for the ball, and
+the last few sightings are averaged; every third of a second the velocity is measured. A robot that lies on its side or
+is sent off does not look, and a robot that was carried away forgets the ball.
 
     BALL_BELIEF          distance and bearing of the latest sighting and of the filtered one (MS02); x, y: see below
     BALL_MEMORY          the same in Cartesian coordinates, the sightings of the last second, the last reading
@@ -13,8 +13,6 @@ is the latest sighting.
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, inf, sin
 
@@ -43,7 +41,7 @@ BALL_SIGHTING = record(
 
 BALL_MEMORY = record(
     [
-        ("known", "i1", FLAG),  # 1: it has been seen since the robot was last told where it is
+        ("known", "i1", FLAG),  # 1: it has been seen since the robot was last told its own pose
         ("has_sample", "i1", FLAG),  # 1: there is a reading for the velocity
         ("count", "i1", Range(0, AVERAGED_MOST)),  # sightings in `recent`
         ("seen", "i4", LATELY),  # frame of the last sighting
@@ -87,17 +85,17 @@ def believe_ball(percept, own, ball, memory, k, s, w, table):
 
 @compiled
 def forget_ball(memory):
-    """Forget where the ball was and what it did: the robot was carried, and so was the ball perhaps."""
+    """Forget the ball's place and motion: the robot was carried, and perhaps the ball too."""
     memory.known = memory.has_sample = memory.count = 0
 
 
 @compiled
 def move_memory(ball, memory, body, frame, k, w):
-    """Move what is remembered of the ball against the robot's own motion since the last frame.  MS15
+    """Move the remembered ball against the robot's own motion since the last frame.  MS15
 
-    `odometry` "rotation" turns it alone, the old memory of 3.1.1, and "none" leaves it. Nor is it moved while the
-    robot dribbles, footnote 2: then the ball comes along. Velocity and last reading belong to the ground: they are
-    carried along whatever is believed of the ball.
+    `odometry` "rotation" only turns it, the old memory of 3.1.1, and "none" leaves it. Nor is it moved while the robot
+    dribbles, footnote 2: then the ball comes along. Velocity and last reading belong to the ground and are always
+    moved.
     """
     forward, left, turn = motion_of(body)
     if memory.known == 0 or (forward == 0.0 and left == 0.0 and turn == 0.0):
@@ -122,7 +120,7 @@ def move_memory(ball, memory, body, frame, k, w):
 def dribbles(body, memory, frame, k, w):
     """Tell whether the robot walks ahead with the ball at its chest: near, within 45 degrees (assumed).  MS15
 
-    A ball in which it has no confidence left is not being dribbled.
+    A robot without any confidence in the ball does not dribble it.
     """
     x, y = np.float64(memory.x), np.float64(memory.y)
     near = x * x + y * y < w.dribbling_distance * w.dribbling_distance and abs(y) < x
@@ -131,7 +129,7 @@ def dribbles(body, memory, frame, k, w):
 
 @compiled
 def confidence_in(memory, frame, k, w):
-    """Return the confidence in the ball: 100 when it is seen, less and less when not.  MS03"""
+    """Return the confidence in the ball: 100 when it is seen, fading while it is not.  MS03"""
     if memory.known == 0:
         return 0.0
     return max(SURE - w.fading * (frame - memory.seen) * k.dt, 0.0)
@@ -147,7 +145,7 @@ def was_near(memory, frame, k, w):
 
 @compiled
 def remember_sighting(memory, x, y, frame, w):
-    """Take a new sighting, and average the last `averaged` in Cartesian coordinates.  MS16, footnote 3"""
+    """Store a new sighting, and average the last `averaged` ones in Cartesian coordinates.  MS16, footnote 3"""
     count = min(memory.count + 1, w.averaged)
     for i in range(count - 1, 0, -1):
         older, newer = memory.recent[i], memory.recent[i - 1]
@@ -178,9 +176,9 @@ def forget_old_sightings(memory, frame, k, w):
 
 @compiled
 def fill_belief(ball, memory, frame, k, w):
-    """Write down the ball in polar coordinates, 0 straight ahead, and how sure the robot is of it.  MS02, MS03
+    """Fill in the ball in polar coordinates, 0 straight ahead, and the robot's confidence.  MS02, MS03
 
-    A ball that was never seen lies half a pitch ahead: a number like any other, and a confidence of 0 beside it.
+    A ball that was never seen is put half a pitch ahead, with a confidence of 0.
     """
     if memory.known == 0:
         memory.x = memory.filtered_x = 0.5 * k.pitch_length
@@ -198,7 +196,7 @@ def fill_belief(ball, memory, frame, k, w):
 def lies_in_pocket(x, y, k):
     """Tell whether a ball at x, y [m], robot frame, lies between the paws, within the kicker's reach.
 
-    As the kicker itself has it, but for a ball that is believed to lie deeper in the chest than it can.
+    The rule of the kicker itself, and also for a ball that is believed deeper in the chest than is possible.
     """
     gap = x - k.body_front - k.ball_radius
     return -k.ball_radius < gap < k.kicker_reach and -k.kicker_half_width < y < k.kicker_half_width

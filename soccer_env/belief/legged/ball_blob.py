@@ -11,8 +11,6 @@ their width is left less right.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt, tan
 
 import numpy as np
@@ -29,14 +27,14 @@ FLATTEST = 1e-3  # [1] least tangent of the angle down to the ball, so that no r
 
 @compiled
 def choose_blob(percept, was_near, s, w):
-    """Return the index of the largest orange blob that can be the ball, -1 without any.  MS13, MS14"""
+    """Return the index of the largest orange blob that can be the ball, -1 if there is none.  MS13, MS14"""
     least = least_area(was_near, s, w)
-    found, largest = -1, 0
+    best, largest = -1, 0
     for i in range(BLOBS):
         area = int(percept.ball[i].area)
         if area > largest and area >= least and not is_too_high(percept, percept.ball[i], s, w):
-            found, largest = i, area
-    return found
+            best, largest = i, area
+    return best
 
 
 @compiled
@@ -133,7 +131,7 @@ def read_table(ranges, size):
 
 @compiled
 def beam_is_on(blob, s, w):
-    """Tell whether the axis, along which the ranger measures, meets a blob or passes within `centred` of it.  MS12"""
+    """Tell whether the camera's axis, the ranger's beam, meets a blob or passes within `centred` of it.  MS12"""
     edge = tan(w.centred)
     aside, above = edge * focal_x(s), edge * focal_y(s)
     return blob.right - aside <= 0.0 <= blob.left + aside and blob.low - above <= 0.0 <= blob.high + above

@@ -1,17 +1,15 @@
-"""The memory of a legged robot: ball, players, obstacle, own pose, gaze, what it hears.  [Sacks 2001, 2 to 4]  MS01
+"""The memory of a legged robot: ball, players, obstacle, own pose, gaze, and what it hears.  [Sacks 2001, 2 to 4]  MS01
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
 from soccer_env.belief.believing import believe_kernel
 from soccer_env.belief.legged.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.legged.head import HEAD_MEMORY, choose_gaze
+from soccer_env.belief.legged.landmarks import believe_pose_legged
 from soccer_env.belief.legged.obstacle import believe_obstacle
-from soccer_env.belief.legged.own_pose import believe_pose_legged
 from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
 from soccer_env.belief.legged.talk import exchange
 from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded

@@ -1,7 +1,7 @@
 """From blobs of one jersey colour to players: which blobs belong together.  [Sacks 2001, 4.1.1, 4.1.2]  MS29, MS34
 
-A jersey is several stickers, so that two red blobs are one player or two. A blob belongs to the player of a larger
-blob if the two are closer than `grouping` times the size of the larger one:
+A jersey has several stickers, so two red blobs may be one player or two. A blob belongs to the player of a larger blob
+if the two are closer than `grouping` times the size of the larger one:
 
         +---+                  +-----+
         | B |  - - gap - - -   |  A  |      B is part of A's player if gap < 3 x mean(width, height) of A
@@ -15,8 +15,6 @@ between two positions is the literal reading. Counted from edge to edge, more bl
 
 `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
@@ -59,18 +57,18 @@ def gap_between(one, other):
 @compiled
 def largest_left(blobs, done):
     """Return the index of the largest blob whose bit in `done` is not set, -1 if there is none."""
-    found = -1
+    largest = -1
     for i in range(BLOBS):
-        if blobs[i].area > 0 and done & (1 << i) == 0 and (found < 0 or is_larger(blobs, i, found)):
-            found = i
-    return found
+        if blobs[i].area > 0 and done & (1 << i) == 0 and (largest < 0 or is_larger(blobs, i, largest)):
+            largest = i
+    return largest
 
 
 @compiled
 def player_of(blobs, i, grouping):
-    """Return the index of the largest blob of the player that blob i is part of: i itself, if that is it.  MS29
+    """Return the index of the largest blob of the player to which blob i belongs; it may be i itself.  MS29
 
-    A blob that is near another blob of a player belongs to that player.
+    A blob near another blob of a player belongs to that player.
     """
     larger = larger_nearby(blobs, i, grouping)
     while larger >= 0:
@@ -81,24 +79,24 @@ def player_of(blobs, i, grouping):
 
 @compiled
 def larger_nearby(blobs, i, grouping):
-    """Return the index of the largest of the blobs that are larger than blob i and near it, -1 without any.  MS29"""
-    found = -1
+    """Return the index of the largest blob that is larger than blob i and near it, -1 if there is none.  MS29"""
+    largest = -1
     for j in range(BLOBS):
         if blobs[j].area <= 0 or not is_larger(blobs, j, i):
             continue
-        if found >= 0 and not is_larger(blobs, j, found):
+        if largest >= 0 and not is_larger(blobs, j, largest):
             continue
         if gap_between(blobs[i], blobs[j]) < grouping * size_of(blobs[j]):
-            found = j
-    return found
+            largest = j
+    return largest
 
 
 @compiled
 def box_of_player(blobs, i, w):
     """Return the box [px] that stands for the player whose largest blob is i: left, right, high, low.  MS34
 
-    It is that blob's own: when a player walks away, its head stickers vanish, and the box round all its blobs is half
-    as high all of a sudden. With `player_blob` "combined" it is the box round all of them nevertheless.
+    It is the box of that blob alone: when a player walks away, its head stickers vanish, and a box round all its blobs
+    would suddenly be half as high. With `player_blob` "combined" it is the box round all its blobs.
     """
     left, right, high, low = int(blobs[i].left), int(blobs[i].right), int(blobs[i].high), int(blobs[i].low)
     if w.player_blob == COMBINED:

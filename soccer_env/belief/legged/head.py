@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import asin, atan2, cos, pi, sin, sqrt
 
 import numpy as np
@@ -20,7 +18,7 @@ NEAR_TILT = -68.0 * DEGREE  # [rad] of a sweep over the ground at the feet, a ba
 FAR_TILT = -24.0 * DEGREE  # [rad] of a sweep over the ground farther out, up to the horizon, assumed
 NEAR_BALL = 0.4  # [m] a ball believed nearer is searched for at the feet first, assumed
 FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhaps, assumed
-GLIMPSE = 0.25  # [s] unseen after which the search goes on where a glimpse broke it off, assumed
+GLIMPSE = 0.25  # [s] unseen after which a search goes on that a glimpse interrupted, assumed
 LEAST = 1e-9  # [m]
 
 HEAD_MEMORY = record(
@@ -36,13 +34,12 @@ HEAD_MEMORY = record(
 def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
     """Choose pan and tilt [rad] for the next step: at the ball, or in search of it.  [Sacks 2001, 3]  MS07
 
-    A ball in the picture is brought to its middle: the head is turned to a point on the line of sight to the blob,
-    `height` [m] over the ground at the believed distance. That is not the place on the ground that the ball is believed
-    to lie at: a half-hidden ball seems too far away, and who looks there looks over it. One that is no longer seen is
-    looked at where it is remembered, on the ground, for w.search_after. Either is taken to be where it will be in the
-    next picture if the robot moves on as it did in the last frame: otherwise the head would lag behind a turning body.
-    A search goes on where it was after a mere glimpse: a patch that is taken for the ball now and then must not keep it
-    from the feet.
+    A ball in the picture is brought to the picture's middle: the head turns to a point on the line of sight to the
+    blob, `height` [m] over the ground at the believed distance. That is not the believed place on the ground: a
+    half-hidden ball seems too far away, and a head that turns there looks over it. A ball that is no longer seen is
+    looked at where it is remembered, on the ground, for w.search_after. Either point is moved on to the next picture by
+    the robot's motion in the last frame: otherwise the head would lag behind a turning body. After a mere glimpse a
+    search goes on where it was: a patch that is now and then taken for the ball must not keep the head from the feet.
     """
     ball = belief.ball
     if percept.body.pose == POSE_TOLD:  # the robot was carried: a search begins anew
@@ -84,7 +81,7 @@ def search(ball, memory, handedness, k, w):
     """Return the pan and tilt [rad] of a head in search: sweeps between the pan limits at two tilts in turn.  MS07
 
     A sweep takes w.search_period. The first one begins on the side where the ball was believed last, low if it was
-    believed at the robot's feet, or nowhere: who has just been placed may have it there.
+    believed at the robot's feet, or is unknown: a robot that has just been placed may have it there.
     """
     period = max(w.search_period, k.dt)
     if memory.side == 0.0:

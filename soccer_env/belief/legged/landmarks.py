@@ -1,8 +1,7 @@
-"""How well poses fit the landmarks and goals that a legged robot sees.  MH08
+"""The own pose of a legged robot: particles weighed by the landmarks and goals that it sees.  MH08
 
 A landmark gives a bearing and, by its known height, a range. A goal gives the bearings of its two ends, unless the
-image's border or a robot cuts it: what is seen of it must lie between its posts, and most likely its ends are the
-posts.
+image's border or a robot cuts it: the visible part must lie between the posts, and most likely ends at them.
 
          opponents' goal
     4 ------+=====+------ 5      landmarks in the order of `percept.landmarks`, +x up and +y to the left:
@@ -15,14 +14,13 @@ posts.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt, tan
 
 import numpy as np
 
+from soccer_env.belief.own_pose import conclude, go_on_blind, motion_since, particles_are_due
 from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, records
 from soccer_env.geometry import into_frame, point_of_frame
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, image_height, image_width
 from soccer_env.random_numbers import uniform
@@ -43,7 +41,7 @@ SIGHT = np.dtype(
 )
 
 GOAL_SIGHT = np.dtype(
-    [  # what is seen of a goal
+    [  # the visible part of a goal
         ("seen", "i8"),
         ("side", "f8"),  # -1 own goal, +1 the opponents'
         ("left_ahead", "f8"),  # [1] robot frame, unit vector towards its left end
@@ -67,11 +65,30 @@ LANDMARK_VIEW = np.dtype(
 
 
 @compiled
-def look_at_landmarks(percept, view, k, s, w):
-    """Fill in what is seen of landmarks and goals; return how many numbers it gives to weigh poses by.
+def believe_pose_legged(percept, own, crowded, memory, particles, noise, k, s, w):
+    """Update the own pose of a legged robot from the percept, by particles, landmarks and goals.  MH08"""
+    if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
+        return
+    view = records(1, LANDMARK_VIEW)[0]
+    seen = look_at_landmarks(percept, view, k, s, w)
+    hand = np.float64(percept.body.handedness)
+    if seen == 0:
+        go_on_blind(own, memory, particles, noise, hand, k, w)
+        return
+    motion = motion_since(memory, k, w)
+    weigh_by_landmarks(particles, view, motion, noise, hand, k, w)
+    if conclude(own, memory, particles, seen, noise, w):
+        for i in range(particles.shape[0]):
+            if particles[i].weight == 0.0:
+                draw_from_landmark(particles[i], view, noise, hand, k, w)
 
-    Nothing if the robot lies on its side. A landmark cut at a side of the image is left out; one cut above or below
-    gives no range.
+
+@compiled
+def look_at_landmarks(percept, view, k, s, w):
+    """Fill in the landmarks and goals in view; return how many measurements they give.
+
+    None if the robot lies on its side. A landmark cut off at a side of the image is left out; one cut off above or
+    below gives no range.
     """
     view.count = 0
     view.goals[0].seen = view.goals[1].seen = 0
@@ -104,9 +121,9 @@ def place_of_landmark(which, k, s):
 
 @compiled
 def read_landmark(blob, sight, whole, pan, tilt, s):
-    """Fill in direction and range of a landmark; return how many numbers that are.
+    """Fill in direction and range of a landmark; return the number of measurements.
 
-    The range is that at which the known height fills the angle between the blob's upper and lower edge.
+    At this range the known height fills the angle between the blob's upper and lower edge.
     """
     middle = 0.5 * (blob.left + blob.right)
     bearing, high = direction_of_pixel(middle, np.float64(blob.high), pan, tilt, s)
@@ -123,7 +140,7 @@ def read_landmark(blob, sight, whole, pan, tilt, s):
 
 @compiled
 def read_goal(blobs, goal, side, edge, pan, tilt, s):
-    """Fill in the directions of the ends of what is seen of a goal, in one piece or more; return how many are whole."""
+    """Fill in the directions of both ends of a goal's visible part, in one piece or more; return how many they are."""
     left = -10_000
     right = 10_000
     height = 0.0
@@ -150,7 +167,7 @@ def read_goal(blobs, goal, side, edge, pan, tilt, s):
 
 @compiled
 def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
-    """Move all particles and give each the cost of what is seen, in place of its weight.  MH08"""
+    """Move all particles and store in each weight the cost of what the robot sees.  MH08"""
     half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
     for i in range(particles.shape[0]):
         particle = particles[i]
@@ -167,7 +184,7 @@ def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
 
 @compiled
 def landmark_cost(sight, x, y, cosine, sine, w):
-    """Return what bearing and range of a landmark cost a camera at x, y in a body with this heading."""
+    """Return the cost of a landmark's bearing and range for a camera at x, y in a body with this heading."""
     ahead, left, far = direction_in_frame(sight.x - x, sight.y - y, cosine, sine)
     miss = 2.0 - 2.0 * (ahead * sight.ahead + left * sight.left)  # square of the chord [rad2]
     cost = bounded(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
@@ -179,7 +196,7 @@ def landmark_cost(sight, x, y, cosine, sine, w):
 
 @compiled
 def goal_cost(goal, x, y, cosine, sine, hand, k, w):
-    """Return what the ends of a goal cost a camera at x, y in a body with this heading."""
+    """Return the cost of a goal's two ends for a camera at x, y in a body with this heading."""
     across = goal.side * 0.5 * k.pitch_goal_width  # the left post as seen from the field
     along = goal.side * 0.5 * k.pitch_length - x
     ahead, left, _ = direction_in_frame(along, across - y, cosine, sine)
@@ -191,10 +208,10 @@ def goal_cost(goal, x, y, cosine, sine, hand, k, w):
 
 @compiled
 def end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
-    """Return what an end of a goal in direction (ahead, left) costs, if its post lies in direction (post_ahead, ...).
+    """Return the cost of a goal's end in direction (ahead, left), if its post lies in direction (post_ahead, ...).
 
-    Beyond the post, which is to the left for `outward` 1, nothing of the goal can be seen. Before it an end costs
-    little, as something may hide the rest, and none if the image's border cuts the goal there.
+    Beyond the post, to the left for `outward` 1, nothing of the goal can be seen. Before the post an end costs little,
+    since something may hide the rest, and nothing if the image's border cuts the goal off there.
     """
     along = post_ahead * ahead + post_left * left
     aside = outward * (post_ahead * left - post_left * ahead)
@@ -214,7 +231,7 @@ def direction_in_frame(x, y, cosine, sine):
 
 @compiled
 def draw_from_landmark(particle, view, noise, hand, k, w):
-    """Draw a particle anew from one of the things that are seen.  MH08"""
+    """Draw a particle anew from one of the landmarks and goals in view.  MH08"""
     things = view.count + view.goals[0].seen + view.goals[1].seen
     which = int(things * uniform(noise, PARTICLES))
     if which < view.count:

@@ -4,18 +4,16 @@ For a player A in the view and a player B of the same team in memory:
 
     likelihood(A, B) = uncertainty of B / distance(A, B)^3 / angle(A, B)
 
-Greedy: each player of the view, the largest blob first, replaces the likeliest slot that no other of this view has
-taken. What is not likely for any slot still gets one: a ghost may push a real player out of the memory.
+Greedy: each player in view, the largest blob first, replaces the likeliest slot that no other player in view has taken.
+An unlikely player gets a slot, too: a ghost may push a real player out of the memory.
 
-Unlike the paper's slots, which always hold something, one here may be empty: it is taken to hold the most uncertain of
-players, `empty_distance` and `empty_angle` away from A. So A goes to an empty slot unless it is near a player in
-memory: one seen in the last frame within about 0.3 m (0.9 m in nearly the same direction), one seen 5 s ago within
-about 0.65 m, as far as it can have walked.
+Unlike the paper's slots, which are never empty, one here may be: it counts as the most uncertain player,
+`empty_distance` and `empty_angle` away from A. So A goes to an empty slot unless it is near a player in memory: within
+about 0.3 m of one seen in the last frame (0.9 m in nearly the same direction), within about 0.65 m, as far as it can
+have walked, of one seen 5 s ago.
 
 `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import atan2, exp, log, pi
 
@@ -38,13 +36,13 @@ def uncertainty_of(track, w):
 
 @compiled
 def falloff(value, power):
-    """Return value^-power for a value above zero and any power, the same compiled and not."""
+    """Return value^-power for a value above zero and any power, bit-identical in compiled and plain Python."""
     return exp(min(-power * log(value), EXPONENT_MOST))
 
 
 @compiled
 def angle_between(one, other):
-    """Return the angle [rad], 0 to pi, between two bearings in [-pi, pi]; the same in a mirror to the last bit."""
+    """Return the angle [rad], 0 to pi, between two bearings in [-pi, pi]; bit-identical in a mirror."""
     angle = abs(one - other)
     return TURN - angle if angle > pi else angle
 
@@ -70,11 +68,11 @@ def likeliest_slot(tracks, first, last, x, y, w):
     Slots of age 0 have been taken by another player of the same view.
     """
     bearing = atan2(y, x)
-    found, best = -1, -1.0
+    likeliest, best = -1, -1.0
     for slot in range(first, last):
         if tracks[slot].present == 1 and tracks[slot].age == 0.0:
             continue
         value = likelihood(tracks[slot], x, y, bearing, w)
         if value > best:
-            found, best = slot, value
-    return found
+            likeliest, best = slot, value
+    return likeliest

@@ -1,19 +1,17 @@
 """The obstacle that a legged robot makes of a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
 
 The black head of a player that looks down hides its jersey: the player seems much farther than it is, or is not seen at
-all. A reading significantly closer than every player in memory, both from the camera to the surface of a body, tells of
-somebody whom the picture does not show:
+all. A reading significantly closer than every player in memory, both from the camera to the surface of a body, reveals
+a player that the picture does not show:
 
     distance, bearing    to the middle of that body, as if the beam met its chest (MS35); 0, 0: there is none
 
-It holds for the frame of the reading. Unlike the paper, which takes any reading, this one takes what lies higher than
-ball and boards can, for else these and the carpet were obstacles too, and what is within the ranger's reliable range,
-for beyond it a reading may be half a metre too short. The walls of a goal are higher and count as somebody.
+It holds for the frame of the reading. Unlike the paper, which takes any reading, this module takes a reading only if it
+lies higher than ball and boards, since these and the carpet would be obstacles too, and within the ranger's reliable
+range: beyond it a reading may be half a metre too short. The walls of a goal are higher and count as a player.
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, inf, sin
 
@@ -28,7 +26,7 @@ from soccer_env.optics.head_camera import camera_place
 
 @compiled
 def believe_obstacle(percept, belief, tracks, k, s, w):
-    """Bring the obstacle of a BELIEF up to the percept of a frame, after its tracks (slots,).  MS49
+    """Update the obstacle of a BELIEF from the percept of a frame, after its tracks (slots,).  MS49
 
     A robot that lies on its side or is sent off does not look.
     """

@@ -3,14 +3,12 @@
 Every frame: the players in memory are moved by the robot's own steps and grow older, the blobs of each jersey colour
 are sorted into players (`grouping.py`), each gets a place, and replaces the likeliest player in memory (`matching.py`).
 Places are polar, relative to the robot (MS02). Vision shows neither numbers nor goalkeepers nor headings, and
-nobody estimates velocities: these fields stay unknown or 0.
+velocities are not estimated: these fields stay unknown or 0.
 
 The old memory, `slots` "nearest", knows a single player of each team: whichever is nearest at the moment.
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, sin, tan
 
@@ -100,7 +98,7 @@ def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
     """Find the players among the blobs of one colour and remember them; return how many there are.  MS28
 
     Slots from `first` to before `last` are this team's. Players come largest blob first. The old memory keeps only the
-    nearest of the view, in the first slot, whoever was there before.
+    nearest player in view, in the first slot.
     """
     done = seen = 0
     nearest_x = nearest_y = nearest = 0.0
@@ -126,7 +124,7 @@ def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
 
 @compiled
 def remember(tracks, slot, x, y, teammate):
-    """Replace what a slot holds by a player that is seen at x, y [m], robot frame; slot -1: there is none left."""
+    """Put a player that is seen at x, y [m], robot frame, into a slot; slot -1: there is none left."""
     if slot < 0:
         return
     track = tracks[slot]
@@ -190,7 +188,7 @@ def is_in_beam(percept, left, right, high, low, s, w):
 def range_by_infrared(percept, tilt, k):
     """Return the range [m] along the ground to the centre of a player whose surface the ranger meets.  MS35
 
-    The paper takes "the reading from the infrared distance sensor". It is what `surface_distance` of this player gives
-    back (surface.py); half a body is added because tracks hold middles, whatever they were measured by.
+    The paper takes "the reading from the infrared distance sensor", and so does `surface_distance` (surface.py); half a
+    body is added because tracks hold middles, however they were measured.
     """
     return np.float64(percept.infrared) * cos(tilt) + half_a_body(k)

@@ -1,7 +1,7 @@
 """From a player's middle to its surface, as the sensors measure it, and back.  [Sacks 2001, 4.1.2, 4.3]  MS35, MS42
 
-Tracks hold middles, in the robot's own frame: from middle to middle. What a robot of the paper has of another player is
-a reading, of the ranger or of a table, and that counts from its camera to the nearest of the other's jersey:
+Tracks hold middles, in the robot's own frame: from middle to middle. In the paper a robot's distance to another player
+is a reading of the ranger or of a table, from its camera to the nearest part of the other's jersey:
 
     own middle   camera            surface    the other's middle
         |----------|------ reading ---|-------------|
@@ -9,8 +9,6 @@ a reading, of the ranger or of a table, and that counts from its camera to the n
 
 `k`: the league's constants.
 """
-
-from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
@@ -29,6 +27,6 @@ def half_a_body(k):
 def surface_distance(x, y, k):
     """Return the distance [m] from the camera to the surface of a player whose middle is at x, y [m], robot frame.
 
-    The camera is where a level head carries it that looks ahead; a lowered one carries it within 2 cm of that.
+    The camera is at its place in a level head that looks ahead; a lowered head moves it by up to 2 cm.
     """
     return max(length(x - k.head_camera_ahead, y) - half_a_body(k), 0.0)

@@ -2,15 +2,13 @@
 
 Two velocities come out of each pair of readings:
 
-    radial, angular    as the moving, turning robot sees it, whatever it does itself: what tells that it is stuck
+    radial, angular    as the moving, turning robot sees it: these tell the robot that it is stuck
     vx, vy             over the ground: the first reading is moved along by odometry before the difference is taken.
                        That is the relative velocity plus own velocity plus turn rate x place, and exact however the
                        robot walked in between
 
 `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import cos, sin
 
@@ -24,14 +22,14 @@ ROUNDING = 1e-9  # [s] times of whole frames that differ by less are the same
 
 @compiled
 def update_velocity(ball, memory, frame, dt, w):
-    """Take a reading of the ball every `velocity_interval`, and its velocity if that is due.  MS17
+    """Take a reading of the ball every `velocity_interval`, and compute the velocity when it is due.  MS17
 
     memory is a BALL_MEMORY in which `sample_x`, `sample_y` have been moved along by odometry. Radial and angular
     velocity are kept between readings; vx and vy too, in axes that turn with the robot.
     """
     since = (frame - memory.sampled) * dt
     if memory.has_sample == 0 or since > w.velocity_gap + ROUNDING:
-        ball.vx = ball.vy = ball.radial = ball.angular = 0.0  # nothing that old says how the ball moves now
+        ball.vx = ball.vy = ball.radial = ball.angular = 0.0  # a reading that old says nothing of the ball's motion now
     interval = max(w.velocity_interval, dt)
     period = int((frame * dt + ROUNDING) / interval)
     if period == memory.period:

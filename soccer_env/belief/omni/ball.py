@@ -1,4 +1,4 @@
-"""The ball that a middle-size robot tracks: where it is, where it goes.  [Heinemann et al. 2006, 1, 4]  MH06
+"""The ball that a middle-size robot tracks: place and velocity.  [Heinemann et al. 2006, 1, 4]  MH06
 
 frame    carried by the odometry, rolls on
 reading  by the camera, or by the light barrier while the own body hides the ball
@@ -7,22 +7,12 @@ reading  by the camera, or by the light barrier while the own body hides the bal
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2, inf
 
 import numpy as np
 
 from soccer_env.belief.odometry import motion_of, move_point
-from soccer_env.belief.omni.tracking import (
-    FILTER,
-    at_exposure,
-    carry,
-    correct,
-    predict,
-    reading_of,
-    start,
-)
+from soccer_env.belief.omni.tracking import FILTER, at_exposure, carry, correct, predict, reading_of, start
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, record
@@ -51,7 +41,7 @@ BALL_MEMORY = record(
 
 @compiled
 def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
-    """Bring the tracked ball up to the percept, and the belief up to it.  MH06
+    """Update the tracked ball from the percept, and the belief from the tracked ball.  MH06
 
     The picture counts as `frames` old: a reading is compared with the state at the exposure.
     """
@@ -63,11 +53,11 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
     elif body.held == 1 and memory.held >= 1.0:  # the barrier errs now and then: one frame proves nothing
         take(memory, k.body_front + k.ball_radius, 0.0, 0.0, 0.0, False, k, s, w)
     else:
-        memory.filter.surprises = 0  # a row ends
+        memory.filter.surprises = 0  # no longer in a row
     memory.held = memory.held + 1.0 if body.held == 1 else 0.0
     if memory.filter.seen == 0:
         memory.confidence = max(memory.confidence - w.fading * k.dt, 0.0)
-        if memory.confidence <= 0.0:  # where it went is forgotten as well
+        if memory.confidence <= 0.0:  # its velocity is forgotten as well
             memory.vx = memory.vy = 0.0
     fill_belief(believed, memory, own)
     believed.held = body.held
@@ -92,10 +82,10 @@ def move_ball(memory, motion, kicked, k, s, w):
 
 @compiled
 def take(memory, x, y, late, age, alone, k, s, w):
-    """Take a reading (x, y) [m] of an age [s] that counts as `late` [s]; `alone` says that it may start a track.  MH06
+    """Take a reading (x, y) [m] of an age [s] that counts as `late` [s]; `alone`: it may start a track by itself.  MH06
 
-    One that is off by more than `surprise` is ignored, unless `surprise_count` of them, frame after frame, agree with
-    each other: then the ball was kicked, or what was tracked was none, and the track starts anew.
+    A reading off by more than `surprise` is ignored, unless `surprise_count` of them in a row agree with each other:
+    then the ball was kicked, or the track followed something else, and it starts anew.
     """
     filter = memory.filter
     memory.raw_x, memory.raw_y = x, y
@@ -120,7 +110,7 @@ def take(memory, x, y, late, age, alone, k, s, w):
 
 @compiled
 def fill_belief(believed, memory, own):
-    """Fill in the belief from what is tracked; rates are what the moving, turning robot sees."""
+    """Fill in the belief from the tracked ball; rates are as the moving, turning robot sees them."""
     believed.distance = length(memory.raw_x, memory.raw_y)
     believed.bearing = atan2(memory.raw_y, memory.raw_x)
     x, y = memory.x, memory.y

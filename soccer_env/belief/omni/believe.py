@@ -3,13 +3,11 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.belief.believing import believe_kernel
 from soccer_env.belief.omni.ball import BALL_MEMORY, believe_ball
-from soccer_env.belief.omni.own_pose import believe_pose_omni
+from soccer_env.belief.omni.field_lines import believe_pose_omni
 from soccer_env.belief.omni.players import READING, SLOTS, believe_players
 from soccer_env.belief.omni.radio import exchange_radio
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, note_motion
@@ -24,7 +22,7 @@ OMNI_MEMORY = record(
         ("ball", BALL_MEMORY),
         ("pose", POSE_MEMORY),
         ("motions", MOTION, (DELAYS,)),  # odometry of the last frames, a ring by frame
-        ("players", FILTER, (SLOTS,)),  # what goes with the tracks
+        ("players", FILTER, (SLOTS,)),  # the filters of the tracks
     ]
 )
 
@@ -45,7 +43,7 @@ def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scrat
 
 @compiled
 def track_things(percept, belief, tracks, memory, scratch, k, s, w):
-    """Bring ball and players up to the percept; who is put somewhere else and told so begins anew.  MH06"""
+    """Update ball and players from the percept; a robot that is told its new place begins anew.  MH06"""
     note_motion(memory.motions, percept.body)
     if percept.body.pose == POSE_TOLD:
         forget_things(memory, tracks)

@@ -1,4 +1,4 @@
-"""How well poses fit the white lines and goals that a middle-size robot sees.  MH08
+"""The own pose of a middle-size robot: particles weighed by the white lines and goals that it sees.  MH08
 
 Each direction in which a line was seen gives a point on the ground; a pose fits if its points lie near white lines
 [Lauer, Lange, Riedmiller 2006]. Lines look the same after a half-turn: the goals say which half is the own one.
@@ -6,22 +6,21 @@ Each direction in which a line was seen gives a point on the ground; a pose fits
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, pi, sin, sqrt
 
 import numpy as np
 
 from soccer_env.belief.odometry import move_point
+from soccer_env.belief.own_pose import conclude, field_of, go_on_blind, motion_since, particles_are_due
 from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle, scatter
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, records
 from soccer_env.geometry import into_frame, length, point_of_frame
 from soccer_env.random_numbers import uniform
 from soccer_env.records.percepts import LINES
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)
-HIDDEN_SHARE = 0.25  # [1] of half a goal: sd by which the middle of what is seen of it lies aside of its own, assumed
+HIDDEN_SHARE = 0.25  # [1] of half a goal: sd of its visible part's middle about its own, assumed
 
 LINE_POINT = np.dtype([("ahead", "f8"), ("left", "f8")])  # [m] robot frame
 
@@ -39,8 +38,31 @@ LINE_VIEW = np.dtype([("count", "i8"), ("points", LINE_POINT, (LINES,)), ("goals
 
 
 @compiled
+def believe_pose_omni(percept, own, crowded, memory, particles, noise, k, s, w, table):
+    """Update the own pose of a middle-size robot from the percept, by particles, white lines and goals.  MH08
+
+    `table` is the record of `line_tables` in perception/omni/lines.py.
+    """
+    if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
+        return
+    view = records(1, LINE_VIEW)[0]
+    seen = look_at_lines(percept, own, view, k, s, w)
+    hand = np.float64(percept.body.handedness)
+    if seen == 0:
+        go_on_blind(own, memory, particles, noise, hand, k, w)
+        return
+    motion = motion_since(memory, k, w)
+    half_length, half_width = field_of(k)
+    weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table)
+    if conclude(own, memory, particles, seen, noise, w):
+        for i in range(particles.shape[0]):
+            if particles[i].weight == 0.0:
+                draw_from_goal(particles[i], view, half_length, half_width, noise, hand, w)
+
+
+@compiled
 def look_at_lines(percept, own, view, k, s, w):
-    """Fill in where lines and goals are seen; return how many numbers they give to weigh poses by.
+    """Fill in the lines and goals in view; return how many measurements they give.
 
     The picture is old by the time it arrives: what it shows is moved by the robot's motion since the exposure.
     """
@@ -77,7 +99,7 @@ def read_goal(sighting, goal, x, forward, aside, turn):
 
 @compiled
 def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
-    """Move all particles and give each the cost of what is seen, in place of its weight.  MH08"""
+    """Move all particles and store in each weight the cost of what the robot sees.  MH08"""
     grid, per_metre = table.nearest_line, 1.0 / table.cell
     columns, rows = grid.shape[0] // 2, grid.shape[1] // 2
     sharp = 1.0 / (w.pose_line_noise * w.pose_line_noise)
@@ -101,7 +123,7 @@ def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand
 
 @compiled
 def goal_cost(goal, x, y, cosine, sine, k, w):
-    """Return what bearing and range of a goal cost a robot at x, y with this heading."""
+    """Return the cost of a goal's bearing and range for a robot at x, y with this heading."""
     along, far = goal.x - x, sqrt((goal.x - x) * (goal.x - x) + y * y)
     far = max(far, 1e-3)
     ahead, left = into_frame(along, -y, cosine, sine)

@@ -10,8 +10,6 @@ along it and across it: there the errors of a mirror camera are independent, so 
 four, and neither has to be turned when the robot turns (that the line of sight itself turns a little is left out).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from soccer_env.compiled import compiled
@@ -37,7 +35,7 @@ def start_covariance(P, R, speed):
 def predict_covariance(P, dt, agility, jitter):
     """Carry P over a frame: P = F P F' + Q.  MH06
 
-    agility: sd of the unforeseen acceleration [m/s2]; jitter: what the own odometry errs by [m].
+    agility: sd of the unforeseen acceleration [m/s2]; jitter: error of the own odometry [m].
     """
     xx, xv, vv = np.float64(P.xx), np.float64(P.xv), np.float64(P.vv)
     q = agility * agility * dt * dt
@@ -61,10 +59,10 @@ def update_covariance(P, age, R):
 
 @compiled
 def fit_gains(readings, window, elapsed, age):
-    """Return the gains of a line fitted to readings by least squares: all so far, then some `window` of them.  MH06
+    """Return the gains of a line fitted to readings by least squares: all so far, then about the last `window`.  MH06
 
-    readings: how many there are with this one; elapsed: time since the last [s]. From `window` readings on the gains
-    stay what they are, so that old readings fade.
+    readings: their number with this one; elapsed: time since the last one [s]. From `window` readings on the gains stay
+    constant, so that old readings fade.
     """
     n = max(min(1.0 * readings, window), 2.0)
     K_x, K_v = 2.0 * (2.0 * n - 1.0) / (n * (n + 1.0)), 6.0 / (n * (n + 1.0) * elapsed)

@@ -9,20 +9,11 @@ The filter of slot i lies in place i of the memory and moves with it when tracks
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import atan2
 
 import numpy as np
 
-from soccer_env.belief.omni.tracking import (
-    at_exposure,
-    carry,
-    correct,
-    predict,
-    reading_of,
-    start,
-)
+from soccer_env.belief.omni.tracking import at_exposure, carry, correct, predict, reading_of, start
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 from soccer_env.records.beliefs import UNKNOWN, forget
@@ -180,7 +171,7 @@ def add_player(tracks, filters, x, y, teammate, first, last, age, s):
 
 @compiled
 def fade_players(tracks, filters, k, w):
-    """Fade what was not seen, forget what was not seen for long, and fill in distance and bearing."""
+    """Fade players that were not seen, forget those unseen for long, and fill in distance and bearing."""
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and filters[slot].seen != 1:

@@ -3,8 +3,6 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np
@@ -43,7 +41,7 @@ RADIO_MESSAGE = message_of(REPORT)
 
 @compiled
 def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
-    """Let the robots of one match report by radio, and fill in for what they do not see themselves.  MH05
+    """Let the robots of one match report by radio, and use reports for what they do not see themselves.  MH05
 
     Every s.radio_period, delivered s.radio_delay later, lost with probability s.radio_loss; `shared` False: no radio.
     """
@@ -72,7 +70,7 @@ def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
 
 @compiled
 def say_report(report, belief):
-    """Write all that a robot tells by radio.  MH05"""
+    """Write the report that a robot sends by radio.  MH05"""
     ball = belief.ball
     seen = ball.confidence > 0.0 and ball.age < SEEN
     report.distance = ball.filtered_distance if seen else inf

@@ -1,12 +1,10 @@
-"""What a middle-size robot makes of its team-mates' reports.  [Heinemann et al. 2006, 2]  MH05
+"""How a middle-size robot uses its team-mates' reports.  [Heinemann et al. 2006, 2]  MH05
 
-A report is in the team frame; it comes into the robot frame through the own believed pose, so that the errors of both
-poses are in it. What the own camera sees is trusted more.
+A report is in the team frame; the own believed pose brings it into the robot frame, so that it has the errors of both
+poses. The own camera is trusted more.
 
 `k`: the league's constants; `w`: settings of the memory.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, inf, sin
 
@@ -15,7 +13,7 @@ from soccer_env.geometry import into_frame, length, out_of_frame, wrap
 from soccer_env.records.beliefs import UNKNOWN
 
 SURE = 100.0  # confidence of what is seen
-TOLD = 0.95  # [1] confidence of what is told against what is seen, assumed: as good as a look 0.2 s earlier
+TOLD = 0.95  # [1] confidence in a report against a sighting, assumed: as good as a look 0.2 s earlier
 ASTRAY = 0.1  # [rad] by which own heading and bearing may err together, assumed
 NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at this distance
 
@@ -47,8 +45,8 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
 
     The nearest pair of report and track within w.gate comes first. A track that the own camera has seen lately keeps
     its place and gets the number; a report that is left over takes a free slot, or that of a team-mate farther away.
-    scratch (rows or slots, 4): of each speaker where it is in the robot frame [m] and whether its report is open; and
-    whether each slot is taken.
+    scratch (rows or slots, 4): x, y of each speaker in the robot frame [m], 1 while its report is open; and 1 for each
+    slot that is taken.
     """
     scratch[:, 2:] = 0.0
     axes = cos(own.heading), sin(own.heading)
@@ -68,9 +66,9 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
 
 @compiled
 def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
-    """Fill in where the team-mates are that have just reported; one who knows nothing of its own place does not count.
+    """Fill in the places of the team-mates that have just reported, except those that do not know their own place.
 
-    A report is late by the time that it was on its way: the team-mate has gone on since.
+    A report is old by the time it arrives: the team-mate has moved on since.
     """
     for other in rows:
         message = messages[other]
@@ -92,7 +90,7 @@ def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
 def nearest_pair(tracks, scratch, k, w, rows):
     """Return the open report and the free track that are nearest to each other within the gate; -1, -1 if none are.
 
-    The gate is w.gate, and wider for one who is far away, whose place errs with the own heading.
+    The gate is w.gate, and wider for a distant team-mate, whose place errs with the own heading.
     """
     best = -1
     best_slot = -1
@@ -115,8 +113,8 @@ def nearest_pair(tracks, scratch, k, w, rows):
 def free_slot(tracks, message, scratch, other, frame, k, w):
     """Return the slot for a team-mate that no track is near to, or -1.
 
-    It is the one that it had; a free one; or that of the team-mate farthest away, if that is farther than this one. A
-    slot in which the own camera has seen somebody lately is never given away for what is merely told.
+    In this order: the slot that it had; a free slot; the slot of the farthest team-mate, if that is farther than this
+    one. A slot whose player the own camera has seen lately is never given to a player that is merely reported.
     """
     report = message.reports[message.latest]
     confidence = told_confidence(report, frame, k, w)
@@ -138,7 +136,7 @@ def free_slot(tracks, message, scratch, other, frame, k, w):
 
 @compiled
 def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
-    """Take a report into a track: who it is and where it looks, and where it is unless the camera knows better."""
+    """Put a report into a track: number and heading, and place and velocity unless the camera knows better."""
     report, track = message.reports[message.latest], tracks[slot]
     place[2], taken[3] = 0.0, 1.0
     for i in range(k.teammate_slots):
@@ -158,7 +156,7 @@ def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
 
 @compiled
 def told_confidence(report, frame, k, w):
-    """Return the confidence in where a team-mate says that it is: it fades from when it was said."""
+    """Return the confidence in the place that a team-mate reported, fading since the report."""
     if report.confidence <= 0.0:
         return 0.0
     return TOLD * max(SURE - w.fading * (frame - report.frame) * k.dt, 0.0)
@@ -171,7 +169,7 @@ def told_confidence(report, frame, k, w):
 def adopt_ball(belief, messages, r, frame, k, w, home, rows):
     """Believe the ball of the most confident team-mate that saw it later than the robot itself.  MH05
 
-    Of equally confident ones the nearest to the ball counts, then the lowest number.
+    Of equally confident team-mates the nearest to the ball counts, then the lowest number.
     """
     best = -1
     most = 0.0

@@ -6,20 +6,12 @@ frame's axes: the ball's memory, or a track. A filter goes with it.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt
 
 import numpy as np
 
 from soccer_env.belief.odometry import motion_of, move_point
-from soccer_env.belief.omni.kalman import (
-    COVARIANCE,
-    fit_gains,
-    predict_covariance,
-    start_covariance,
-    update_covariance,
-)
+from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, Range, record
@@ -61,7 +53,7 @@ def note_motion(motions, body):
 
 @compiled
 def reading_of(sighting, motions, frame, frames):
-    """Return where a still thing that a picture shows, some frames old, lies in the robot frame of now [m]."""
+    """Return where a still thing in a picture some frames old lies in the robot frame of now [m]."""
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
     x, y = distance * cos(bearing), distance * sin(bearing)
     for back in range(frames - 1, -1, -1):
@@ -73,7 +65,7 @@ def reading_of(sighting, motions, frame, frames):
 
 @compiled
 def carry(thing, motion):
-    """Bring a thing into the robot frame of now; where it goes by itself is not in this."""
+    """Move a thing into the robot frame of now, without the thing's own motion."""
     forward, left, turn = motion_of(motion)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
     thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
@@ -122,8 +114,8 @@ def at_exposure(thing, age):
 def correct(thing, filter, x, y, age, elapsed, s, w):
     """Take a reading (x, y) [m] of some age [s] into a thing's state: x = x + K y.  MH06
 
-    elapsed: time since the last reading [s]. The filter of the settings makes the gains; without one the reading is
-    all there is, and speeds are unknown.
+    elapsed: time since the last reading [s]. The filter of the settings makes the gains; without a filter the reading
+    replaces the state, and speeds are unknown.
     """
     was_x, was_y = at_exposure(thing, age)
     distance = length(was_x, was_y)

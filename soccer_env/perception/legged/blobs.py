@@ -1,12 +1,10 @@
 """From the pieces of a sketch to the blobs that the vision delivers: misses, merging, noise, whole pixels.  MS04
 
-Random numbers are drawn piece by piece, in the order in which the pieces were sketched: the same order in a mirrored
-match and for both teams. Only what is in the picture costs a draw.
+Random numbers are drawn piece by piece in the order of the sketch, which is the same in a mirrored match and for both
+teams. Only pieces in the picture cost a draw.
 
 `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import floor
 
@@ -22,7 +20,7 @@ from soccer_env.types import RobotStream
 CAMERA_NOISE = int(RobotStream.CAMERA)
 FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
 BYTES = np.uint64(0x00FF00FF00FF00FF)  # every other byte
-ONES = np.uint64(0x0001000100010001)  # times this, the top 16 bits are the sum of all four
+ONES = np.uint64(0x0001000100010001)  # a multiplication by it puts the sum of all four into the top 16 bits
 MIDDLE = 8.0 * 127.5  # mean of the sum of eight bytes
 UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # one over the deviation of that sum
 SCALE_LEAST = 0.1  # [1] least scale of sizes, however large its error
@@ -33,7 +31,7 @@ TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
 @compiled
 def deliver(sketch, percept, state, noise, s):
-    """Fill in the blobs of a percept from a sketch; the scale of a robot's sizes is drawn once an episode.  MS04"""
+    """Fill in the blobs of a percept from a sketch; the error of a robot's sizes is drawn once an episode.  MS04"""
     if state.scale == 0.0:
         state.scale = max(1.0 + s.scale_error * normal(noise, CAMERA_NOISE), SCALE_LEAST)
     miss(sketch, BALL, noise, s.ball_miss)
@@ -51,19 +49,19 @@ def deliver(sketch, percept, state, noise, s):
 
 @compiled
 def miss(sketch, kind, noise, probability):
-    """Take out the pieces that this frame misses, one draw for each.  MS37"""
-    kept, count = 0, sketch.found[kind]
+    """Remove the pieces that the vision misses in this frame, one draw for each.  MS37"""
+    kept, count = 0, sketch.counts[kind]
     for i in range(count):
         if uniform(noise, CAMERA_NOISE) >= probability:
             if kept < i:
                 sketch.pieces[kind, kept] = sketch.pieces[kind, i]
             kept += 1
-    sketch.found[kind] = kept
+    sketch.counts[kind] = kept
 
 
 @compiled
 def miss_players(sketch, noise, s):
-    """Take out all stickers of the players that this frame misses: one draw for each whose jersey it shows.  MS37"""
+    """Remove all stickers of each player that the vision misses in this frame, one draw per visible jersey.  MS37"""
     if s.player_miss <= 0.0:
         return
     kept_of_mates = kept_of_opponents = 0
@@ -80,48 +78,48 @@ def miss_players(sketch, noise, s):
             kept_of_mates = kept
         else:
             kept_of_opponents = kept
-    sketch.found[TEAMMATES], sketch.found[OPPONENTS] = kept_of_mates, kept_of_opponents
+    sketch.counts[TEAMMATES], sketch.counts[OPPONENTS] = kept_of_mates, kept_of_opponents
 
 
 @compiled
 def add_spots(sketch, kind, noise, s):
-    """Add the orange spots that this frame shows on stickers.
+    """Add the orange spots that stickers show in this frame.
 
-    Both teams' stickers show them, although only one team's are red: else the team that plays in red would have it
-    harder, and a match would not be the same with the teams swapped.
+    Both teams' stickers show them, although only one team's are red: otherwise the red team would be at a disadvantage,
+    and swapping the teams would change a match.
     """
-    for i in range(sketch.found[kind]):
-        if uniform(noise, FALSE_BLOBS) >= s.red_as_orange or sketch.found[BALL] >= PIECES:
+    for i in range(sketch.counts[kind]):
+        if uniform(noise, FALSE_BLOBS) >= s.red_as_orange or sketch.counts[BALL] >= PIECES:
             continue
-        sticker, spot = sketch.pieces[kind, i], sketch.pieces[BALL, sketch.found[BALL]]
+        sticker, spot = sketch.pieces[kind, i], sketch.pieces[BALL, sketch.counts[BALL]]
         width, height = sticker.left - sticker.right, sticker.high - sticker.low
         spot.right = sticker.right + (1.0 - SPOT) * width * uniform(noise, FALSE_BLOBS)
         spot.low = sticker.low + (1.0 - SPOT) * height * uniform(noise, FALSE_BLOBS)
         spot.left, spot.high = spot.right + SPOT * width, spot.low + SPOT * height
         spot.area = SPOT * SPOT * sticker.area
-        sketch.found[BALL] += 1
+        sketch.counts[BALL] += 1
 
 
 @compiled
 def add_patches(sketch):
-    """Add the patches to what has the colour of the ball."""
-    for i in range(sketch.found[PATCHES]):
-        if sketch.found[BALL] < PIECES:
-            sketch.pieces[BALL, sketch.found[BALL]] = sketch.pieces[PATCHES, i]
-            sketch.found[BALL] += 1
+    """Add the patches to the pieces in the ball's colour."""
+    for i in range(sketch.counts[PATCHES]):
+        if sketch.counts[BALL] < PIECES:
+            sketch.pieces[BALL, sketch.counts[BALL]] = sketch.pieces[PATCHES, i]
+            sketch.counts[BALL] += 1
 
 
 @compiled
 def report(sketch, kind, blobs, scale, noise, missed, s):
     """Fill in the four largest blobs of a kind, largest first; a share `missed` is left out.  [Sacks 2001, 2]  MS04
 
-    Regions below the least area are dropped, of whatever colour they are, as vision libraries do.  MS14
+    Regions of any colour below the least area are dropped, as vision libraries do.  MS14
     """
-    if sketch.found[kind] == 0 and blobs[0].area == 0:
-        return  # there are none, and none are left from the frame before
+    if sketch.counts[kind] == 0 and blobs[0].area == 0:
+        return  # no pieces now, and no blobs left from the frame before
     if missed > 0.0:
         miss(sketch, kind, noise, missed)
-    pieces, count = sketch.pieces[kind], sketch.found[kind]
+    pieces, count = sketch.pieces[kind], sketch.counts[kind]
     if count > 1:
         count = merge(pieces, count)
         put_largest_first(pieces, count, sketch.spare_piece)
@@ -142,7 +140,7 @@ def report(sketch, kind, blobs, scale, noise, missed, s):
 
 @compiled
 def report_landmarks(sketch, blobs, scale, noise, s):
-    """Fill in the blob of each landmark; the left of a pair is drawn first, in a mirror the right."""
+    """Fill in the blob of each landmark; the left one of a pair is drawn first, in a mirrored match the right one."""
     for i in range(LANDMARKS):
         index = i if sketch.camera.handedness > 0.0 else i + 1 - 2 * (i % 2)
         if sketch.landmarks[index].area > 0.0 and uniform(noise, CAMERA_NOISE) >= s.landmark_miss:
@@ -155,7 +153,7 @@ def report_landmarks(sketch, blobs, scale, noise, s):
 
 @compiled
 def merge(pieces, count):
-    """Make one piece of those that touch or overlap; return how many are left. The vision sees only their colour."""
+    """Merge pieces that touch or overlap, since the vision sees only their colour; return how many are left."""
     i = 0
     while i < count:
         j = i + 1
@@ -170,13 +168,13 @@ def merge(pieces, count):
         one.area += other.area
         pieces[j] = pieces[count - 1]
         count -= 1
-        i = 0  # the larger one may touch what the smaller ones did not
+        i = 0  # the merged piece may touch others that its parts did not
     return count
 
 
 @compiled
 def touch(one, other):
-    """Tell whether two pieces are too close to each other to be two blobs."""
+    """Tell whether two pieces are so close that they make one blob."""
     return (
         one.right < other.left + TOUCHING
         and other.right < one.left + TOUCHING
@@ -187,7 +185,7 @@ def touch(one, other):
 
 @compiled
 def put_largest_first(pieces, count, spare):
-    """Move the four largest pieces to the front, in order; of equal ones the first comes first."""
+    """Move the four largest pieces to the front, in order; of equal pieces the first comes first."""
     for place in range(min(count, BLOBS)):
         largest = place
         for i in range(place + 1, count):
@@ -199,7 +197,7 @@ def put_largest_first(pieces, count, spare):
 
 @compiled
 def swap(things, one, other, spare):
-    """Exchange two records of an array, by number; spare (1,): room for one of them."""
+    """Exchange two records of an array, by index; spare (1,): room for one of them."""
     spare[0] = things[one]
     things[one] = things[other]
     things[other] = spare[0]
@@ -207,7 +205,7 @@ def swap(things, one, other, spare):
 
 @compiled
 def measure(camera, piece, blob, scale, noise, s):
-    """Fill in what the vision counts of a piece: whole pixels, at least one, within the picture.
+    """Fill in the blob that the vision makes of a piece: whole pixels, at least one, within the picture.
 
     Size and place flicker by s.dither [px]; a piece that is cut off at an edge of the picture stays there.
     """
@@ -228,13 +226,13 @@ def measure(camera, piece, blob, scale, noise, s):
 
 @compiled
 def pixels(size, most):
-    """Return a size as whole pixels, 1 or more, and not more than the picture has."""
+    """Return a size in whole pixels, from 1 to the size of the picture."""
     return min(max(floor(size + 0.5), 1.0), most)
 
 
 @compiled
 def place_edge(middle, count, high, low, border):
-    """Return the upper edge, or the left one, of `count` pixels about a middle; what touches the border keeps to it."""
+    """Return the upper edge, or the left one, of `count` pixels about a middle; a piece at the border stays there."""
     if high >= border - EDGE:
         return border
     if low <= EDGE - border:
@@ -246,7 +244,7 @@ def place_edge(middle, count, high, low, border):
 def bell(noise):
     """Draw from a bell curve of mean 0 and deviation 1: the sum of the eight bytes of one draw.
 
-    Ten times cheaper than `normal`, and close to the normal distribution; nothing lies beyond 4.9.
+    Ten times cheaper than `normal`, and close to the normal distribution; no value lies beyond 4.9.
     """
     noise[CAMERA_NOISE] = noise[CAMERA_NOISE] + GOLDEN
     bits = mix(noise[CAMERA_NOISE])

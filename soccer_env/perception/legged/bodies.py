@@ -1,12 +1,10 @@
-"""The other robots before a camera: where they stand, and the boxes that hide what lies behind them.
+"""The other robots in view of a camera: where they stand, and the boxes that hide things behind them.
 
 A body is two upright boxes: the trunk over the rectangle round its hull, from the belly to the back, and a cube for the
-head, which turns and moves with pan and tilt. Legs are left out: one sees through under the belly.
+head, which turns and moves with pan and tilt. Legs are left out: the camera sees through under the belly.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import inf
 
@@ -55,8 +53,8 @@ BODY = np.dtype(
         ("crown", "f8"),  # [m] height of the head stickers' middle
         ("crown_ahead", "f8"),  # [m] how far these stickers are ahead of the head's middle
         ("boxes", BOX, (2,)),
-        ("first", "i8"),  # piece of its team's colour that is a sticker of its jersey
-        ("pieces", "i8"),  # of its jersey, in a row
+        ("first", "i8"),  # index of the first sticker of its jersey among the pieces of its team's colour
+        ("pieces", "i8"),  # how many stickers of its jersey follow each other there
     ]
 )
 RECTANGLE = np.dtype(
@@ -76,7 +74,7 @@ RECTANGLE = np.dtype(
 
 @compiled
 def measure_hull(rectangle, k, s):
-    """Fill in what does not change: the rectangle round the hull, and the sphere round a robot about its origin."""
+    """Fill in the constants: the rectangle round the hull, and spheres round trunk, head and the whole robot."""
     rectangle.back, rectangle.front, rectangle.half_width = hull_edges(k)
     half = 0.5 * s.head_size
     swing = length(s.camera_ahead - half, s.camera_up)  # of the head's middle about the neck
@@ -94,7 +92,7 @@ def measure_hull(rectangle, k, s):
 def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
     """Fill in the bodies that may be in the picture of robot r; return how many there are.
 
-    Team-mates come first, then opponents, each by number: an order that is the same on both sides of the field.
+    Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
     count = 0
     for teammate in (1, 0):
@@ -147,7 +145,7 @@ def put_head(camera, ahead, left, pose, rectangle, s, body):
 
 @compiled
 def place_box(camera, box, radius, extent):
-    """Fill in how far away a box is, and whether it may be in the picture; a sphere of a radius `extent` holds it."""
+    """Fill in a box's distance, and whether it may be in the picture; a sphere of radius `extent` holds the box."""
     box.radius = radius
     box.distance = length(box.ahead, box.left)
     box.traced = 0
@@ -163,7 +161,7 @@ def in_box_axes(box, ahead, left):
 
 @compiled
 def trace_box(camera, box, tracing, outline):
-    """Bring the outline of a box up to date. Its corners: bit 1 behind, bit 2 right, bit 4 low."""
+    """Bring the outline of a box up to date. Bits of a corner's index: 1 behind, 2 right, 4 low."""
     nearest = inf
     for i in range(CORNERS):
         x = -box.half_length if i & 1 else box.half_length
@@ -181,7 +179,7 @@ def trace_box(camera, box, tracing, outline):
 
 @compiled
 def faces_seen(box):
-    """Return the leftmost upright face of a box that the camera sees, and how many: 1, 2, or 0 from inside the box.
+    """Return the leftmost upright face of a box in view, and how many are in view: 1, 2, or 0 from inside the box.
 
     Faces go round counter-clockwise, face i from corner i to corner i + 1 of the ring: left, behind, right, ahead.
     """
@@ -199,7 +197,7 @@ def faces_seen(box):
 
 @compiled
 def ring(i):
-    """Return the upper corner of a box that is number i, counter-clockwise from the one ahead and left: 0, 1, 3, 2."""
+    """Return the i-th upper corner of a box, counter-clockwise from the one ahead and left: 0, 1, 3, 2."""
     return (i & 3) ^ ((i & 3) >> 1)
 
 

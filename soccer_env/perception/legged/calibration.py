@@ -1,18 +1,16 @@
 """Tables from sizes in the picture to ranges, made by rendering noiseless pictures.  MS09, MS33
 
 As a team would do it on its field: a ball, then a robot, is put before a robot that looks at it, every 5 cm from 15 cm
-to 3 m, and the size of what is seen is noted. The sizes are those of the sketch, before they become whole pixels, so
-that entry i is the range at which a thing is i pixels large on average.
+to 3 m, and its size in the picture is noted. Sizes are taken from the sketch, before they become whole pixels, so that
+entry i is the range at which a thing is i pixels large on average.
 
 A range is the horizontal distance from the camera (not from the robot's origin, nor along the line of sight) to the
-middle of the ball, or to the origin of the other robot. Whoever wants it from the own origin adds the camera's place:
-with bearing b = direction_of_pixel(u, v, pan, tilt, s)[0] and (ahead, left, height) = camera_place(pan, tilt, s), both
-of optics/head_camera.py, the thing is at (ahead + range cos b, left + range sin b) in the robot's frame.
+middle of the ball, or to the origin of the other robot. For a place in the robot's frame, add the camera's place: with
+bearing b = direction_of_pixel(u, v, pan, tilt, s)[0] and (ahead, left, height) = camera_place(pan, tilt, s), both of
+optics/head_camera.py, the thing is at (ahead + range cos b, left + range sin b).
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from functools import lru_cache
 from math import atan2, nan, pi
@@ -29,13 +27,13 @@ from soccer_env.types import AWAY, MATCH, ROBOT
 from soccer_env.types import BALL as BALL_RECORD
 
 SIZES = 256  # [px] sizes that a table has room for; larger ones read as the last
-NEAREST = 0.15  # [m] range at which a thing is put first, assumed
-FARTHEST = 3.0  # [m] range at which it is put last, assumed
-STEP = 0.05  # [m] between two ranges, assumed
+NEAREST = 0.15  # [m] nearest range that is rendered, assumed
+FARTHEST = 3.0  # [m] farthest range that is rendered, assumed
+STEP = 0.05  # [m] between two rendered ranges, assumed
 LEAST = 0.01  # [m] least range that a table holds
-ASIDE = 50.0  # [m] where everything is put that is not looked at
+ASIDE = 50.0  # [m] where all other things are put
 HEAD_ON, FROM_THE_SIDE = pi, 0.5 * pi  # [rad] heading of the robot that is looked at
-ROUNDS = 30  # repetitions in which the tilt settles, since the tilt moves the camera
+ROUNDS = 30  # iterations for the tilt, which moves the camera
 CALIBRATION = np.dtype(
     [
         ("ball_width", "f8", (SIZES,)),  # [m] range of a ball that is i pixels wide
@@ -47,7 +45,7 @@ CALIBRATION = np.dtype(
     ]
 )
 SIZE = np.dtype(
-    [  # of what is seen at one range, NaN if it is cut off or not seen
+    [  # sizes at one range, NaN for a thing that is cut off or not seen
         ("width", "f8"),  # [px] of the largest piece
         ("height", "f8"),  # [px]
         ("together", "f8"),  # [px] height of the box round all pieces
@@ -58,20 +56,20 @@ SIZE = np.dtype(
 @lru_cache(maxsize=64)
 def calibrate(league: League) -> np.ndarray:
     """Return the (1,) record of tables for a league's camera.  [Sacks 2001, 3.1.1, 4.1.2]  MS09, MS33"""
-    found, s = np.zeros(1, CALIBRATION), league.sensors
+    tables, s = np.zeros(1, CALIBRATION), league.sensors
     ranges = np.arange(round((FARTHEST - NEAREST) / STEP) + 1) * STEP + NEAREST
     ball = look_at(league, ranges, league.ball.radius, BALL, 0.0)
-    found["ball_width"] = table_of(ranges, ball["width"])
-    found["ball_height"] = table_of(ranges, ball["height"])
+    tables["ball_width"] = table_of(ranges, ball["width"])
+    tables["ball_height"] = table_of(ranges, ball["height"])
     trunk, middle = s.trunk_sticker_middle, 0.5 * (s.trunk_sticker_middle + s.head_sticker_middle)
     for view, heading in (("player_front", HEAD_ON), ("player_side", FROM_THE_SIDE)):
-        found[view] = table_of(ranges, look_at(league, ranges, trunk, OPPONENTS, heading)["height"])
-        found[view + "_all"] = table_of(ranges, look_at(league, ranges, middle, OPPONENTS, heading)["together"])
-    return found
+        tables[view] = table_of(ranges, look_at(league, ranges, trunk, OPPONENTS, heading)["height"])
+        tables[view + "_all"] = table_of(ranges, look_at(league, ranges, middle, OPPONENTS, heading)["together"])
+    return tables
 
 
 def look_at(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
-    """Return the SIZE of a kind of thing at each range; the camera aims at a height [m] over the middle of it."""
+    """Return the SIZE of a kind of thing at each range; the camera aims `height` [m] above the ground there."""
     match = np.zeros(1, MATCH)
     ball = np.zeros(1, BALL_RECORD)
     robots = np.zeros((1, 2), ROBOT)
@@ -107,11 +105,11 @@ def render(matches, balls, robots, constants, sensors, ranges, height, kind, siz
 
 @compiled
 def measure_pieces(sketch, kind, size):
-    """Fill in the sizes [px] of the largest piece of a kind and of the box round all."""
+    """Fill in the sizes [px] of the largest piece of a kind and of the box round all its pieces."""
     size.width = size.height = size.together = nan
     largest = high = low = 0.0
     whole = True
-    for i in range(sketch.found[kind]):
+    for i in range(sketch.counts[kind]):
         piece, camera = sketch.pieces[kind, i], sketch.camera
         aside, above = max(piece.left, -piece.right), max(piece.high, -piece.low)
         inside = aside < camera.half_width and above < camera.half_height
@@ -126,20 +124,20 @@ def measure_pieces(sketch, kind, size):
 
 
 def table_of(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the range [m] of each whole size, linear between what was rendered, never growing with the size.
+    """Return the range [m] of each whole size, linear between rendered sizes, never growing with the size.
 
-    Beyond both ends it goes on from the two last ranges as sizes do, in inverse proportion; size 0 reads as size 1.
+    Beyond both ends the last two ranges are extrapolated in inverse proportion to the size; size 0 reads as size 1.
     """
     known = np.isfinite(sizes)
     ranges, sizes = ranges[known], np.minimum.accumulate(sizes[known])
     sizes, places = np.unique(sizes, return_index=True)
-    ranges, asked = ranges[places], np.maximum(np.arange(SIZES, dtype=float), 1.0)
+    ranges, pixels = ranges[places], np.maximum(np.arange(SIZES, dtype=float), 1.0)
     if len(sizes) < 2:
         return np.full(SIZES, FARTHEST)
-    table = np.interp(asked, sizes, ranges)
-    for end, beyond in (((0, 1), asked < sizes[0]), ((-1, -2), asked > sizes[-1])):
+    table = np.interp(pixels, sizes, ranges)
+    for end, beyond in (((0, 1), pixels < sizes[0]), ((-1, -2), pixels > sizes[-1])):
         (size, range_), (inner, inner_range) = ((sizes[i], ranges[i]) for i in end)
         grows = (range_ - inner_range) / (1.0 / size - 1.0 / inner)
-        table = np.where(beyond, range_ + grows * (1.0 / asked - 1.0 / size), table)
-    held: np.ndarray = np.maximum(table, LEAST)
-    return held
+        table = np.where(beyond, range_ + grows * (1.0 / pixels - 1.0 / size), table)
+    ranges = np.maximum(table, LEAST)
+    return ranges

@@ -4,13 +4,11 @@ Everything is seen in the camera's level axes: `ahead` and `left` over the groun
 and across the direction in which it looks; heights from the ground. The picture has u [px] to the left and v [px] up
 from its centre, as in optics/head_camera.py.
 
-In a match with handedness -1 these axes are mirrored, so that left is right, and so is all that is drawn from there on:
-a mirrored match makes the same picture bit for bit, and only the blobs made from it are mirrored back.
+In a match with handedness -1 these axes are mirrored, left for right, and so is everything drawn in them: a mirrored
+match makes the same picture bit for bit, and only the blobs made from it are mirrored back.
 
 `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import cos, sin, sqrt
 
@@ -21,10 +19,10 @@ from soccer_env.geometry import into_frame, out_of_frame
 from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width, tilted
 
 POSE = np.dtype(
-    [  # directions of a robot and its head, computed once a step for all who see it; mirrored with the handedness
+    [  # directions of a robot and its head, computed once a step for all robots; mirrored with the handedness
         ("heading", "f8"),  # [rad] the pose for which the cosines and sines below were computed
-        ("pan", "f8"),  # [rad] the same
-        ("tilt", "f8"),  # [rad] the same
+        ("pan", "f8"),  # [rad] of that pose
+        ("tilt", "f8"),  # [rad] of that pose
         ("cosine", "f8"),  # of the heading
         ("sine", "f8"),
         ("gaze_cosine", "f8"),  # of the direction of the head over the ground
@@ -35,7 +33,7 @@ POSE = np.dtype(
 )
 CAMERA = np.dtype(
     [
-        ("handedness", "f8"),  # +1; -1: all that is left is right
+        ("handedness", "f8"),  # +1; -1: left and right are exchanged
         ("x", "f8"),  # [m] field frame, mirrored with the handedness
         ("y", "f8"),  # [m]
         ("height", "f8"),  # [m]
@@ -47,8 +45,8 @@ CAMERA = np.dtype(
         ("focal_y", "f8"),  # [px]
         ("half_width", "f8"),  # [px] of the picture
         ("half_height", "f8"),  # [px]
-        ("least_area", "f8"),  # [px] of a region that its vision delivers
-        ("side_cosine", "f8"),  # of half the view
+        ("least_area", "f8"),  # [px] of the smallest region that its vision delivers
+        ("side_cosine", "f8"),  # of half the viewing angle
         ("side_sine", "f8"),
         ("top_cosine", "f8"),
         ("top_sine", "f8"),
@@ -58,7 +56,7 @@ CAMERA = np.dtype(
 
 @compiled
 def open_camera(camera, s):
-    """Fill in what does not change: focal lengths, size of the picture, edges of the view."""
+    """Fill in the constants: focal lengths, size of the picture, edges of the view."""
     camera.focal_x, camera.focal_y = focal_x(s), focal_y(s)
     camera.half_width, camera.half_height = 0.5 * image_width(s), 0.5 * image_height(s)
     camera.least_area = 0.25 * s.least_area * (1 << (2 * s.resolution))  # the setting is given at 88x72
@@ -89,7 +87,7 @@ def bring_up_to_date(pose, robot, handedness):
 
 @compiled
 def point_camera(camera, robot, pose, handedness, s):
-    """Bring the camera to where a robot's head holds it: the `camera_place` in the field frame.  MS08"""
+    """Put the camera where a robot's head holds it: the `camera_place` in the field frame.  MS08"""
     forward, rise = tilted(s.camera_ahead, s.camera_up, pose.level, pose.steep, 0.0)
     camera.handedness, camera.height = handedness, s.neck_height + rise
     camera.x = robot.x + s.neck_ahead * pose.cosine + forward * pose.gaze_cosine
@@ -114,7 +112,7 @@ def axes_of(camera, ahead, left, height):
 
 @compiled
 def in_view(camera, ahead, left, height, radius):
-    """Tell whether a part of a sphere may be in the picture: none of the view's four planes or the lens cuts it off."""
+    """Tell whether a part of a sphere may be in the picture: neither the view's four planes nor the lens cut it off."""
     depth, left, above = axes_of(camera, ahead, left, height)
     return (
         depth > -radius
@@ -127,7 +125,7 @@ def in_view(camera, ahead, left, height, radius):
 def sphere_box(camera, depth, left, above, radius):
     """Return the box (left, right, high, low) [px] round the picture of a sphere that lies wholly before the lens.
 
-    The planes through the lens and along an axis of the picture that touch the sphere: exact everywhere.
+    Its edges are the planes through the lens, along an axis of the picture, that touch the sphere: exact everywhere.
     """
     beside = depth * depth - radius * radius  # above 0: the sphere lies before the lens
     across = radius * sqrt(beside + left * left)

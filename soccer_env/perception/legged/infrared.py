@@ -7,8 +7,6 @@ is never in the way.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import cos, inf, sin, sqrt
 
 from soccer_env.compiled import compiled
@@ -45,7 +43,7 @@ def measure_range(match, ball, robots, k, s, r):
 def range_error(distance, s):
     """Return the standard deviation of a reading at a distance [m]: sqrt(a^2 + (b (d / 0.4 m)^p)^2).
 
-    Beyond the far end of the window it grows no further, so that what is far outside never reads as near.
+    Beyond the far end of the window it grows no further, so that a thing far outside never reads as near.
     """
     grown = s.infrared_growth * (min(distance, s.infrared_far) / LAW_AT) ** s.infrared_power
     return sqrt(s.infrared_noise * s.infrared_noise + grown * grown)
@@ -53,7 +51,7 @@ def range_error(distance, s):
 
 @compiled
 def trace_beam(ball, robots, k, s, r, lateral, vertical):
-    """Return how far the beam travels [m], inf for ever; it points aside by `lateral` and up by `vertical` [rad]."""
+    """Return how far the beam travels [m], inf if it meets nothing; `lateral`, `vertical`: pointing errors [rad]."""
     robot = robots[r]
     x, y, z = camera_place(robot.pan, robot.tilt, s)
     dx, dy, dz = beam_direction(robot.pan, robot.tilt, lateral, vertical)
@@ -72,7 +70,7 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
         if abs(aside) > extent * level or ahead < -extent * level:
             continue  # the beam passes it by, or it lies behind
         if ahead > (nearest * level + extent) * level:
-            continue  # it lies farther than what the beam has met already
+            continue  # it lies beyond the thing that the beam has met already
         nearest = min(nearest, reach_robot(-to_x, -to_y, z, dx, dy, dz, robots[other], k, s))
     return nearest
 
@@ -88,7 +86,7 @@ def beam_direction(pan, tilt, lateral, vertical):
 
 @compiled
 def robot_extent(k, s):
-    """Return the radius [m] of a circle round a robot's origin that holds all of it."""
+    """Return the radius [m] of a circle round a robot's origin that holds the whole robot."""
     return max(k.body_reach, s.neck_ahead + s.camera_ahead + s.camera_up + s.head_size)
 
 
@@ -142,7 +140,7 @@ def reach_legs(x, y, z, dx, dy, dz, back, k, s):
 def hull_edges(k):
     """Return where the rectangle round a robot's hull ends: behind, ahead, and half its width [m], robot frame.
 
-    Over legs it holds shoulders, hips and rump: it is as wide and ends behind as the hind legs do, ahead at the chest.
+    A hull over legs holds shoulders, hips and rump: the hind legs set its width and its rear, the chest its front.
     """
     if k.legs == 1:
         return k.body_hind_x - k.body_tip_radius, k.body_front, k.body_hind_y + k.body_tip_radius

@@ -1,20 +1,18 @@
 """The jersey of a robot: coloured stickers on its trunk and head.  [Sacks 2001, 4.1.1, figure 4]  MS37, MS50
 
 "Multiple stickers attached to given parts of their bodies": upright rectangles, s.trunk_stickers side by side on each
-side of the trunk (chest, rump, two flanks), so that one that a frame misses, or that somebody hides, leaves others of
-its height; and one on each side of the head (brow, nape, two sides).
+side of the trunk (chest, rump, two flanks), so that a missed or hidden sticker leaves others of the same height; and
+one on each side of the head (brow, nape, two sides).
 
-Seen at an angle they are narrower and no lower: "the width of a player differs depending on the angle at which it is
-viewed, but its height remains constant" [Sacks 2001, 4.1.2]. Those of the chest are a little smaller than those of the
-flanks, which is why the robots "when viewed head-on appeared slightly smaller".
+Seen at an angle stickers look narrower but no lower: "the width of a player differs depending on the angle at which it
+is viewed, but its height remains constant" [Sacks 2001, 4.1.2]. The chest's stickers are a little smaller than the
+flanks', which is why the robots "when viewed head-on appeared slightly smaller".
 
 A head that is lower than s.head_down hides its own stickers, and, being black, the part of the trunk's stickers that
 lies behind it: a near robot that looks at the ball seems far away.  [Sacks 2001, 4.3.3]
 
 `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import point_of_frame

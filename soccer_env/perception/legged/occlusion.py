@@ -1,10 +1,8 @@
-"""Occlusion: what bodies leave of a thing that stands behind them, column by column of the picture.
+"""Occlusion: the visible parts of a thing behind bodies, column by column of the picture.
 
 The thing is cut into columns of two pixels at most. In each column the outlines of bodies before it hide an
-interval; neighbouring columns of which something is left make a piece. A piece ends where the hiding outline begins.
+interval; neighbouring columns with a visible part make a piece. A piece ends where the hiding outline begins.
 """
-
-from __future__ import annotations
 
 from math import ceil, sqrt
 
@@ -16,12 +14,12 @@ from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes, trace_
 from soccer_env.perception.legged.outlines import OUTLINE, chain_at, piece_at
 
 PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 11 others, and some cuts
-COLUMNS = 176  # into which a thing is cut, at most
-COLUMNS_LEAST = 8  # at least
+COLUMNS = 176  # of a thing, at most
+COLUMNS_LEAST = 8  # of a thing, at least
 COLUMN_MOST = 2.0  # [px] width of a column, at most
 SINKS = 0.008  # [m] by which bodies may overlap where they touch, far more than the physics lets them
 HIDDEN = -1  # returned in place of a number of hiders: all is hidden
-LEAST_AREA = 0.5  # [px] a thing that fills less than half of a pixel gives none its colour
+LEAST_AREA = 0.5  # [px] a thing that fills less than half of a pixel gives no pixel its colour
 
 PIECE = np.dtype(
     [
@@ -33,7 +31,7 @@ PIECE = np.dtype(
     ]
 )
 COLUMN = np.dtype(
-    [  # what is left of a column of the target, one part or two; [px]
+    [  # the visible part of a column of the target, in one interval or two; [px]
         ("low", "f8"),
         ("high", "f8"),  # not above low: nothing is left
         ("second_low", "f8"),
@@ -63,21 +61,21 @@ TARGET = np.dtype(
 
 @compiled
 def add_piece(sketch, kind, left, right, high, low, area):
-    """List a piece, unless it is too small to be seen or there is no more room."""
-    count = sketch.found[kind]
+    """List a piece, unless it is too small to be seen or the list is full."""
+    count = sketch.counts[kind]
     if area < LEAST_AREA or count >= PIECES:
         return
     piece = sketch.pieces[kind, count]
     piece.left, piece.right, piece.high, piece.low = left, right, high, low
     piece.area = area
-    sketch.found[kind] = count + 1
+    sketch.counts[kind] = count + 1
 
 
 @compiled
 def find_hiders(sketch, owner, own_head, apart):
     """List the outlines that may hide a part of the target; return how many, or HIDDEN if one hides all of it.
 
-    `owner`, `own_head` and `apart` are those of `draw_panel`.
+    `owner`, `own_head` and `apart` are as in `draw_panel`.
     """
     camera, target = sketch.camera, sketch.target
     ahead = target.ahead
@@ -113,8 +111,8 @@ def find_hiders(sketch, owner, own_head, apart):
 def stands_before(camera, box, target):
     """Tell whether a box may hide the target: no side of the box has both camera and target on its outside.
 
-    A target that reaches through the plane of a side counts as inside, and so it is where the box overlaps it in the
-    picture. Where robots touch it, it may sink in a little: SINKS.
+    A target that reaches through the plane of a side counts as inside, which is true where the box overlaps it in the
+    picture. Where robots touch the target, it may sink in by SINKS.
     """
     eye_x, eye_y = in_box_axes(box, 0.0, 0.0)
     x, y = in_box_axes(box, target.ahead, target.left)
@@ -139,7 +137,7 @@ def overlap(one, other):
 
 @compiled
 def covers(outline, other):
-    """Tell whether an outline covers the box round another one: it does if its chains pass the box's corners by."""
+    """Tell whether an outline covers the box round another one: its chains pass outside the box's corners."""
     if outline.right > other.right or outline.left < other.left:
         return False
     lower, upper = outline.lower, outline.upper
@@ -153,7 +151,7 @@ def covers(outline, other):
 
 @compiled
 def cut_into_pieces(sketch, kind, hiders):
-    """Add the pieces of the target that are in the picture and that the first `hiders` outlines listed do not hide."""
+    """Add the pieces of the target that are in the picture and not hidden by the first `hiders` listed outlines."""
     camera = sketch.camera
     outline = sketch.target.outline
     columns = sketch.columns
@@ -181,7 +179,7 @@ def cut_into_pieces(sketch, kind, hiders):
 
 @compiled
 def join_columns(sketch, kind, columns, begin, end, first, last, width):
-    """Add the piece that columns begin, ..., end - 1 make; it reaches from u = first to last [px]."""
+    """Add the piece made by columns begin, ..., end - 1; it reaches from u = first to last [px]."""
     bottom = columns[begin].low
     top = columns[begin].high
     total = 0.0
@@ -199,9 +197,9 @@ def join_columns(sketch, kind, columns, begin, end, first, last, width):
 
 @compiled
 def edge_between(sketch, hiders, column, count, right, width, opens):
-    """Return u [px] of the edge between a column and the one before, of which just one is seen.
+    """Return u [px] of the edge between a column and the one before it, exactly one of which is visible.
 
-    It is where a hider ends, or begins, between the middles of the two columns; else half-way between.
+    It is where a hider ends, or begins, between the middles of the two columns; else half-way between them.
     """
     edge = right + column * width
     if column == 0 or column == count:
@@ -245,7 +243,7 @@ def height_on(point, u):
 
 @compiled
 def hide_columns(outline, columns, count, right, width):
-    """Take away from each column what an outline hides of it."""
+    """Remove from each column the interval that an outline hides."""
     lower, upper = outline.lower.points, outline.upper.points
     lower_last, upper_last = outline.lower.count - 2, outline.upper.count - 2
     first = max(int(ceil((outline.right - right) / width - 0.5)), 0)
@@ -260,7 +258,7 @@ def hide_columns(outline, columns, count, right, width):
 
 @compiled
 def hide(column, low, high):
-    """Take the interval low ... high [px] from a column, which may fall into two parts; a third part is dropped."""
+    """Remove the interval low ... high [px] from a column, which may split into two parts; a third part is dropped."""
     if column.second_low < column.second_high:
         if low <= column.second_low:
             column.second_low = max(column.second_low, high)

@@ -1,13 +1,11 @@
 """Outlines of flat and boxy things in the picture: convex polygons, an upper and a lower chain of corners.
 
-A chain runs from right to left, that is with growing u, so that a walk along the columns needs to look at each corner
-once only. An outline is traced in one of two ways:
+A chain runs from right to left, that is with growing u, so that a walk along the columns looks at each corner only
+once. An outline is traced in one of two ways:
 
 * begin_outline, add_upper and add_lower, end_outline: its corners are known in order, and all lie before the lens;
-* project_..., enclose: what reaches behind the lens is cut off there, and the outline is the hull of what is left.
+* project_..., enclose: parts behind the lens are cut off, and the outline is the hull of the rest.
 """
-
-from __future__ import annotations
 
 from math import inf
 
@@ -29,19 +27,8 @@ CORNER = np.dtype(
         ("v", "f8"),  # [px]
     ]
 )
-POINT = np.dtype(
-    [
-        ("u", "f8"),  # [px]
-        ("v", "f8"),  # [px]
-        ("slope", "f8"),  # [1] of a chain from here to its next point
-    ]
-)
-CHAIN = np.dtype(
-    [
-        ("count", "i8"),
-        ("points", POINT, (POINTS,)),  # with growing u
-    ]
-)
+POINT = np.dtype([("u", "f8"), ("v", "f8"), ("slope", "f8")])  # [px, px, 1] slope to the next point of a chain
+CHAIN = np.dtype([("count", "i8"), ("points", POINT, (POINTS,))])  # points with growing u
 OUTLINE = np.dtype(
     [
         ("left", "f8"),  # [px] the box round it
@@ -52,12 +39,7 @@ OUTLINE = np.dtype(
         ("lower", CHAIN),
     ]
 )
-TRACING = np.dtype(
-    [  # scratch
-        ("corners", CORNER, (CORNERS,)),
-        ("points", POINT, (POINTS,)),
-    ]
-)
+TRACING = np.dtype([("corners", CORNER, (CORNERS,)), ("points", POINT, (POINTS,))])  # scratch
 
 
 @compiled
@@ -75,7 +57,7 @@ def put_corner(camera, corner, ahead, left, height):
 
 @compiled
 def begin_outline(outline, top, bottom):
-    """Begin with the corners at the right end; whichever lies farther right begins both chains."""
+    """Begin with the corners at the right end; the one farther right begins both chains."""
     upper, lower = outline.upper, outline.lower
     upper.count = lower.count = 0
     if top.u < bottom.u:
@@ -104,7 +86,7 @@ def add_lower(outline, corner):
 
 @compiled
 def end_outline(outline, top, bottom):
-    """End with the corners at the left end; whichever lies farther left ends both chains."""
+    """End with the corners at the left end; the one farther left ends both chains."""
     add_upper(outline, top)
     add_lower(outline, bottom)
     if top.u > bottom.u:
@@ -116,7 +98,7 @@ def end_outline(outline, top, bottom):
 
 @compiled
 def add_to_chain(chain, u, v):
-    """Add a point to a chain, and the slope that leads to it; of an upright piece the slope does not matter."""
+    """Add a point to a chain, and the slope that leads to it; the slope of an upright piece does not matter."""
     count = chain.count
     if count > 0:
         last = chain.points[count - 1]
@@ -207,7 +189,7 @@ def sort_points(points, count):
 
 @compiled
 def keep_convex(chain, u, v, side):
-    """Add a point to a chain, and take off what now lies within; side 1 the lower chain, -1 the upper one."""
+    """Add a point to a chain and drop the points that now lie within; side 1: the lower chain, -1: the upper one."""
     points = chain.points
     while chain.count >= 2:
         before, last = points[chain.count - 2], points[chain.count - 1]

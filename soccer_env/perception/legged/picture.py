@@ -1,12 +1,10 @@
 """The picture of the camera on a legged robot's head, down to the blobs that its vision delivers.  [Sacks 2001, 2]
 
-From the truth: where the camera looks (camera.py), who stands before it (bodies.py), what would be where in the picture
-(jersey.py, scenery.py, sketch.py), less what is hidden (occlusion.py); then what the vision makes of it (blobs.py).
+From the truth: where the camera looks (camera.py), which robots stand before it (bodies.py), where each thing lies in
+the picture (jersey.py, scenery.py, sketch.py), which parts are hidden (occlusion.py), and the blobs (blobs.py).
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import direction_of
@@ -34,10 +32,10 @@ def take_picture(match, ball, robots, percept, state, k, s, r, sketches):
 
 @compiled
 def draw_scene(match, ball, robots, k, s, r, sketch):
-    """Draw what robot r has before its camera, without noise."""
+    """Draw the scene before robot r's camera, without noise."""
     camera, side = sketch.camera, direction_of(match, robots[r].team)
     for kind in range(KINDS):
-        sketch.found[kind] = 0
+        sketch.counts[kind] = 0
     bring_up_to_date(sketch.poses[r], robots[r], match.handedness)
     point_camera(camera, robots[r], sketch.poses[r], match.handedness, s)
     sketch.body_count = find_bodies(camera, robots, r, sketch.poses, sketch.hull, s, sketch.bodies)
@@ -55,19 +53,19 @@ def draw_jersey(sketch, owner, s):
     """Draw the stickers of a body.  MS37, MS50"""
     body, stickers = sketch.bodies[owner], sketch.stickers
     kind, lowered = TEAMMATES if body.teammate == 1 else OPPONENTS, is_lowered(body, s)
-    body.first = sketch.found[kind]
+    body.first = sketch.counts[kind]
     if body.boxes[TRUNK].shown == 1:
         for i in range(put_trunk_stickers(body, s, stickers)):
             draw_panel(sketch, stickers[i], kind, owner, lowered, False)
     if body.boxes[HEAD].shown == 1 and not lowered:
         for i in range(put_head_stickers(body, s, stickers)):
             draw_panel(sketch, stickers[i], kind, owner, False, False)
-    body.pieces = sketch.found[kind] - body.first
+    body.pieces = sketch.counts[kind] - body.first
 
 
 @compiled
 def clear_picture(percept):
-    """Take all blobs out of a percept."""
+    """Remove all blobs from a percept."""
     for blobs in (percept.ball, percept.teammates, percept.opponents, percept.own_goal, percept.opponent_goal):
         for i in range(blobs.shape[0]):
             clear(blobs[i])

@@ -1,12 +1,10 @@
-"""What stands round the field of a legged robot: goals, landmarks, and patches that have the colour of the ball.
+"""What stands round the field of a legged robot: goals, landmarks, and patches in the ball's colour.
 
-All of it is placed as seen by the team that looks, and each pair in an order that does not change in a mirror: so both
+Things are drawn as seen by the robot's own team, and each pair in an order that does not change in a mirror: so both
 teams, and a match and its mirror image, draw the same noise for the same thing.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -14,13 +12,10 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.perception.legged.camera import from_camera, in_view
 from soccer_env.perception.legged.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
-from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, mix
+from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, TO_UNIT, mix
 from soccer_env.records.percepts import LANDMARKS
 
-TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
-PATCH_KEY = np.uint64(
-    0xC2B2AE3D27D4EB4F
-)  # makes the places of patches independent of the noise streams of the same seed
+PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # keeps the places of patches independent of the noise streams of a seed
 
 
 @compiled
@@ -57,7 +52,7 @@ def draw_landmarks(sketch, side, k, s):
         ahead, aside = from_camera(sketch.camera, x, y)
         if not in_view(sketch.camera, ahead, aside, middle, radius):
             continue
-        sketch.found[LANDMARK] = 0
+        sketch.counts[LANDMARK] = 0
         face_camera(sketch.panel, ahead, aside, s.landmark_radius)
         sketch.panel.low, sketch.panel.high = s.landmark_low, s.landmark_high
         draw_panel(sketch, sketch.panel, LANDMARK, NOBODY, False, True)
@@ -66,7 +61,7 @@ def draw_landmarks(sketch, side, k, s):
 
 @compiled
 def face_camera(panel, ahead, left, half_width):
-    """Put a panel somewhere and turn it to the camera."""
+    """Put a panel at a place and turn it to the camera."""
     distance = max(length(ahead, left), 1e-9)
     panel.ahead, panel.left = ahead, left
     panel.across, panel.aside = -left / distance * half_width, ahead / distance * half_width
@@ -74,8 +69,8 @@ def face_camera(panel, ahead, left, half_width):
 
 @compiled
 def keep_largest(sketch, index):
-    """Keep the largest piece of a landmark, by its number."""
-    for i in range(sketch.found[LANDMARK]):
+    """Keep the largest piece of a landmark, by the landmark's index."""
+    for i in range(sketch.counts[LANDMARK]):
         if sketch.pieces[LANDMARK, i].area > sketch.landmarks[index].area:
             sketch.landmarks[index] = sketch.pieces[LANDMARK, i]
 
@@ -113,7 +108,7 @@ def unit(bits):
 
 @compiled
 def draw_patch(sketch, x, y, height, k, s):
-    """Draw a patch; boards hide what of it lies below the line of sight over them."""
+    """Draw a patch; boards hide the part of it below the line of sight over them."""
     camera = sketch.camera
     panel = sketch.panel
     half = 0.5 * s.patch_size
@@ -131,7 +126,7 @@ def draw_patch(sketch, x, y, height, k, s):
 
 @compiled
 def share_to_boards(x, y, to_x, to_y, k):
-    """Return which share [1] of the way from a place on the field to one outside lies before the boards."""
+    """Return the share [1] of the way from a place on the field to one outside that lies before the boards."""
     share = 1.0
     half_length = 0.5 * k.pitch_length
     half_width = 0.5 * k.pitch_width
@@ -144,6 +139,6 @@ def share_to_boards(x, y, to_x, to_y, k):
 
 @compiled
 def share_to_line(start, end, line):
-    """Return which share [1] of the way lies before a line at +-line, at least a thousandth."""
+    """Return the share [1] of the way that lies before a line at +-line, at least a thousandth."""
     goal = line if end > 0.0 else -line
     return max((goal - start) / (end - start), 0.001) if end != start else 1.0

@@ -3,19 +3,17 @@
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled
 from soccer_env.guards.ranges import NUMBER, record
+from soccer_env.perception.body import POSE_ERROR
 from soccer_env.perception.legged.infrared import measure_range
 from soccer_env.perception.legged.picture import take_picture
 from soccer_env.perception.legged.sketch import make_sketch
 from soccer_env.perception.legged.touch import feel_touch
-from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 
 LEGGED_SENSOR_STATE = record(
-    [  # what the sensors remember and do not deliver
+    [  # state of the sensors that they do not deliver
         ("pose_error", POSE_ERROR),
         ("scale", "f4", NUMBER),  # [1] of the sizes that the camera reports, drawn once an episode; 0: not yet
     ]

@@ -1,13 +1,11 @@
-"""The sketch of a picture: where each coloured thing would be in it, in exact fractions of pixels and without noise.
+"""The sketch of a picture: the place of each coloured thing, in exact fractions of pixels and without noise.
 
 A thing is a sphere (the ball) or an upright panel (stickers, goals, landmarks, patches). It becomes one piece or, where
-bodies stand before it, several: a box and its coloured area. Pieces are listed by kind; `sketch` is scratch that a
+bodies stand before it, several: each a box and its coloured area. Pieces are listed by kind; `sketch` is scratch that a
 slice of matches makes once.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import inf, pi, sqrt
 
@@ -44,7 +42,7 @@ from soccer_env.types import MAX_TEAM
 
 BALL, TEAMMATES, OPPONENTS, OWN_GOAL, OPPONENT_GOAL, PATCHES, LANDMARK = range(7)  # kinds of pieces
 KINDS = 7
-STICKERS = 2 * STICKERS_MOST  # of a body that are put on at once, at most: two sides of its trunk
+STICKERS = 2 * STICKERS_MOST  # of a body in view at once, at most: two sides of its trunk
 NOBODY = -1
 
 PANEL = np.dtype(
@@ -72,7 +70,7 @@ SKETCH = np.dtype(
         ("body_tracing", TRACING),
         ("panel", PANEL),
         ("stickers", PANEL, (STICKERS,)),
-        ("found", "i8", (KINDS,)),  # pieces of each kind
+        ("counts", "i8", (KINDS,)),  # pieces of each kind
         ("pieces", PIECE, (KINDS, PIECES)),
         ("landmarks", PIECE, (LANDMARKS,)),  # the largest piece of each; area 0: none
         ("spare_piece", PIECE, (1,)),  # for the exchange of two
@@ -83,7 +81,7 @@ SKETCH = np.dtype(
 
 @compiled
 def make_sketch(k, s):
-    """Return an empty sketch (1,), with what is fixed by a league's robots and their camera filled in."""
+    """Return an empty sketch (1,) with the constants of a league's robots and their camera filled in."""
     sketches = records(1, SKETCH)
     open_camera(sketches[0].camera, s)
     measure_hull(sketches[0].hull, k, s)
@@ -96,8 +94,8 @@ def make_sketch(k, s):
 def draw_panel(sketch, panel, kind, owner, own_head, apart):
     """Draw an upright panel.
 
-    `owner` is the body that wears it, or NOBODY; `own_head` True: the owner's head may hide it. `apart` True: it stands
-    beyond all robots, so that whatever overlaps it hides it.
+    `owner` is the body that wears it, or NOBODY; `own_head` True: the owner's head may hide it. `apart` True: the panel
+    stands beyond all robots, so that every body that overlaps it hides it.
     """
     camera, target = sketch.camera, sketch.target
     outline = target.outline
@@ -151,7 +149,7 @@ def trace_panel(tracing, outline):
     """Trace the chains of a panel that `box_panel` has brought into the picture."""
     corners = tracing.corners
     if min(min(corners[0].depth, corners[1].depth), min(corners[2].depth, corners[3].depth)) < LENS:
-        return  # it has them already
+        return  # `box_panel` has traced them already
     if corners[0].u < corners[3].u:
         begin_outline(outline, corners[1], corners[0])
         end_outline(outline, corners[2], corners[3])
@@ -169,7 +167,7 @@ def quadrangle(tracing):
 
 @compiled
 def is_outside(camera, outline):
-    """Tell whether nothing of an outline is in the picture."""
+    """Tell whether an outline lies wholly outside the picture."""
     return (
         outline.right >= camera.half_width
         or outline.left <= -camera.half_width
@@ -180,7 +178,7 @@ def is_outside(camera, outline):
 
 @compiled
 def is_inside(camera, outline):
-    """Tell whether all of an outline is in the picture."""
+    """Tell whether an outline lies wholly inside the picture."""
     return (
         outline.left <= camera.half_width
         and outline.right >= -camera.half_width

@@ -5,18 +5,16 @@ A ray starts at x, y, z [m] and goes along the unit vector dx, dy, dz; a distanc
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import inf, sqrt
 
 from soccer_env.compiled import compiled
 
-LEAST = 1e-12  # [1] smallest component of a direction that is divided by
+LEAST = 1e-12  # [1] least size of a direction's component as a divisor
 
 
 @compiled
 def steep(component):
-    """Return a component of a direction, moved away from zero so that it can be divided by."""
+    """Return a component of a direction, moved away from zero to serve as a divisor."""
     if -LEAST < component < LEAST:
         return -LEAST if component < 0.0 else LEAST
     return component
@@ -89,5 +87,5 @@ def reach_boards(x, y, z, dx, dy, dz, k, s):
 
 @compiled
 def low_enough(distance, height, most):
-    """Return the distance if it lies ahead and the ray is then between the ground and a height, else inf."""
+    """Return the distance if it lies ahead and the ray passes there between the ground and a height, else inf."""
     return distance if distance >= 0.0 and 0.0 <= height <= most else inf

@@ -2,7 +2,7 @@
 
 An ERS-210 has two pressure sensors on its head and a switch under the mouth, on the back and at each paw (touretzkyds/
 Tekkotsu, Shared/ERS210Info.h; tekkotsu.org/robots/ERS2xx.html). None of them is on the outline with which robots run
-into each other, so that a collision presses nothing: that is why the paper looks at the ball's velocity (3).
+into each other, so that a collision presses nothing: hence the paper uses the ball's velocity (3).
 
     head    nothing in a match presses it from above
     chin    a ball under the mouth. With the kinematics of the ERS-210 the lowest head stays above one on the ground
@@ -14,8 +14,6 @@ into each other, so that a collision presses nothing: that is why the paper look
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from math import cos, sin
 
 from soccer_env.compiled import compiled
@@ -23,7 +21,7 @@ from soccer_env.geometry import into_frame
 from soccer_env.optics.head_camera import tilted
 
 LEGS = 4
-GAP = 0.004  # [m] a ball this near presses, assumed: as near as one that touches
+GAP = 0.004  # [m] a ball this near presses the switch, assumed: the gap of a touch
 
 
 @compiled

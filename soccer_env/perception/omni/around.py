@@ -1,12 +1,10 @@
-"""Who stands round a robot, and what they hide from a camera that looks in all directions.
+"""The other robots round a robot, and what they hide from its omnidirectional camera.
 
 The camera stands 0.75 m high and robots are 0.8 m tall: a robot hides everything on the ground that lies behind it,
 within the angle that its round body fills.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import asin, atan2, cos, sin
 
@@ -16,7 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length, wrap
 
 AROUND = np.dtype(
-    [  # another robot, in the axes of the one that looks
+    [  # another robot, in the axes of the robot that looks
         ("distance", "f8"),  # [m]
         ("bearing", "f8"),  # [rad]
         ("half", "f8"),  # [rad] half of the angle that it fills
@@ -30,25 +28,25 @@ NEAREST = 1e-9  # [m] below which a distance is not divided by
 def survey(robots, r, k, around):
     """Fill `around` with the other active robots; return how many there are.
 
-    Team-mates come first, then opponents, each by number: an order that is the same on both sides of the field.
+    Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
     me, radius = robots[r], body_radius(k)
     cosine, sine = cos(me.heading), sin(me.heading)
-    found = 0
+    count = 0
     for teammate in (1, 0):
         for other in range(robots.shape[0]):
             robot = robots[other]
             if other == r or robot.active == 0 or (robot.team == me.team) != (teammate == 1):
                 continue
             x, y = robot.x - me.x, robot.y - me.y
-            one = around[found]
+            one = around[count]
             one.distance = length(x, y)
             ahead, left = into_frame(x, y, cosine, sine)
             one.bearing = atan2(left, ahead)
             one.half = half_angle(radius, one.distance)
             one.teammate = teammate
-            found += 1
-    return found
+            count += 1
+    return count
 
 
 @compiled
@@ -68,7 +66,7 @@ def visible_part(around, count, bearing, half, distance, height, k, s, handednes
     """Return how far the middle of a thing's visible part is off the thing's own middle [rad], and its share [1].  MH02
 
     The thing fills `half` to both sides of `bearing`; nearer robots hide it where the line of sight over their heads
-    passes it above `height` [m]. Share 0: all of it is hidden. Of two parts the larger one is seen.
+    passes it above `height` [m]. Share 0: all of it is hidden. Of two visible parts the larger one counts.
     """
     above = k.body_height - s.camera_height  # [m] by which robots are taller than the camera
     low, high = -half, half

@@ -1,24 +1,22 @@
 """Changing light, and the colour table that must follow it.  [Heinemann et al. 2006, 1]  MH07
 
-Brightness is given as the difference from the light for which the fixed table was made. Light between the table's and
-the field's makes pixels drop out of their colour class: blobs are missed, and those that are found have lost their
+Brightness is given as the difference from the light for which the fixed table was made. A difference between the light
+of the table and of the field makes pixels drop out of their colour class: blobs are missed, and the others lose their
 rim. Both laws are assumed.
 
-The adaptive table is trained online, as by ACT, automatic colour training [Heinemann, Sehnke, Zell 2006]: who knows
-its own pose knows which colour class each pixel of field, lines and goals must show, whatever its colour; what lies
-within the class's spread goes into the table, and what was there before fades out of it.
+The adaptive table is trained online, as by ACT, automatic colour training [Heinemann, Sehnke, Zell 2006]: a robot that
+knows its own pose knows which colour class each pixel of field, lines and goals must show, whatever its colour; colours
+within the class's spread enter the table, and old ones fade out of it.
 
     own pose told or sensed, or enough white lines in the picture to know it by     else: nothing is learned
     colours within CLASS_SPREAD of the table                                         else: taken for something else
     the table moves to the picture's colours with `table_time`
 
-So it follows light that changes, is left behind by light that jumps, and learns nothing where it recognises nothing.
-Unlike the method, of which we know no numbers, it learns one light for all colours, and its three numbers are assumed.
+So the table follows slow changes of light, loses a sudden one, and learns nothing where it recognises nothing. Unlike
+the method, whose numbers are not published, it learns one light for all colours, and its three numbers are assumed.
 
 `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import exp, log, pi, sin, sqrt
 
@@ -34,7 +32,7 @@ LIGHT = int(RobotStream.LIGHT)
 ADAPTIVE = COLOUR_TABLES["adaptive"]
 LIGHT_NOISE = 0.01  # [1] sd of the brightness that the camera measures, assumed
 CLASS_SPREAD = 2.0 / sqrt(2.0 * log(2.0))  # [1] table widths: two standard deviations of a colour class, assumed
-LEAST_LINES = 3  # directions that show a line in a picture from which the own pose can be known, assumed
+LEAST_LINES = 3  # directions with a line in a picture that gives the own pose, assumed
 DARKEST = 40.0  # [1] exponent beyond which nothing is recognised at all
 
 
@@ -58,7 +56,7 @@ def measure_light(light, s, noise):
 def begin_table(table, measured, s, told):
     """Return the light that the colour table is made for before a picture [1].  MH07
 
-    Who has just been told its pose needs no table to begin with: it trains one by the first picture. The fixed table
+    A robot that has just been told its pose (`told`) needs no table: its first picture trains one. The fixed table
     stays as it was made.
     """
     if s.colour_table != ADAPTIVE:

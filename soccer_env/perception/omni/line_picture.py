@@ -1,11 +1,9 @@
-"""White lines in the picture of the omnidirectional camera: the first one in each of many directions.  MH02, MH08
+"""White lines in the picture of the omnidirectional camera: the first one in each direction.  MH02, MH08
 
 Direction i of s.lines lies 2 pi i / s.lines to the left of straight ahead; i and s.lines - i are mirror images.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import ceil, cos, floor, pi, sin, sqrt
 
@@ -61,7 +59,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
     """
     see_how_far(map.free, around, count, k, s)
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    found, mirror = (1.0 - s.line_miss) * colour, mirror_of(s)
+    chance, mirror = (1.0 - s.line_miss) * colour, mirror_of(s)
     seen = 0
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
@@ -69,10 +67,10 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
         distance = first_line(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
         lines[i] = 0.0
         if distance < map.free[i]:
-            # found if below `found`; its place below that, an even distribution, serves as the noise
+            # the line is seen if the draw is below `chance`; within that range the draw is even and gives the noise
             draw = uniform(noise, CAMERA)
-            if draw < found:
-                radius = image_radius(mirror, distance) + s.pixel_noise * SPAN * (draw / found - 0.5)
+            if draw < chance:
+                radius = image_radius(mirror, distance) + s.pixel_noise * SPAN * (draw / chance - 0.5)
                 lines[i] = ground_distance(mirror, max(to_pixel(radius), 0.0))
                 seen += 1
     return seen
@@ -80,7 +78,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
 
 @compiled
 def see_how_far(free, around, count, k, s):
-    """Fill in how far the view goes in each direction [m]: to `line_range`, or to the robot that stands there."""
+    """Fill in how far the view goes in each direction [m]: to `line_range`, or to a robot in the way."""
     for i in range(s.lines):
         free[i] = s.line_range
     sector = 2.0 * pi / s.lines
@@ -88,9 +86,8 @@ def see_how_far(free, around, count, k, s):
         other = around[j]
         front = max(other.distance - body_radius(k), 0.0)
         if front < s.line_range:
-            for i in range(
-                ceil((other.bearing - other.half) / sector), floor((other.bearing + other.half) / sector) + 1
-            ):
+            first, last = ceil((other.bearing - other.half) / sector), floor((other.bearing + other.half) / sector)
+            for i in range(first, last + 1):
                 free[i % s.lines] = min(free[i % s.lines], front)
 
 

@@ -1,4 +1,4 @@
-"""The white lines of a pitch: what a robot knows of them beforehand, and how many there are.
+"""The white lines of a pitch: a robot's table of distances to the nearest line.
 
 +--------------+--------------+     border, halfway line, centre circle, and at both ends
 |---+          |          +---|     penalty area and goal area; their widths are not modelled: a line is
@@ -8,8 +8,6 @@
 |---+          |          +---|
 +--------------+--------------+
 """
-
-from __future__ import annotations
 
 from functools import lru_cache
 
@@ -22,7 +20,7 @@ CELL = 0.10  # [m] side of a cell; more on a pitch that would not fit, so that t
 MARGIN = 1.0  # [m] round the pitch that the grid covers as well
 
 TABLES = np.dtype(
-    [  # what a middle-size robot knows of its field. A point (x, y) of the team frame lies in the cell
+    [  # a middle-size robot's knowledge of its field. A point (x, y) of the team frame lies in the cell
         # i = floor((x - first_x) / cell), j = floor((y - first_y) / cell), if 0 <= i < COLUMNS and 0 <= j < ROWS.
         # The pitch looks the same after a half-turn: nearest_line[i, j] == nearest_line[-1 - i, -1 - j].
         ("cell", "f8"),  # [m] side of a cell
@@ -35,7 +33,7 @@ TABLES = np.dtype(
 
 @lru_cache(maxsize=8)
 def line_tables(league: League) -> np.ndarray:
-    """Return the (1,) TABLES of a league: what a robot knows of the lines of its field.  MH08"""
+    """Return the (1,) TABLES of a league.  MH08"""
     pitch, table = league.pitch, np.zeros(1, TABLES)
     cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
     x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
@@ -50,12 +48,12 @@ def line_tables(league: League) -> np.ndarray:
 def nearest_line(pitch: Pitch, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Return the distance [m] of points in the team or field frame from the nearest white line."""
     x, y = abs(x), abs(y)  # the lines are symmetric about both axes
-    found = [abs(np.sqrt(x * x + y * y) - pitch.circle)]
+    distances = [abs(np.sqrt(x * x + y * y) - pitch.circle)]
     for from_x, from_y, to_x, to_y in quarter(pitch):
         beside_x = np.maximum(np.maximum(from_x - x, x - to_x), 0.0)
         beside_y = np.maximum(np.maximum(from_y - y, y - to_y), 0.0)
-        found.append(np.sqrt(beside_x * beside_x + beside_y * beside_y))
-    nearest: np.ndarray = np.min(np.broadcast_arrays(*found), axis=0)
+        distances.append(np.sqrt(beside_x * beside_x + beside_y * beside_y))
+    nearest: np.ndarray = np.min(np.broadcast_arrays(*distances), axis=0)
     return nearest
 
 

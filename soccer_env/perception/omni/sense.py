@@ -1,17 +1,15 @@
-"""What the sensors of a middle-size robot deliver in a frame: mirror camera, wheels, light barrier.  MH02, MH07
+"""What the sensors of a middle-size robot deliver: mirror camera, wheels, light barrier.  MH02, MH07
 
-    exposure -> pending, for `camera_delay` frames -> percept, with its age; what is felt is current
+    exposure -> pending, for `camera_delay` frames -> percept, with its age; what the body feels is current
 
 A robot that was just placed gets its first pictures without delay: those on their way show its old place.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from __future__ import annotations
-
 from soccer_env.compiled import compiled, records
 from soccer_env.guards.ranges import NUMBER, record
-from soccer_env.perception.body import light_barrier
+from soccer_env.perception.body import POSE_ERROR, light_barrier
 from soccer_env.perception.omni.around import AROUND, survey
 from soccer_env.perception.omni.lighting import (
     LEAST_LINES,
@@ -24,7 +22,6 @@ from soccer_env.perception.omni.lighting import (
 from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
 from soccer_env.perception.omni.lines import TABLES, line_tables
 from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
-from soccer_env.perception.pose import POSE_ERROR
 from soccer_env.perception.sensing import sense_kernel
 from soccer_env.records.percepts import NO_POSE, POSE_TOLD
 from soccer_env.types import MAX_TEAM
@@ -32,7 +29,7 @@ from soccer_env.types import MAX_TEAM
 __all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
 
 OMNI_SENSOR_STATE = record(
-    [  # what the sensors remember and do not deliver
+    [  # state of the sensors that they do not deliver
         ("pose_error", POSE_ERROR),
         ("table", "f4", NUMBER),  # [1] the light that the colour table is made for, trained up to the latest picture
     ]
@@ -79,7 +76,7 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
 
 @compiled
 def take_picture(match, ball, robots, r, picture, state, pose, light, around, map, k, s):
-    """Fill in what the camera sees now; its colour table goes from picture to picture, delivered or not.  MH07"""
+    """Fill in what the camera sees now; its colour table learns from every picture, delivered or not.  MH07"""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
     state.table = begin_table(state.table, picture.light, s, match.step == 0 or pose == POSE_TOLD)
@@ -98,7 +95,7 @@ def take_picture(match, ball, robots, r, picture, state, pose, light, around, ma
 
 @compiled
 def clear_picture(picture):
-    """See nothing: a robot that is sent off stands beside the field."""
+    """Remove everything: a robot that is sent off stands beside the field and sees nothing."""
     clear(picture.ball)
     clear(picture.own_goal)
     clear(picture.opponent_goal)

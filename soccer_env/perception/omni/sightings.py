@@ -1,15 +1,13 @@
 """What the omnidirectional camera finds in its picture: ball, players, goals.  [Heinemann et al. 2006, 2]  MH02
 
-A thing is read where it touches the ground, so that the mirror's curve tells its distance. Its place in the picture
-is a whole pixel: bearings are good everywhere, errors of distances grow with the distance's square.
+A thing is measured where it touches the ground, so that the mirror's curve tells its distance. Its place in the picture
+is a whole pixel: bearings are good everywhere, errors of distances grow with the square of the distance.
 
-Unlike the pitches of 2006 this one has no corner poles: as four more landmarks they would make sensing and believing
-dearer by a tenth, and lines and goals tell the own place to centimetres.
+Unlike the pitches of 2006 this one has no corner poles: four more landmarks would make sensing and belief a tenth
+slower, and lines and goals give the own place to centimetres.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
-
-from __future__ import annotations
 
 from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 
@@ -23,7 +21,7 @@ from soccer_env.types import RobotStream
 CAMERA = int(RobotStream.CAMERA)
 FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
 GOAL_HEIGHT = 1.0  # [m] Tribots 2005
-UNCOLOURED = 0.5  # [1] of the frames that would show an orange ball, those that show one without colour, assumed
+UNCOLOURED = 0.5  # [1] share of the frames with an orange ball that also show a ball without colour, assumed
 UNCOLOURED_FALSE = 0.04  # [1/frame] further wrong balls when the ball has no colour, assumed
 STEEPEST = 40.0  # [1] exponent beyond which a logistic is flat
 FOOT = 0.0  # [m] height of what is read where it touches the ground
@@ -70,8 +68,8 @@ def chance(distance, reach, miss, s):
 def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colour):
     """Look for the ball; `colour` [1] is the share of pixels that the colour table recognises.  MH02, MH07, MH24
 
-    What lies within `hidden_radius` the own body hides, and what lies behind a robot is hidden by it. A blob that has
-    lost its rim seems farther. A ball without colour is found by its shape, more rarely, whatever the light.
+    The own body hides everything within `hidden_radius`, other robots everything behind them. A blob that has lost its
+    rim seems farther. A ball without colour is found by its shape, more rarely, in any light.
     """
     sighting = percept.ball
     clear(sighting)
@@ -83,8 +81,9 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
     if distance >= s.hidden_radius:
         half = half_angle(k.ball_radius, distance)
         aside, share = visible_part(around, count, bearing, half, distance, FOOT, k, s, handedness)
-        found = kept if s.ball_coloured == 1 else UNCOLOURED
-        if share > 0.0 and uniform(noise, CAMERA) < share * found * chance(distance, s.ball_range, s.ball_miss, s):
+        recognised = kept if s.ball_coloured == 1 else UNCOLOURED
+        shown = share * recognised * chance(distance, s.ball_range, s.ball_miss, s)
+        if share > 0.0 and uniform(noise, CAMERA) < shown:
             seems = distance + (1.0 - kept) * k.ball_radius
             find(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
     mistake_for_ball(sighting, s, noise, handedness)
@@ -92,7 +91,7 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
 
 @compiled
 def mistake_for_ball(sighting, s, noise, handedness):
-    """Now and then take something else for the ball, in any direction; the nearer one looks larger and is taken."""
+    """Sometimes take something else for the ball, in any direction; the nearer of the two looks larger and is taken."""
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
     if rate <= 0.0 or uniform(noise, FALSE_BLOBS) >= rate:
         return
@@ -109,8 +108,8 @@ def mistake_for_ball(sighting, s, noise, handedness):
 
 @compiled
 def find_players(percept, around, count, k, s, noise, handedness, colour):
-    """Look for the other robots, and sort them by the distances at which they seem to be, nearest first.  MH02, MH07"""
-    players, found = percept.players, 0
+    """Look for the other robots, and sort them by apparent distance, nearest first.  MH02, MH07"""
+    players, seen = percept.players, 0
     for j in range(count):
         other = around[j]
         aside, share = visible_part(around, count, other.bearing, other.half, other.distance, FOOT, k, s, handedness)
@@ -119,11 +118,11 @@ def find_players(percept, around, count, k, s, noise, handedness, colour):
         if uniform(noise, CAMERA) >= share * colour * chance(other.distance, s.player_range, s.player_miss, s):
             continue
         seems = other.distance + (1.0 - colour) * body_radius(k)
-        if find(players[found], seems, other.bearing + aside, 0.5 * s.image, s, noise, handedness):
-            players[found].teammate = other.teammate
-            sink(players, found)
-            found += 1
-    for j in range(found, players.shape[0]):
+        if find(players[seen], seems, other.bearing + aside, 0.5 * s.image, s, noise, handedness):
+            players[seen].teammate = other.teammate
+            sink(players, seen)
+            seen += 1
+    for j in range(seen, players.shape[0]):
         if players[j].seen == 0:
             break
         clear(players[j])
@@ -131,7 +130,7 @@ def find_players(percept, around, count, k, s, noise, handedness, colour):
 
 @compiled
 def sink(players, last):
-    """Move the last of some players forward to its place by distance, behind those that are equally near."""
+    """Move the last of some players forward to its place by distance, behind equally near ones."""
     one = players[last]
     distance = one.distance
     bearing = one.bearing
@@ -157,8 +156,8 @@ def find_goals(match, robot, percept, around, count, k, s, noise, handedness, co
 def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour):
     """Look for the goal whose line lies at x [m]: bearing of the middle of what is seen, distance of the line's middle.
 
-    It stands 1 m tall: it is seen from everywhere, over the heads of robots that are not near, and where its foot is
-    beyond the picture's edge it is read as if the picture went on (assumed).
+    A goal is 1 m tall: it is visible from everywhere, over the heads of robots that are not near. Where its foot lies
+    beyond the picture's edge, it is measured as if the picture went on (assumed).
     """
     clear(sighting)
     distance, middle = length(x - robot.x, -robot.y), wrap(atan2(-robot.y, x - robot.x) - robot.heading)

@@ -1,13 +1,11 @@
-"""Functions of observations as teams: what lets a policy of any library play where a team is asked for.
+"""Functions of observations as teams: with them a policy of any library plays wherever a team is expected.
 
     team.py      the team
-    answers.py   what its function may return
+    answers.py   checks of what its function returns
     asking.py    ask the functions of a match, before anybody moves
 
-Policy files are faster and need no library (`agents/`); this is for whatever does not fit into one.
+Policy files are faster and need no library (`agents/`); use a function for a policy that does not fit into a file.
 """
-
-from __future__ import annotations
 
 from soccer_env.teams.function_teams.asking import ask_functions
 from soccer_env.teams.function_teams.team import FunctionTeam, team_of_function

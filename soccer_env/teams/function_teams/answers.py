@@ -1,6 +1,4 @@
-"""What a user's function may return for the players of a team, checked where it enters."""
-
-from __future__ import annotations
+"""Checks of what a user's function returns for the players of a team."""
 
 from collections.abc import Callable
 from typing import Any
@@ -11,7 +9,7 @@ from soccer_env.actions import BOX, DISCRETE, DISCRETE_TABLE, FULL
 from soccer_env.guards.checking import brief
 
 HEAD = FULL.index("head")
-Who = Callable[[int, int], str]  # the robot of a match and a player, in words
+Who = Callable[[int, int], str]  # words for the robot of a match and a player
 
 
 def as_array(returned: Any) -> np.ndarray:
@@ -44,10 +42,10 @@ def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, w
     with np.errstate(invalid="ignore"):
         good = (rows >= 0) & (rows < len(DISCRETE)) if discrete else np.isfinite(rows)
     check_rows(good, rows, team, f"0 to {len(DISCRETE) - 1}" if discrete else "finite", players, who)
-    found = DISCRETE_TABLE[rows[:, 0]] if discrete else rows
+    boxes = DISCRETE_TABLE[rows[:, 0]] if discrete else rows
     actions = np.zeros((len(rows), len(FULL)))
     actions[:, HEAD] = -1.0  # the head tracks the ball by itself
-    actions[:, : found.shape[1]] = np.clip(found, -1.0, 1.0)
+    actions[:, : boxes.shape[1]] = np.clip(boxes, -1.0, 1.0)
     return actions.reshape(-1, players, len(FULL))
 
 

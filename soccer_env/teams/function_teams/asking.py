@@ -1,10 +1,7 @@
 """Ask the functions that play in a match for their decisions, before anybody moves.
 
-All of them are asked before the first answer is kept: if one raises, or returns what is not allowed, nothing has
-changed.
+All of them are asked before the first answer is kept: if one raises or returns an invalid answer, nothing has changed.
 """
-
-from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,14 +16,14 @@ from soccer_env.teams.function_teams.team import FunctionTeam
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 Squad = Any  # soccer_env.match.squads.Squad, which stands above this file
-MOVES = ("step", "reset", "load")  # methods of a match that go to another state of it
+MOVES = ("step", "reset", "load")  # methods that move a match to another state
 
 
 def ask_functions(match: Match) -> None:
-    """Let the functions of M matches decide where a decision is due; ValueError, and nothing changed, for nonsense."""
-    asked = [squad for squad in match.squads if isinstance(squad.team, FunctionTeam)]
-    answers = [decided(match, squad) for squad in asked]
-    for squad, memory in zip(asked, answers, strict=True):
+    """Let the functions of M matches decide where a decision is due; ValueError for an invalid answer."""
+    squads = [squad for squad in match.squads if isinstance(squad.team, FunctionTeam)]
+    answers = [decided(match, squad) for squad in squads]
+    for squad, memory in zip(squads, answers, strict=True):
         squad.memory[...] = memory
 
 
@@ -52,11 +49,11 @@ def decided(match: Match, squad: Squad) -> np.ndarray:
 
 @contextmanager
 def standing(match: Match, team: str) -> Iterator[None]:
-    """Let a match be looked at, copied and branched, but not moved, while a team's own Python is asked."""
+    """Let a match be read, copied and branched, but not moved, while a team's own Python runs."""
     asks = get_ident()
 
     def refuse(name: str, *args: Any, **kwargs: Any) -> Any:
-        if get_ident() != asks:  # it is refused as in any other step
+        if get_ident() != asks:  # another thread: the match itself refuses
             return getattr(type(match), name)(match, *args, **kwargs)
         moves = f"{', '.join(MOVES[:-1])} or {MOVES[-1]}"
         raise RuntimeError(f"team {team!r} must not call {moves} of the match that asks it; a branch of it may move")
@@ -81,7 +78,7 @@ def begin(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: Functio
 
 
 def observed(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:
-    """Return what a squad's players observe (D, P, n) float32, in an array of the function's own."""
+    """Return the observations (D, P, n) float32 of a squad's players, in a new array for the function."""
     team, seen = squad.team, squad.observations
     if isinstance(team.observe, str):
         match.batch.write_observations(seen, team.observe, squad.players, 0, match.count)
@@ -92,5 +89,5 @@ def observed(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:
             what = f"observe of team {team.name!r}"
             raise ValueError(f"{what} must return finite numbers of shape {seen.shape}, got {got}")
         seen[...] = own
-    found: np.ndarray = seen[np.ix_(due, squad.players)]
-    return found
+    rows: np.ndarray = seen[np.ix_(due, squad.players)]
+    return rows

@@ -1,14 +1,12 @@
 """A function of observations as a team.
 
     function(observations)             (D, P, n) float32 -> actions
-    function(observations, memory)     memory (D, P) or (D, P, ...), to be changed in place
+    function(observations, memory)     memory (D, P) or (D, P, ...), to be given in place
 
 D are the matches in which a decision is due, P the players of the team. Actions are (D, P, 4) numbers, (D, P, 7) with
 the head, or (D, P) whole numbers, each one of the discrete actions. With `flat` the function knows neither matches nor
 players: it gets (D P, n) and (D P, ...), and returns a row of actions for each.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,7 +21,7 @@ from soccer_env.observations import OBSERVE, Observation
 from soccer_env.teams import TeamRandom, View
 from soccer_env.teams.function_teams.answers import Who, as_actions, check_remembered
 
-MOST = 1000  # [control steps] that a decision is kept
+MOST = 1000  # [control steps] for which a decision is kept
 PLACES: list[Any] = [
     ("begun", "i8", FLAG),  # 1 once the episode has begun
     ("wait", "i8", COUNT),  # [control steps] until the next decision
@@ -49,28 +47,28 @@ class FunctionTeam:
     fingerprint: str
 
     def __repr__(self) -> str:
-        """Return its name, what it observes, and what was asked of it otherwise than by default."""
-        asked: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
-        asked |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
-        asked |= {"memory": str(self.memory)} if self.memory is not None else {}
-        asked |= {"flat": True} if self.flat else {}
-        asked |= {"at_once": False} if not self.at_once else {}
-        return f"FunctionTeam({', '.join([repr(self.name), *(f'{name}={value!r}' for name, value in asked.items())])})"
+        """Return the name, what the team observes, and all settings that differ from their defaults."""
+        given: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
+        given |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
+        given |= {"memory": str(self.memory)} if self.memory is not None else {}
+        given |= {"flat": True} if self.flat else {}
+        given |= {"at_once": False} if not self.at_once else {}
+        return f"FunctionTeam({', '.join([repr(self.name), *(f'{name}={value!r}' for name, value in given.items())])})"
 
     @property
     def memory_dtype(self) -> np.dtype[Any]:
-        """Return the record of a player: its decision, how long that is kept, and what the function remembers."""
+        """Return the record of a player: its decision, the steps until the next one, and the function's memory."""
         return record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
 
     @property
     def settings(self) -> np.ndarray:
-        """Return what a save has to agree with, as bytes."""
+        """Return the settings that a save must agree with, as bytes."""
         seen = self.observe if isinstance(self.observe, str) else kind_of(self.observe)
         text = f"{seen} {self.action_repeat} {self.at_once} {self.flat} {self.fingerprint}"
         return np.frombuffer(text.encode(), np.uint8)
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Return the commands (M, P, 7) that were decided; ValueError outside a match, where nobody has asked."""
+        """Return the commands (M, P, 7) that were decided; ValueError outside a match, which asks the function."""
         if not memory["begun"].all():
             raise ValueError(
                 f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
@@ -109,15 +107,14 @@ def team_of_function(
     name: str | None = None,
     fingerprint: str = "",
 ) -> FunctionTeam:
-    """Return a function of observations as a team that plays wherever a team is asked for.
+    """Return a function of observations as a team that plays wherever a team is expected.
 
     observe: what the observations are built from, as in `Match`: "truth" (with ideal senses), "percepts" (with
     sensors), "belief", or an object of your own. action_repeat: control steps for which a decision is kept. memory:
     the dtype of what a player remembers, such as ("f4", (64,)); zeros when an episode begins, saved and hashed with
     the match. flat: the function takes and returns one row for each player of each match. at_once: it decides in the
-    first step of an episode, as the APIs do it; False: as `SoccerVecEnv` does it. name: what the team calls itself.
-    fingerprint: a text that changes with how it plays, for evaluations that go on where they stopped. ValueError names
-    what is wrong.
+    first step of an episode, as the APIs do; False: as `SoccerVecEnv` does. name: the team's name. fingerprint: a text
+    that changes when the policy changes, for evaluations that go on where they stopped. ValueError names what is wrong.
     """
     if not callable(function):
         refuse("function", "a function of observations", function)
@@ -136,7 +133,7 @@ def team_of_function(
 
 
 def kind_of(observe: Observation) -> str:
-    """Return what an object of observations is called: its class."""
+    """Return the class name of an object of observations."""
     return type(observe).__qualname__
 
 
@@ -147,7 +144,7 @@ def check_observe(observe: Any) -> None:
 
 
 def check_text(what: str, text: Any, least: int) -> str:
-    """Return a text of so many characters or more that can be printed on one line; ValueError for anything else."""
+    """Return a printable text of one line, `least` characters or longer; ValueError for anything else."""
     if not (isinstance(text, str) and text.isprintable() and len(text) >= least):
         refuse(what, "a plain text", text)
     return text

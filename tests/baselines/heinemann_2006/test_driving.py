@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.crowd import note_crowd
 from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
-from soccer_env.baselines.heinemann_2006.driving import bend_between, bend_speed, drive_to, turn_limit
+from soccer_env.baselines.heinemann_2006.driving import bend_between, bend_speed, drive_to, note_crowd, turn_limit
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
 from soccer_env.leagues import find_league

@@ -8,9 +8,16 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.blocked import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, go_round, note_standing
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
-from soccer_env.baselines.heinemann_2006.playing import hear
+from soccer_env.baselines.heinemann_2006.playing import (
+    DETOUR,
+    LEAST_RADIUS,
+    PATIENCE,
+    STAYS,
+    go_round,
+    hear,
+    note_standing,
+)
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import SITUATION

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
-from soccer_env.baselines.weigel_2001.planner.heap import pop, push
-from soccer_env.baselines.weigel_2001.planner.planning import plan_way
+from soccer_env.baselines.weigel_2001.planner.planning import length_of, plan_way, smooth
 from soccer_env.baselines.weigel_2001.planner.records import NODE, OBSTACLE, PLAN, POINT, SCRATCH
-from soccer_env.baselines.weigel_2001.planner.smoothing import length_of, smooth
+from soccer_env.baselines.weigel_2001.planner.searching import pop, push
 from soccer_env.baselines.weigel_2001.planner.stepping import cell_of, next_cell, obstacle_time, step_length, step_time
 from tests.scenes.planning import Scene, at_bearing, cup, random_scene, row
 

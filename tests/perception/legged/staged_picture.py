@@ -36,7 +36,7 @@ def draw_all(matches, balls, robots, constants, sensors, pieces, found):  # type
     sketches = make_sketch(constants[0], sensors[0])
     for m in range(matches.shape[0]):
         draw_scene(matches[m], balls[m], robots[m], constants[0], sensors[0], 0, sketches[0])
-        found[m] = sketches[0].found
+        found[m] = sketches[0].counts
         pieces[m] = sketches[0].pieces
 
 

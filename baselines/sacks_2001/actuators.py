@@ -1,6 +1,6 @@
-"""XLAs, what the robot can do with legs and head; each writes a command.  [Sacks 2001, 2]  MS01, MS21
+"""The "extended logical actuators" (XLAs): what legs and head can do.  [Sacks 2001, 2]  MS01, MS21
 
-Walks are asked for by step: the gait takes them up when a step ends.
+Each function writes a command. A walk command takes effect when the gait's present step ends.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -109,7 +109,7 @@ def look_ahead(command, k):
 def glance(command, memory, own, k, play, off, elapsed):
     """Look up while dribbling, to one side of the way and the other in turn, and at the ball again.
 
-    Longer if it is not sure where it is.
+    Longer if the robot is not sure where it is.
     """
     memory.glance += elapsed
     longer = max(play.unsure_glance - play.glance_time, 0.0) if own.confidence < play.unsure else 0.0
@@ -127,7 +127,7 @@ def glance(command, memory, own, k, play, off, elapsed):
 
 @compiled
 def look_around(command, memory, k, bearing, elapsed):
-    """Let the head sweep over the field's edge, for landmarks, first towards the side of the ball."""
+    """Sweep the head over the field's edge, for landmarks, first towards the side of the ball."""
     if memory.side == 0.0:
         memory.side = side_of(bearing)
     memory.scan += elapsed
@@ -140,7 +140,7 @@ def look_around(command, memory, k, bearing, elapsed):
 
 @compiled
 def search(command, sight, memory, k, play, bearing, elapsed):
-    """Turn on the spot, to the side where the ball was last, and let the head sweep over the field, then the feet."""
+    """Turn on the spot, to the side where the ball was last, and sweep the head over the field, then the feet."""
     if memory.clock == 0.0 or memory.side == 0.0:
         memory.side = side_of(bearing)
     command.turn = SEARCH_TURN * memory.side * sight.pace
