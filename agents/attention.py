@@ -97,10 +97,10 @@ def flat(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
 @compiled
 def observed(numbers, shape):
     """Return how many entries an observation has; its shape begins at index `shape`."""
-    found = numbers[shape + FIXED]
+    count = numbers[shape + FIXED]
     for kind in range(2):
-        found += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
-    return int(found)
+        count += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
+    return int(count)
 
 
 @compiled

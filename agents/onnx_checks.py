@@ -50,8 +50,8 @@ def checked_model(content: bytes) -> Any:
             raise ValueError(f"has weights in another file, {brief(name)}: {INSIDE}")
     model.DiscardUnknownFields()
     graph = model.graph
-    for what, found in (("functions of its own", model.functions), ("sparse weights", graph.sparse_initializer)):
-        if found:
+    for what, extras in (("functions of its own", model.functions), ("sparse weights", graph.sparse_initializer)):
+        if extras:
             raise ValueError(f"has {what}: export it with standard operators alone")
     for name in ("training_info", "metadata_props"):
         model.ClearField(name)
@@ -74,11 +74,11 @@ def parts_of(model: Any) -> Iterator[Any]:
         yield message
         for field, value in message.ListFields():
             if field.message_type is not None:
-                found = [value] if hasattr(value, "ListFields") else value
-                count += len(found)
+                parts = [value] if hasattr(value, "ListFields") else value
+                count += len(parts)
                 if count > MAX_PARTS:
                     raise ValueError(f"has more than {MAX_PARTS} parts")
-                waiting.extend(found)
+                waiting.extend(parts)
 
 
 def check_operators(nodes: Any) -> None:
@@ -93,8 +93,8 @@ def check_operators(nodes: Any) -> None:
 def check_input(model: Any) -> None:
     """Raise ValueError unless a model has one input (B, n), where n is a number."""
     axes = {one.name: [axis.dim_param or axis.dim_value for axis in axes_of(one)] for one in inputs_of(model)}
-    if [len(found) for found in axes.values()] != [2]:
-        got = ", ".join(f"{name} {found}" for name, found in axes.items())
+    if [len(sizes) for sizes in axes.values()] != [2]:
+        got = ", ".join(f"{name} {sizes}" for name, sizes in axes.items())
         raise ValueError(f"must have one input (B, n), got {got or 'none'}; see team_of_function")
     width = next(iter(axes.values()))[1]
     if not isinstance(width, int) or width < 1:

@@ -57,12 +57,12 @@ class OnnxPolicy:
             raise ValueError(f"policy file {self.where!r}: {taken}: give observe= as in its training")
         parts = [observations] if self._size != 1 else list(observations[:, None])  # of exports for one robot at a time
         runs = [self._run(part.astype(self._kind)) for part in parts]
-        found = np.concatenate(runs)
-        if found.dtype.kind == "f" and found.shape[1:] == (len(DISCRETE),):
-            return np.asarray(found.argmax(axis=1))
-        if found.shape[1:] and found.shape[1] in HALVES:
-            return np.asarray(found[:, : found.shape[1] // 2])
-        return found
+        outputs = np.concatenate(runs)
+        if outputs.dtype.kind == "f" and outputs.shape[1:] == (len(DISCRETE),):
+            return np.asarray(outputs.argmax(axis=1))
+        if outputs.shape[1:] and outputs.shape[1] in HALVES:
+            return np.asarray(outputs[:, : outputs.shape[1] // 2])
+        return outputs
 
     def _run(self, rows: np.ndarray) -> np.ndarray:
         """Return the first output for rows (B, n)."""
@@ -88,8 +88,8 @@ def from_onnx(path: str | Path, observe: str = "belief", action_repeat: int = 1,
     """Return the team of an ONNX file; the settings are those of `team_of_function`."""
     content = read_plain(path, MAX_FILE)
     policy = OnnxPolicy(content, file_name(path))
-    told = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"
+    fingerprint = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"
     return team_of_function(
         policy, observe=observe, action_repeat=action_repeat, at_once=at_once, flat=True,
-        name=Path(path).stem, fingerprint=told,
+        name=Path(path).stem, fingerprint=fingerprint,
     )  # fmt: skip

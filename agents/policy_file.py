@@ -201,9 +201,9 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
 
 def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
     """Return the fields of an older file with those that it lacks: no rules, its league by its name."""
-    said = [key for key in LACKS[version] if key in table]
-    if said:
-        raise ValueError(f"{KEY} has an unknown key {said[0]!r} for version {version}")
+    unexpected = [key for key in LACKS[version] if key in table]
+    if unexpected:
+        raise ValueError(f"{KEY} has an unknown key {unexpected[0]!r} for version {version}")
     if version > 1:
         return {**LATEST, **({"rules": {}} if version == 2 else {}), **table}
     known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
@@ -216,8 +216,8 @@ def maker(table: Mapping[str, Any]) -> str:
     """Return which version of the package made a policy, if its file says so, and which one this is, in words."""
     made = table.get("made")
     by = made.get("soccer_env") if isinstance(made, dict) else None
-    said = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
-    return f"{said}; this soccer_env ({version()})"
+    origin = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
+    return f"{origin}; this soccer_env ({version()})"
 
 
 def _more(table: Mapping[str, Any]) -> tuple[str, ...]:

@@ -64,8 +64,10 @@ def is_discrete(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> bool:
 
 def layers_of(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> tuple[Layers, Layers]:
     """Return weights and biases of the actor, one activation behind each layer but the last."""
-    found = [key.removeprefix(algorithm.hidden).partition(".")[0] for key in state if key.startswith(algorithm.hidden)]
-    numbers = sorted({int(number) for number in found})
+    indices = [
+        key.removeprefix(algorithm.hidden).partition(".")[0] for key in state if key.startswith(algorithm.hidden)
+    ]
+    numbers = sorted({int(number) for number in indices})
     if numbers != list(range(0, 2 * len(numbers), 2)):
         raise ValueError(f"layers of {algorithm.hidden[:-1]} must be 0, 2, 4 ..., got {brief(numbers)}")
     names = [f"{algorithm.hidden}{number}" for number in numbers] + [algorithm.last] * bool(algorithm.last)

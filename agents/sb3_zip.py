@@ -122,21 +122,21 @@ def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **set
 
 def _network(content: bytes, activation: str | None) -> dict[str, Any]:
     """Return the fields of a policy that its zip tells: the network, what its outputs mean, and where it comes from."""
-    said = _plain_data(content)
+    settings = _plain_data(content)
     state = _parameters(_member(content, "policy.pth", MAX_MEMBER))
     algorithm = algorithm_of(state)
     weights, biases = layers_of(algorithm, state)
     discrete = is_discrete(algorithm, state)
-    if discrete != (said["action_space"][":type:"].endswith(DISCRETE_TYPE)):
+    if discrete != (settings["action_space"][":type:"].endswith(DISCRETE_TYPE)):
         raise ValueError("its action_space is not of the kind that its network gives")
-    kwargs = said["policy_kwargs"]
+    kwargs = settings["policy_kwargs"]
     return {
         "actions": "discrete" if discrete else _actions(len(biases[-1])),
         "activation": _activation(kwargs, activation, algorithm.activation),
         "squash": algorithm.squash or (str(kwargs.get("squash_output", False)) == "True" and not discrete),
         "weights": weights,
         "biases": biases,
-        "made": _made(said, content),
+        "made": _made(settings, content),
     }
 
 
@@ -151,15 +151,15 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
         raise ValueError(f"lists more than {MAX_MEMBERS} members")
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
-            found = [entry for entry in archive.infolist() if wanted(entry.filename)]
-            if not found or len({entry.filename for entry in found}) < len(found):
-                raise ValueError(f"the zip has the {what} twice" if found else f"the zip lacks the {what}")
-            if any(entry.compress_type not in METHODS or entry.flag_bits & 1 for entry in found):
+            entries = [entry for entry in archive.infolist() if wanted(entry.filename)]
+            if not entries or len({entry.filename for entry in entries}) < len(entries):
+                raise ValueError(f"the zip has the {what} twice" if entries else f"the zip lacks the {what}")
+            if any(entry.compress_type not in METHODS or entry.flag_bits & 1 for entry in entries):
                 raise ValueError(f"the {what} is encrypted or packed in a way that stable-baselines3 does not use")
-            size = sum(entry.file_size for entry in found)
+            size = sum(entry.file_size for entry in entries)
             if size > limit:
                 raise ValueError(f"the {what} would unpack to {size} bytes, the limit is {limit}")
-            return {entry.filename: archive.read(entry) for entry in found}
+            return {entry.filename: archive.read(entry) for entry in entries}
     except ValueError:
         raise
     except Exception as error:  # zipfile raises a dozen types of error for broken files
@@ -168,23 +168,23 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
 
 def _plain_data(content: bytes) -> dict[str, Any]:
     """Return the settings of the run; ValueError if they describe a policy that is not supported."""
-    said = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
-    if not isinstance(said, dict):
+    settings = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
+    if not isinstance(settings, dict):
         raise ValueError("data must be a JSON object")
     for key, kinds in (("observation_space", (BOX_TYPE,)), ("action_space", (BOX_TYPE, DISCRETE_TYPE))):
-        space = said.get(key)
+        space = settings.get(key)
         kind = space.get(":type:") if isinstance(space, dict) else None
         if not (isinstance(kind, str) and kind.endswith(kinds)):
             raise ValueError(f"its {key} must be a Box{' or Discrete' if len(kinds) > 1 else ''}, got {brief(kind)}")
-    _check_actions(said["action_space"])
-    kwargs = said.get("policy_kwargs")
+    _check_actions(settings["action_space"])
+    kwargs = settings.get("policy_kwargs")
     if not isinstance(kwargs, dict):
         raise ValueError("data says no policy_kwargs: it is no model of an algorithm that is known")
     for key in kwargs.keys() - {":type:", ":serialized:"} - HARMLESS:
         raise ValueError(f"policy_kwargs has {brief(key)}, which is not supported")
     if kwargs.get("features_extractor_class", FLATTEN) != FLATTEN:
         raise ValueError(f"its features are made by {brief(kwargs['features_extractor_class'])}, not only flattened")
-    return said
+    return settings
 
 
 def _check_actions(space: Mapping[str, Any]) -> None:
@@ -209,10 +209,10 @@ def _activation(kwargs: Any, given: str | None, default: str) -> str:
         return given or default
     if not isinstance(text, str) or text not in ACTIVATION_TEXTS:
         raise ValueError(f"activation_fn must be Tanh or ReLU, got {brief(text)}")
-    said = ACTIVATION_TEXTS[text]
-    if given not in (None, said):
-        raise ValueError(f"its activation is {said}, not {given}")
-    return said
+    named = ACTIVATION_TEXTS[text]
+    if given not in (None, named):
+        raise ValueError(f"its activation is {named}, not {given}")
+    return named
 
 
 def _parameters(pth: bytes) -> dict[str, np.ndarray]:
@@ -282,7 +282,7 @@ def _actions(size: int) -> str:
     return kinds[size]
 
 
-def _made(said: Mapping[str, Any], content: bytes) -> dict[str, str]:
+def _made(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
     """Return where the policy comes from, as far as the zip says it in plain values."""
     made = {"from": "stable-baselines3", "sha256": sha256(content).hexdigest()}
-    return made | {key: str(said[key]) for key in ("num_timesteps", "seed") if type(said.get(key)) is int}
+    return made | {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}

@@ -95,28 +95,28 @@ def applied(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
     parts = module if isinstance(module, (list, tuple)) else [module]
     parameter = next(parameter for part in parts for parameter in part.parameters())
     training = [(inner, inner.training) for part in parts for inner in part.modules()]
-    found = torch.as_tensor(rows, dtype=parameter.dtype, device=parameter.device)
+    values = torch.as_tensor(rows, dtype=parameter.dtype, device=parameter.device)
     try:
         for part in parts:
             part.eval()
         with torch.no_grad():
             for step in function if isinstance(function, (list, tuple)) else [function]:
-                found = tensor_of(step(found))
+                values = tensor_of(step(values))
     finally:
         for inner, was in training:
             inner.training = was
-    numbers: np.ndarray = found.detach().cpu().double().numpy()
+    numbers: np.ndarray = values.detach().cpu().double().numpy()
     return numbers
 
 
-def tensor_of(given: Any) -> Any:
+def tensor_of(output: Any) -> Any:
     """Return the tensor in what a module gave; ValueError if it is none of a kind that is known."""
     import torch
 
-    if isinstance(given, (list, tuple)) and given:
-        given = given[0]
-    if not isinstance(given, torch.Tensor):
-        given = getattr(given, "mean", given)  # of a distribution
-    if not isinstance(given, torch.Tensor):
-        raise ValueError(f"the module must give a tensor of outputs, got {type(given).__name__}: give outputs=")
-    return given
+    if isinstance(output, (list, tuple)) and output:
+        output = output[0]
+    if not isinstance(output, torch.Tensor):
+        output = getattr(output, "mean", output)  # of a distribution
+    if not isinstance(output, torch.Tensor):
+        raise ValueError(f"the module must give a tensor of outputs, got {type(output).__name__}: give outputs=")
+    return output

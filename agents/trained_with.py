@@ -55,14 +55,14 @@ def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
 
 def trained_with(policy: Policy) -> dict[str, str]:
     """Return the senses and the pose that a policy was trained with, by its fields or by what its run left in it."""
-    said = {setting: getattr(policy, setting) for setting in KNOWN}
-    if any(said.values()):
-        return said
+    fields = {setting: getattr(policy, setting) for setting in KNOWN}
+    if any(fields.values()):
+        return fields
     try:
-        found = json.loads(policy.made.get("settings", ""))
+        settings = json.loads(policy.made.get("settings", ""))
     except (ValueError, RecursionError):
-        return said
-    return senses_of_run(found) if isinstance(found, dict) else said
+        return fields
+    return senses_of_run(settings) if isinstance(settings, dict) else fields
 
 
 def policies_in(team: Any) -> Iterator[Policy]:
@@ -75,14 +75,14 @@ def policies_in(team: Any) -> Iterator[Policy]:
 
 def differences(team: Any, senses: str, pose: str) -> list[Difference]:
     """Return what the policies of a team were trained with and would meet otherwise with some senses and a pose."""
-    found = []
+    differing = []
     for policy in policies_in(team):
         known = trained_with(policy)
         if known["senses"] not in ("", senses):
-            found.append(Difference(policy, "senses", known["senses"], senses))
+            differing.append(Difference(policy, "senses", known["senses"], senses))
         if senses != IDEAL and known["pose"] not in ("", pose):
-            found.append(Difference(policy, "pose", known["pose"], pose))
-    return found
+            differing.append(Difference(policy, "pose", known["pose"], pose))
+    return differing
 
 
 def tell_of_truth(policy: Policy) -> None:

@@ -19,26 +19,26 @@ from soccer_env.guards.turns import held
 from soccer_env.match.arguments import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
 
 
-def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
+def choose_learner(arguments: LearnerSetup) -> tuple[str, dict[str, Any]]:
     """Return the learner, home's last robot unless `agent` names it, and the settings of a match it plays in."""
     from soccer_env.match.settings import make_settings
 
-    checked, controllers = make_settings(asked), asked.controllers
+    checked, controllers = make_settings(arguments), arguments.controllers
     sizes = {"home": checked.home, "away": checked.away}
     agents = [f"{side}_{number}" for side, size in sizes.items() for number in range(size)]
-    agent = f"home_{checked.home - 1}" if asked.agent is None else asked.agent
+    agent = f"home_{checked.home - 1}" if arguments.agent is None else arguments.agent
     check_names("agent", [agent], agents)
     if controllers is not None and not (isinstance(controllers, Mapping) and agent not in controllers):
         raise ValueError(f"controllers must map agents or sides other than {agent} to teams, got {controllers!r}")
     own, other = ("home", "away") if agent.startswith("home") else ("away", "home")
-    players = {own: asked.teammates, other: asked.opponents, **(controllers or {}), agent: None}
+    players = {own: arguments.teammates, other: arguments.opponents, **(controllers or {}), agent: None}
     for other_agent in agents:
         if other_agent != agent and players.get(other_agent, players[other_agent.split("_")[0]]) is None:
             raise ValueError(
                 f"{agent} is the one learner, so a team has to play {other_agent}: give opponents, teammates"
             )
-    given = {**part_of(asked, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
-    return agent, given
+    settings = {**part_of(arguments, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
+    return agent, settings
 
 
 class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
@@ -52,14 +52,14 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
     _spec: EnvSpec | None = None
 
     @made_from(SoloArguments)
-    def __init__(self, asked: SoloArguments) -> None:
+    def __init__(self, arguments: SoloArguments) -> None:
         from soccer_env.soccer_v0 import parallel_env
 
-        self.asked = asked
-        self.agent, given = choose_learner(asked)
-        shown = {"render_mode": asked.render_mode, "infos": asked.infos, "overlays": asked.overlays}
-        self._parallel = parallel_env(**given, **shown)
-        self.match, self.render_mode = self._parallel.match, asked.render_mode
+        self.arguments = arguments
+        self.agent, settings = choose_learner(arguments)
+        shown = {"render_mode": arguments.render_mode, "infos": arguments.infos, "overlays": arguments.overlays}
+        self._parallel = parallel_env(**settings, **shown)
+        self.match, self.render_mode = self._parallel.match, arguments.render_mode
         self.metadata = {**self.metadata, "render_fps": self._parallel.metadata["render_fps"]}
         self.observation_space = self._parallel.observation_space(self.agent)
         self.action_space = self._parallel.action_space(self.agent)
@@ -107,7 +107,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
 
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
-        return by_settings(SoloSoccer, part_of(self.asked, SoloArguments))
+        return by_settings(SoloSoccer, part_of(self.arguments, SoloArguments))
 
     def render(self) -> Any:
         """Return a frame or show it, as `ParallelSoccer.render` says."""

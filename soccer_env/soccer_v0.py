@@ -62,7 +62,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
             raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.autoreset!r}")
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
-        self.match, self.asked = match, match.asked
+        self.match, self.arguments = match, match.arguments
         self.render_mode = check_render_mode(render_mode)
         self.screen = Screen(match, overlays)
         self.metadata = {**self.metadata, "render_fps": self.screen.fps}
@@ -181,8 +181,10 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         if isinstance(match.observations, np.ndarray):
             return dict(zip(agents, match.observations[0, self._rows].copy(), strict=True))
         rows = np.arange(len(match.agents))[self._rows].tolist()
-        told = {agent: match.seen.of_robot(match.observations, row) for agent, row in zip(agents, rows, strict=True)}
-        return {agent: copied(pick(seen, 0)) for agent, seen in told.items()}
+        by_agent = {
+            agent: match.seen.of_robot(match.observations, row) for agent, row in zip(agents, rows, strict=True)
+        }
+        return {agent: copied(pick(seen, 0)) for agent, seen in by_agent.items()}
 
     def _infos(self) -> Infos:
         return {agent: {} for agent in self.possible_agents} if self._report is None else self._report.infos()
@@ -203,13 +205,13 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         """Return the actions in order if all are float arrays of the right shape, else None; it is there for speed."""
         if self._discrete or type(actions) is not dict or len(actions) != len(self.agents):
             return None
-        found = []
+        ordered = []
         for agent in self.agents:
             action = actions.get(agent)
             if type(action) is not np.ndarray or action.shape != self._action_shape or action.dtype.char not in FLOATS:
                 return None
-            found.append(action)
-        return found
+            ordered.append(action)
+        return ordered
 
     def check_action(self, agent: str, action: Any) -> Any:
         """Return one agent's action as numbers (or as an index); ValueError names the agent and the value."""
@@ -264,7 +266,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
 
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
-        settings = {**part_of(self.match.asked, MatchArguments), "render_mode": self.render_mode}
+        settings = {**part_of(self.match.arguments, MatchArguments), "render_mode": self.render_mode}
         return by_settings(_env_of, {**settings, "infos": self.info_kind, "overlays": self.screen.overlays})
 
     @property
@@ -279,21 +281,23 @@ def _env_of(*, render_mode: str | None, infos: InfoKind, overlays: Any, **settin
 
 
 @takes(EnvArguments)
-def parallel_env(asked: EnvArguments) -> ParallelSoccer:
+def parallel_env(arguments: EnvArguments) -> ParallelSoccer:
     """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed."""
-    return ParallelSoccer(Match(**part_of(asked, MatchSetup)), asked.render_mode, asked.infos, asked.overlays)
+    return ParallelSoccer(
+        Match(**part_of(arguments, MatchSetup)), arguments.render_mode, arguments.infos, arguments.overlays
+    )
 
 
 @takes(EnvArguments)
-def raw_env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
+def raw_env(arguments: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return one match as a PettingZoo AECEnv; the settings are those of `parallel_env`."""
-    return TurnSoccer(parallel_env(**part_of(asked, EnvArguments)))
+    return TurnSoccer(parallel_env(**part_of(arguments, EnvArguments)))
 
 
 @takes(EnvArguments)
-def env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
+def env(arguments: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
-    return OrderedSoccer(raw_env(**part_of(asked, EnvArguments)))
+    return OrderedSoccer(raw_env(**part_of(arguments, EnvArguments)))
 
 
 __all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

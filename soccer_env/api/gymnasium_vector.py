@@ -37,18 +37,18 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
 
     @made_from(VectorArguments)
-    def __init__(self, asked: VectorArguments) -> None:
-        self.asked = asked
-        mode = check_mode(asked.autoreset_mode)
-        self.render_mode = check_render_mode(asked.render_mode, ("rgb_array",))
-        self.agent, given = choose_learner(asked)
-        limits = [steps for steps in (asked.max_cycles, asked.max_episode_steps) if steps is not None]
-        given["max_cycles"] = min(limits, default=None)
-        self.match = Match(**given, matches=asked.num_envs, threads=asked.threads, autoreset=MODES[mode])
+    def __init__(self, arguments: VectorArguments) -> None:
+        self.arguments = arguments
+        mode = check_mode(arguments.autoreset_mode)
+        self.render_mode = check_render_mode(arguments.render_mode, ("rgb_array",))
+        self.agent, settings = choose_learner(arguments)
+        limits = [steps for steps in (arguments.max_cycles, arguments.max_episode_steps) if steps is not None]
+        settings["max_cycles"] = min(limits, default=None)
+        self.match = Match(**settings, matches=arguments.num_envs, threads=arguments.threads, autoreset=MODES[mode])
         self.num_envs = self.match.count
         self._row = self.match.agents.index(self.agent)
         self._met = Met(self.match, np.array([self._row]))
-        self._report = report_of(kind_of_infos(asked.infos), self.match, self._row, self._met)
+        self._report = report_of(kind_of_infos(arguments.infos), self.match, self._row, self._met)
         self._screen = Screen(self.match)
         self.metadata = {**self.metadata, "autoreset_mode": mode, "render_fps": self._screen.fps}
         self.single_observation_space = space_of(self.match.seen.group_of(self._row).form)
@@ -63,7 +63,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def __reduce__(self) -> Made:
         """Copy by settings: the copy is to be reset."""
-        return by_settings(SoccerVectorEnv, part_of(self.asked, VectorArguments))
+        return by_settings(SoccerVectorEnv, part_of(self.arguments, VectorArguments))
 
     @held
     def reset(self, *, seed: Any = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
@@ -88,7 +88,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             self.match = match
             self._screen.turn_to(match)
             self._met.turn_to(match)
-            self._report = report_of(kind_of_infos(self.asked.infos), match, self._row, self._met)
+            self._report = report_of(kind_of_infos(self.arguments.infos), match, self._row, self._met)
         self._begun = True
         return self._observations(), self._infos()
 
@@ -201,12 +201,12 @@ def seeds_of_each(seeds: Any) -> list[int]:
     """Return the match seeds of matches that have a seed each; ValueError for one that is no seed."""
     from soccer_env.random_numbers import seeds_for
 
-    found = []
+    match_seeds = []
     for seed in seeds:
         if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
             raise ValueError(f"each seed must be a whole number of 0 or more, got {seed!r}")
-        found.append(int(seeds_for(int(seed), 1)[0]))
-    return found
+        match_seeds.append(int(seeds_for(int(seed), 1)[0]))
+    return match_seeds
 
 
 __all__ = ["SoccerVectorEnv"]

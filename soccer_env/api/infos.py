@@ -116,14 +116,14 @@ class FlatArrays:
             *(match.events[name] for name in EVENT_NAMES),
             *(own[name] for name in OWN_NAMES),
         )
-        found = dict(zip(self._keys, values, strict=True))
+        arrays = dict(zip(self._keys, values, strict=True))
         if self._full:
             numbers = numbers_of(match.statistics, self._team)
-            found |= {f"statistics_{name}": values for name, values in numbers.items()}
+            arrays |= {f"statistics_{name}": values for name, values in numbers.items()}
         everywhere = np.ones(match.count, bool)
         return {
             name: item
-            for key, numbers in found.items()
+            for key, numbers in arrays.items()
             for name, item in ((key, as_python(numbers)), (f"_{key}", everywhere.copy()))
         }
 

@@ -50,19 +50,19 @@ class NestedArrays:
 
     def _events(self) -> dict[str, Any]:
         """Return the events that happened in some match: a word or True where it happened, and the mask."""
-        match, found = self._match, {}
+        match, events = self._match, {}
         for name in QUIET.dtype.names or ():
             codes = match.events[name]
             mask = codes != QUIET[name]
             if name in NO_EVENTS or not mask.any():
                 continue
             words = self._one.words.get(name)
-            found[name], found[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
+            events[name], events[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
         for name in match.robot_events.dtype.names or ():
             mask = match.robot_events[name][:, self._row] != 0
             if mask.any():
-                found[name], found[f"_{name}"] = mask.copy(), mask
-        return found
+                events[name], events[f"_{name}"] = mask.copy(), mask
+        return events
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
         """Return statistics (M,) and maps of the matches that ended, from the learner's side; 0 and None elsewhere."""
@@ -73,12 +73,12 @@ class NestedArrays:
 
     def _maps(self, ended: np.ndarray) -> dict[str, Any]:
         """Return the maps of the matches that ended, lists in arrays (M,) of objects, each with its mask."""
-        found: dict[str, Any] = {}
+        maps: dict[str, Any] = {}
         for m in np.flatnonzero(ended).tolist():
             for name, value in maps_of(self._match.statistics[m], self._team, self._match.settings.rows).items():
-                found.setdefault(name, np.full(len(ended), None, object))[m] = value
-                found[f"_{name}"] = ended
-        return found
+                maps.setdefault(name, np.full(len(ended), None, object))[m] = value
+                maps[f"_{name}"] = ended
+        return maps
 
     def last(self, index: int) -> dict[str, Any]:
         """Return the robot's last info of an episode that ended, a row of `match.final`."""

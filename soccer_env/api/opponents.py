@@ -33,10 +33,10 @@ class Met:
 
     def now(self, team: int) -> np.ndarray:
         """Return the number of what plays the last robot of the other team now (M,)."""
-        found = np.zeros(self._count, np.int64)
+        numbers = np.zeros(self._count, np.int64)
         for number, squad in self._squads[team]:
-            found[slice(None) if squad.plays is None else squad.plays] = number
-        return found
+            numbers[slice(None) if squad.plays is None else squad.plays] = number
+        return numbers
 
 
 def last_opponent(match: Match, team: int) -> int:
@@ -64,10 +64,12 @@ def against(match: Match, opponents: Any) -> Match:
         )
     if match.recorder is not None:
         raise ValueError("opponents cannot change while a Recorder writes the match down: stop it first")
-    asked = part_of(match.asked, MatchArguments)
+    arguments = part_of(match.arguments, MatchArguments)
     other = "away" if sides == ["home"] else "home"
-    controllers = {name: team for name, team in (asked["controllers"] or {}).items() if not name.startswith(other)}
+    controllers = {name: team for name, team in (arguments["controllers"] or {}).items() if not name.startswith(other)}
     dropped = "opponents" if other == "away" else "teammates"
-    made = Match(**{**asked, dropped: None, "controllers": {**controllers, other: opponents}, "seed": 0, "seeds": None})
-    made.seeds[:], made.matches["episode"] = match.seeds, match.matches["episode"]
-    return made
+    new_match = Match(
+        **{**arguments, dropped: None, "controllers": {**controllers, other: opponents}, "seed": 0, "seeds": None}
+    )
+    new_match.seeds[:], new_match.matches["episode"] = match.seeds, match.matches["episode"]
+    return new_match

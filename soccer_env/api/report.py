@@ -54,14 +54,14 @@ class Report:
     def infos(self) -> Infos:
         """Return the infos of the first match, by agent; at the end of an episode with its statistics."""
         match = self._match
-        found = self.of(0, match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
-        return self.add_statistics(found, match.statistics[0]) if match.terminated[0] or match.truncated[0] else found
+        infos = self.of(0, match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
+        return self.add_statistics(infos, match.statistics[0]) if match.terminated[0] or match.truncated[0] else infos
 
     def last(self, index: int) -> Infos:
         """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
         final = self._match.final
-        found = self.of(int(self._match.ended[index]), *(final[name][index] for name in FINAL_RECORDS))
-        return self.add_statistics(found, final["statistics"][index])
+        infos = self.of(int(self._match.ended[index]), *(final[name][index] for name in FINAL_RECORDS))
+        return self.add_statistics(infos, final["statistics"][index])
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
         """Add the statistics and maps of the episode to the infos of its agents, each from its team's side."""
@@ -158,8 +158,8 @@ class Screen:
             from soccer_env.render.overlays.onlooker import Onlooker
 
             self._onlooker = Onlooker(self._match, self.overlays)
-        found: list[Any] = self._onlooker.see(self._match, self._picture.width)
-        return found
+        overlays: list[Any] = self._onlooker.see(self._match, self._picture.width)
+        return overlays
 
     def show(self) -> None:
         """Show a frame of the first match, in real time; nothing happens once the user has closed the window."""

@@ -17,28 +17,28 @@ ALWAYS = ("league", "home", "away")
 
 
 class Shown:
-    """Something with a `match`, which `asked` says how to make."""
+    """Something with a `match`, which `arguments` says how to make."""
 
     match: Match
-    asked: Any
+    arguments: Any
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({in_words(self.asked, self.match)})"
+        return f"{type(self).__name__}({in_words(self.arguments, self.match)})"
 
     def _repr_png_(self) -> bytes | None:
         """Return what a notebook shows: the first match as it stands, or None without the extra `render`."""
         return png_of(self.match)
 
 
-def in_words(asked: MatchSettings, match: Any) -> str:
+def in_words(arguments: MatchSettings, match: Any) -> str:
     """Return league, team sizes and the settings that were changed, as they are written in a call."""
     settings = match.settings
-    found = {"league": settings.league.name, "home": settings.home, "away": settings.away}
-    for item in fields(asked):
-        value = getattr(asked, item.name)
+    shown = {"league": settings.league.name, "home": settings.home, "away": settings.away}
+    for item in fields(arguments):
+        value = getattr(arguments, item.name)
         if item.name not in ALWAYS and value is not item.default and not (is_plain(value) and value == item.default):
-            found[item.name] = value if is_plain(value) else getattr(value, "name", value)
-    return ", ".join(f"{name}={brief(value)}" for name, value in found.items())
+            shown[item.name] = value if is_plain(value) else getattr(value, "name", value)
+    return ", ".join(f"{name}={brief(value)}" for name, value in shown.items())
 
 
 def is_plain(value: Any) -> bool:

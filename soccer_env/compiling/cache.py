@@ -237,10 +237,10 @@ def _load(path: Path, key: Any) -> Any:
         content = path.read_bytes()
         if hashlib.sha256(content[DIGEST:]).digest() != content[:DIGEST]:
             return None
-        found, payload = pickle.loads(content[DIGEST:])
+        stored_key, payload = pickle.loads(content[DIGEST:])
     except Exception:  # missing, unreadable or of another kind: it is compiled again and overwritten
         return None
-    return payload if found == key else None
+    return payload if stored_key == key else None
 
 
 def _write(path: Path, content: bytes) -> None:

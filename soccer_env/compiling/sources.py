@@ -45,7 +45,7 @@ def sources(module: str, path: Path) -> dict[Path, str]:
         if file in hashes:
             continue
         hashes[file], imports = _read(file, name)
-        waiting += [(target, found) for target in imports if (found := file_of(target, name))]
+        waiting += [(target, source) for target in imports if (source := file_of(target, name))]
     return hashes
 
 

@@ -68,8 +68,8 @@ class Collected:
     @property
     def in_play(self) -> np.ndarray:
         """Return whether the ball is in play in each frame (T,)."""
-        found: np.ndarray = (self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0)
-        return found
+        in_play: np.ndarray = (self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0)
+        return in_play
 
     def owners(self) -> np.ndarray:
         """Return whose robots alone have the ball in each frame (T,): HOME, AWAY, or -1 for nobody or both."""
@@ -104,7 +104,7 @@ def collect(replay: Recorded, name: str = "match", note: Callable[[int], None] |
         ball=balls,
         match={field: matches[field] for field in MATCH_FIELDS},
         score=scores,
-        events=listener.told(),
+        events=listener.sorted_events(),
     )
 
 

@@ -48,7 +48,7 @@ class Listener:
         self._keepers = {self._teams[row]: row for row in np.flatnonzero(match.robots["keeper"][0]).tolist()}
         self._begin(match)
 
-    def told(self) -> list[Event]:
+    def sorted_events(self) -> list[Event]:
         """Return all events in the order of their frames; a save is told where a shot ends that was saved."""
         saves = [self._save(shot) for shot in self._events if shot.outcome == OUTCOMES[Outcome.SAVED]]
         return sorted([*self._events, *saves], key=lambda event: event.frame)
@@ -89,10 +89,10 @@ class Listener:
         self._counts = {name: now[name].copy() for name in ("goals", "shots")}
         self._trail = {name: now["trail"][name].item() for name in TRAIL}
 
-    def _add(self, kind: str, team: int = NO_TEAM, row: int = NOBODY, **given: Any) -> None:
+    def _add(self, kind: str, team: int = NO_TEAM, row: int = NOBODY, **fields: Any) -> None:
         """Note an event of this step."""
         place = {"frame": self._frame, "x": self._x, "y": self._y}
-        self._events.append(Event(kind=kind, team=team, row=row, **(place | given)))
+        self._events.append(Event(kind=kind, team=team, row=row, **(place | fields)))
 
     def _listen_to_passes(self, now: Any) -> None:
         """Note a pass when it arrives: at a mate, or at an opponent, who intercepts it."""

@@ -76,8 +76,8 @@ def as_text(values: np.ndarray, column: Column) -> list[Any]:
         return [round(value, 6) if value == value else "" for value in values.tolist()]
     if column.kind == "text":
         return [plain_cell(value) for value in values.tolist()]
-    found: list[Any] = values.tolist()
-    return found
+    plain: list[Any] = values.tolist()
+    return plain
 
 
 def plain_cell(text: str) -> str:

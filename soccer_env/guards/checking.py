@@ -150,11 +150,11 @@ class Checked:
         if name in self.NAMES:
             return one_of(self.where(name), value, self.NAMES[name])
         for kind in kinds:
-            fits, found = as_kind(kind, value, self.bounds(name))
+            fits, checked = as_kind(kind, value, self.bounds(name))
             if fits:
                 if name in self.EVEN and value is not None and value % 2 != 0:
                     refuse(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
-                return found
+                return checked
         refuse(self.where(name), self._words(name, kinds, value), value)
 
     def _check_order(self) -> None:
@@ -178,8 +178,8 @@ class Checked:
         numbers = in_words(cls.bounds(name), float not in kinds, value)
         words |= dict.fromkeys((int, float), numbers)
         choices = [str(choice) for kind in kinds for choice in get_args(kind)]
-        found = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
-        return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *found]))
+        options = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
+        return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *options]))
 
 
 def as_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
@@ -205,8 +205,8 @@ def kinds_of_fields(record: type) -> dict[str, tuple[Any, ...]]:
         annotations |= {
             name: evaluated(kind, names) for name, kind in parent.__dict__.get("__annotations__", {}).items()
         }
-    found = {field.name: parts_of(annotations[field.name]) for field in fields(record)}
-    return {name: kinds for name, kinds in found.items() if all(map(can_be_checked, kinds))}
+    kinds_by_field = {field.name: parts_of(annotations[field.name]) for field in fields(record)}
+    return {name: kinds for name, kinds in kinds_by_field.items() if all(map(can_be_checked, kinds))}
 
 
 def evaluated(annotation: Any, names: dict[str, Any]) -> Any:

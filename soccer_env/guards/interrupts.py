@@ -34,22 +34,24 @@ _get, _set = _raw.getsignal, _raw.signal
 class _Held:
     """The signals of this process, whose handlers run in the main thread alone."""
 
-    __slots__ = "came", "found", "holds", "main", "ours", "theirs"
+    __slots__ = "arrived", "handlers", "holds", "main", "python_handlers", "stand_ins"
 
     def __init__(self) -> None:
         self.main = threading.main_thread().ident
         self.holds = False  # whether signals wait now
-        self.came: tuple[int, ...] = ()
-        self.found: tuple[Any, ...] = ()  # the handlers of all SIGNALS, as they were when signals last began to wait
-        self.theirs: Handlers = ()  # those of them that run Python
-        self.ours: Handlers = ()  # what stands for them while signals wait
+        self.arrived: tuple[int, ...] = ()
+        self.handlers: tuple[Any, ...] = ()  # the handlers of all SIGNALS, as they were when signals last began to wait
+        self.python_handlers: Handlers = ()  # those of them that run Python
+        self.stand_ins: Handlers = ()  # what stands for them while signals wait
 
-    def take(self, found: tuple[Any, ...]) -> None:
+    def take(self, handlers: tuple[Any, ...]) -> None:
         """Take note of the handlers that are to be held back; one of ours that was left behind stands for its own."""
-        known = [(n, one.handler if isinstance(one, _Waiting) else one) for n, one in zip(SIGNALS, found, strict=True)]
-        self.theirs = tuple((number, handler) for number, handler in known if callable(handler))
-        self.ours = tuple((number, _Waiting(handler)) for number, handler in self.theirs)
-        self.found = found  # at the end: if this is interrupted, they are taken anew
+        known = [
+            (n, one.handler if isinstance(one, _Waiting) else one) for n, one in zip(SIGNALS, handlers, strict=True)
+        ]
+        self.python_handlers = tuple((number, handler) for number, handler in known if callable(handler))
+        self.stand_ins = tuple((number, _Waiting(handler)) for number, handler in self.python_handlers)
+        self.handlers = handlers  # at the end: if this is interrupted, they are taken anew
 
 
 _HELD = _Held()
@@ -63,7 +65,7 @@ class _Waiting:
 
     def __call__(self, number: int, frame: FrameType | None) -> None:
         if _HELD.holds:
-            _HELD.came += (number,)
+            _HELD.arrived += (number,)
         else:
             self.handler(number, frame)
 
@@ -76,12 +78,12 @@ def hold() -> bool:
     held = _HELD
     if held.holds or get_ident() != held.main:
         return False
-    found = tuple(map(_get, SIGNALS))
-    if found != held.found:
-        held.take(found)
+    handlers = tuple(map(_get, SIGNALS))
+    if handlers != held.handlers:
+        held.take(handlers)
     try:
         held.holds = True
-        for number, handler in held.ours:
+        for number, handler in held.stand_ins:
             _set(number, handler)
     except BaseException:  # one that was not yet held
         release()
@@ -94,15 +96,15 @@ def release(later: bool = False) -> None:
     held = _HELD
     held.holds = False  # first of all, as whatever left it true would keep all signals away for ever
     try:
-        for number, handler in held.theirs:
+        for number, handler in held.python_handlers:
             _set(number, handler)
     except BaseException:  # of one that came through ours, before its own was back
-        for number, handler in held.theirs:
+        for number, handler in held.python_handlers:
             _set(number, handler)
         raise
     finally:
-        if held.came:
-            came, held.came = dict.fromkeys(held.came), ()
+        if held.arrived:
+            came, held.arrived = dict.fromkeys(held.arrived), ()
             if later:
                 deliver_soon([*came])
             else:
@@ -117,7 +119,7 @@ def let_go() -> None:
 
 def let_come() -> None:
     """Let those signals come that have waited until now; the next ones wait again, also if one of these raises."""
-    if not (_HELD.came and is_held()):
+    if not (_HELD.arrived and is_held()):
         return
     try:
         release()
@@ -190,7 +192,7 @@ def _after_fork() -> None:
     """Take the thread that forked for the main one of the child, in which nothing waits."""
     _HELD.main = get_ident()
     if _HELD.holds:
-        _HELD.came = ()
+        _HELD.arrived = ()
         release()
 
 

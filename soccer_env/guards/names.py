@@ -134,7 +134,9 @@ class Place(NamedTuple):
 def place_of(value: Any) -> Any:
     """Return where a function stands in a loaded module, or the value itself."""
     if callable(value):
-        for module, names in [(name, vars(found)) for name, found in sys.modules.items() if hasattr(found, "__dict__")]:
+        for module, names in [
+            (name, vars(loaded)) for name, loaded in sys.modules.items() if hasattr(loaded, "__dict__")
+        ]:
             for name, there in list(names.items()):
                 if there is value and module != "__main__":
                     return Place(module, name)

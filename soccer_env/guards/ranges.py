@@ -55,10 +55,10 @@ def record(rows: list[tuple[Any, ...]]) -> np.dtype:
     for name, kind, *_ in rows:
         if name not in ranges and kind not in RANGES:
             raise TypeError(f"field {name!r} of a record has no range")
-    made = np.dtype([(row[0], row[1], *row[3:]) if row[0] in ranges else row for row in rows])
-    if RANGES.setdefault(made, ranges) != ranges:
-        raise TypeError(f"another record has the same fields as {made}, and other ranges")
-    return made
+    dtype = np.dtype([(row[0], row[1], *row[3:]) if row[0] in ranges else row for row in rows])
+    if RANGES.setdefault(dtype, ranges) != ranges:
+        raise TypeError(f"another record has the same fields as {dtype}, and other ranges")
+    return dtype
 
 
 class Place(NamedTuple):
@@ -96,11 +96,11 @@ class Columns(NamedTuple):
 @functools.lru_cache(maxsize=256)
 def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
     """Return the numbers of a record that have ranges, by type, for a match of so many robots."""
-    found: dict[np.dtype, list[Place]] = {}
+    by_type: dict[np.dtype, list[Place]] = {}
     for place in places(dtype):
         if place.range is not None and place.range != ANY:
-            found.setdefault(place.kind, []).append(place)
-    return [columns(dtype, kind, numbers, robots) for kind, numbers in found.items()]
+            by_type.setdefault(place.kind, []).append(place)
+    return [columns(dtype, kind, numbers, robots) for kind, numbers in by_type.items()]
 
 
 def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) -> Columns:

@@ -54,10 +54,10 @@ def _guarded(
                     raise RuntimeError(f"{name}: an error has cut short what was done before: call reset")
                 if name in turn.sure:
                     return method(self, *args, **kwargs)
-                made = _undone_on_error(method, note(self, name), self, *args, **kwargs)
+                result = _undone_on_error(method, note(self, name), self, *args, **kwargs)
                 if not turn.undoes:
                     turn.sure.add(name)
-                return made
+                return result
             finally:
                 turn.owner = 0
                 turn.release()
@@ -72,14 +72,14 @@ def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: 
     """Call a method into which signals may come; what comes before its end is undone, what comes after waits."""
     try:
         let_go()
-        made = method(*args, **kwargs)
+        result = method(*args, **kwargs)
         hold()
     except BaseException:
         hold_again()
         if go_back is not None:
             go_back()
         raise
-    return made
+    return result
 
 
 def held(method: F) -> F:

@@ -276,16 +276,16 @@ def merged(rects: list[pygame.Rect], bounds: pygame.Rect) -> list[pygame.Rect]:
     """Return fewer rectangles that cover these, cut to the bounds, on whole pixels of the small surface."""
     import pygame
 
-    found: list[pygame.Rect] = []
+    covering: list[pygame.Rect] = []
     for rect in rects:
         left, top = rect.left // FACTOR * FACTOR, rect.top // FACTOR * FACTOR
         right, bottom = -(-rect.right // FACTOR) * FACTOR, -(-rect.bottom // FACTOR) * FACTOR
         whole = pygame.Rect(left, top, right - left, bottom - top).clip(bounds)
         if whole.width == 0 or whole.height == 0:
             continue
-        index = whole.collidelist(found)
+        index = whole.collidelist(covering)
         if index < 0:
-            found.append(whole)
+            covering.append(whole)
         else:
-            found[index].union_ip(whole)
-    return found
+            covering[index].union_ip(whole)
+    return covering

@@ -103,12 +103,12 @@ def write_gif(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
 
 def swatches(width: int) -> np.ndarray:
     """Return patches of every colour that pictures are drawn in, rows of that width: not all are in the first frame."""
-    found: list[tuple[int, int, int]] = []
+    palette: list[tuple[int, int, int]] = []
     for value in vars(colours).values():
         if isinstance(value, tuple) and len(value) == 3 and isinstance(value[0], int):
-            found.append(value)
+            palette.append(value)
         elif isinstance(value, tuple) and isinstance(value[0], tuple):
-            found.extend(value)
-    row = np.repeat(np.array(found, np.uint8), SWATCH, axis=0)
+            palette.extend(value)
+    row = np.repeat(np.array(palette, np.uint8), SWATCH, axis=0)
     pieces = [np.resize(row[start : start + width], (width, 3)) for start in range(0, len(row), width)]
     return np.repeat(np.stack(pieces), SWATCH, axis=0)

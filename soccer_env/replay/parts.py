@@ -40,7 +40,7 @@ def rebuild(kind: type, values: dict[str, Any]) -> Any:
     known = {item.name for item in fields(kind)}
     if set(values) != known:
         raise ValueError(f"{kind.__name__} has the fields {', '.join(sorted(known))}, got {', '.join(sorted(values))}")
-    made = {}
+    arguments = {}
     for name, value in values.items():
         if is_dataclass(types[name]):
             value = rebuild(types[name], value)
@@ -48,8 +48,8 @@ def rebuild(kind: type, values: dict[str, Any]) -> Any:
             value = None  # a replay gives commands; nobody senses
         elif name == "corners":
             value = tuple(tuple(corner) for corner in value)
-        made[name] = value
-    return kind(**made)
+        arguments[name] = value
+    return kind(**arguments)
 
 
 def describe(match: Match) -> dict[str, Any]:

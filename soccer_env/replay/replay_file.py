@@ -142,11 +142,11 @@ class Replay:
 
     def make_match(self) -> Match:
         """Return the match as it was when the recording began, all robots played from outside."""
-        given = self.settings
+        settings = self.settings
         try:
-            scene = given["scene"]
-            wanted = {name: given[name] for name in (*REPLAYED, "matches")}
-            wanted["league"] = rebuild(League, given["league"])
+            scene = settings["scene"]
+            wanted = {name: settings[name] for name in (*REPLAYED, "matches")}
+            wanted["league"] = rebuild(League, settings["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
             check_start(self.start, wanted)
             match = Match(actions="full", seed=0, **wanted)

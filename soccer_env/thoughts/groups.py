@@ -26,8 +26,8 @@ def noted_of(match: Match) -> Noted | None:
 def groups_of(match: Match) -> list[Group]:
     """Return what is noted of each robot of a match."""
     noted = noted_of(match)
-    found = [] if noted is None else [*noted.groups]
-    return found + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
+    groups = [] if noted is None else [*noted.groups]
+    return groups + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
 
 
 @functools.cache
@@ -42,12 +42,12 @@ def known_parts() -> dict[str, list[list[str]]]:
 
 def checked_groups(groups: Any) -> list[Group]:
     """Return groups that were read from a file; ValueError for anything else."""
-    found: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
-    known = known_parts() if found else {}
-    wrong = any(count < 0 or parts not in known.get(name, [parts]) for name, count, parts in found)
-    if wrong or len(found) > MOST_GROUPS or width_of(found) > MOST_COLUMNS:
+    checked: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
+    known = known_parts() if checked else {}
+    wrong = any(count < 0 or parts not in known.get(name, [parts]) for name, count, parts in checked)
+    if wrong or len(checked) > MOST_GROUPS or width_of(checked) > MOST_COLUMNS:
         raise ValueError("the groups of its thoughts are damaged")
-    return found
+    return checked
 
 
 def width_of(groups: list[Group]) -> int:
@@ -90,7 +90,7 @@ def mind_of(match: Match, squad: Squad, place: int) -> Mind:
 
 def plans(match: Match) -> np.ndarray:
     """Return the planned ways (R, points, 2) in cm of the field frame, 0 where there is none."""
-    found = np.zeros((len(match.agents), PLAN[0][1], 2))
+    paths = np.zeros((len(match.agents), PLAN[0][1], 2))
     home_ahead = float(match.matches["home_direction"][0])
     for squad in match.squads:
         explanation = planner_of(squad)
@@ -98,16 +98,16 @@ def plans(match: Match) -> np.ndarray:
             continue
         for place, r in enumerate(squad.players.tolist()):
             if match.robots["active"][0, r]:
-                way = explanation.plan(mind_of(match, squad, place))
+                path = explanation.plan(mind_of(match, squad, place))
                 sign = home_ahead if match.robots["team"][0, r] == 0 else -home_ahead
-                found[r] = CENTI * sign * spaced(way, PLAN[0][1])
-    return found
+                paths[r] = CENTI * sign * spaced(path, PLAN[0][1])
+    return paths
 
 
-def spaced(way: np.ndarray, count: int) -> np.ndarray:
+def spaced(path: np.ndarray, count: int) -> np.ndarray:
     """Return so many points (count, 2) evenly along a way (N, 2); all 0 for a way of fewer than two."""
-    if len(way) < 2:
+    if len(path) < 2:
         return np.zeros((count, 2))
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(way, axis=0).T))])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     wanted = np.linspace(0.0, along[-1], count)
-    return np.column_stack([np.interp(wanted, along, way[:, axis]) for axis in (0, 1)])
+    return np.column_stack([np.interp(wanted, along, path[:, axis]) for axis in (0, 1)])

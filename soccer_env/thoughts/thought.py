@@ -129,7 +129,7 @@ def between(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np
 
     What a robot believes lies on a thing that moves: the early note alone would lag behind it.
     """
-    found = early.copy()
+    note = early.copy()
     pairs = [(TABLE.index(x), TABLE.index(y)) for x, y in (PLACES[:2], PLACES[2:])]
     first = len(TABLE)
     pairs += [(first + len(TRACK) * slot, first + len(TRACK) * slot + 1) for slot in range(slots)]
@@ -138,9 +138,9 @@ def between(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np
         near = np.hypot(*away.T) < JUMP
         if x >= first:
             near &= np.sign(early[:, x + 2]) == np.sign(late[:, x + 2])
-        found[:, [x, y]] += np.where(near[:, None], np.rint(share * away), 0).astype(np.int16)
+        note[:, [x, y]] += np.where(near[:, None], np.rint(share * away), 0).astype(np.int16)
     heading = TABLE.index("heading")
     turn = (late[:, heading].astype(np.int64) - early[:, heading]) / MILLI
     turned = early[:, heading] / MILLI + share * np.arctan2(np.sin(turn), np.cos(turn))
-    found[:, heading] = np.rint(MILLI * np.arctan2(np.sin(turned), np.cos(turned)))
-    return found
+    note[:, heading] = np.rint(MILLI * np.arctan2(np.sin(turned), np.cos(turned)))
+    return note

@@ -107,10 +107,10 @@ class Notes:
 
 def checked_fields(fields: Any) -> list[list[Any]]:
     """Return the names, words and steps of a robot's memory; ValueError for anything else."""
-    found: list[list[Any]] = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
-    if len(found) > MOST_FIELDS or not all(field[2] > 0.0 for field in found):
+    checked: list[list[Any]] = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
+    if len(checked) > MOST_FIELDS or not all(field[2] > 0.0 for field in checked):
         raise ValueError("the fields of its thoughts are damaged")
-    return found
+    return checked
 
 
 def thinks(match: Match) -> bool:
@@ -120,15 +120,15 @@ def thinks(match: Match) -> bool:
 
 def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
     """Return what is noted of the memory of robot r: [name, words of its values, steps in a unit] each."""
-    found: list[list[Any]] = []
+    noted: list[list[Any]] = []
     for squad in of_one_team(match):
         explanation = explanation_of(squad.team)
         known = explanation.shown if shown is None and explanation is not None else shown
         for path, kind in leaves(squad.memory.dtype) if r in squad.players else ():
             name = path.rpartition(".")[2]
             if (known is None and kind == "i" and name != "begun") or (known is not None and name in known):
-                found.append([path, list((known or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
-    return found[:MOST_FIELDS]
+                noted.append([path, list((known or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
+    return noted[:MOST_FIELDS]
 
 
 def of_one_team(match: Match) -> list[Squad]:
@@ -138,14 +138,14 @@ def of_one_team(match: Match) -> list[Squad]:
 
 def leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
     """Return the single numbers of a record by their dotted path, with the kind of number."""
-    found: list[tuple[str, str]] = []
+    numbers: list[tuple[str, str]] = []
     for name in dtype.names or ():
         inner = dtype[name]
         if inner.names:
-            found += leaves(inner, f"{path}{name}.")
+            numbers += leaves(inner, f"{path}{name}.")
         elif inner.shape == () and inner.kind in "iuf":
-            found.append((path + name, inner.kind))
-    return found
+            numbers.append((path + name, inner.kind))
+    return numbers
 
 
 def of_all(match: Match) -> list[np.ndarray]:
@@ -220,12 +220,12 @@ def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
 
 def remembered(match: Match, fields: list[list[list[Any]]]) -> np.ndarray:
     """Return what is noted of the robots' memories, (R, fields) int16."""
-    found = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
+    numbers = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
     for squad in of_one_team(match):
         for place, r in enumerate(squad.players):
             for column, (path, _, step) in enumerate(fields[r]):
                 value = squad.memory[0, place]
                 for name in path.split("."):
                     value = value[name]
-                found[r, column] = step * float(value)
-    return whole(found)
+                numbers[r, column] = step * float(value)
+    return whole(numbers)

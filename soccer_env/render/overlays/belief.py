@@ -9,7 +9,7 @@ import numpy as np
 from soccer_env.geometry import point_of_frame
 from soccer_env.leagues.league import League
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Label, Overlay, Points, Polyline
 from soccer_env.render.robots import parts_of
 from soccer_env.thoughts.thought import Thought
@@ -26,20 +26,22 @@ def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) ->
     """Return what robot `row` believes; links lead from what is true to where it believes it."""
     robot = shot.robots[row]
     true = (float(robot["x"]), float(robot["y"]))
-    found = cloud(thought, unit)
-    found.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
-    found += trunk(cast.league, thought.pose, WHITE, 2.6 * unit)
+    overlays = cloud(thought, unit)
+    overlays.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
+    overlays += trunk(cast.league, thought.pose, WHITE, 2.6 * unit)
     for player in thought.players:
         team = int(robot["team"]) if player.mate else 1 - int(robot["team"])
-        found.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
+        overlays.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
         if player.age >= JUST_SEEN:
             away = (13.0 * unit, -13.0 * unit)
             words = f"{player.age:.0f} s" if player.age >= WHOLE else f"{player.age:.1f} s"
-            found.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
+            overlays.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
     if thought.ball is not None:
-        found.append(Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit))
-        found.append(Points([thought.ball], BALL_SHINE, 9.0 * unit, hollow=True))
-    return found
+        overlays.append(
+            Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit)
+        )
+        overlays.append(Points([thought.ball], BALL_SHINE, 9.0 * unit, hollow=True))
+    return overlays
 
 
 def letters(unit: float) -> float:

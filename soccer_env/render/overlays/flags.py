@@ -55,11 +55,11 @@ class OverlayFlags(Checked):
     @property
     def agent(self) -> str | None:
         """Return the agent that is asked for, None for whoever is nearest to the ball."""
-        found = NUMBERED.fullmatch(self.robot)
-        if found is None:
+        numbered = NUMBERED.fullmatch(self.robot)
+        if numbered is None:
             return None
-        side = {"red": "home", "blue": "away"}.get(found[1], found[1])
-        return f"{side}_{int(found[2])}"
+        side = {"red": "home", "blue": "away"}.get(numbered[1], numbered[1])
+        return f"{side}_{int(numbered[2])}"
 
     def turned(self, name: str) -> OverlayFlags:
         """Return the flags with one of them turned over."""
@@ -70,23 +70,23 @@ class OverlayFlags(Checked):
 FLAGS = tuple(item.name for item in fields(OverlayFlags) if item.type == "bool")
 
 
-def flags_of(given: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
+def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
     """Return flags from flags, a mapping, or names as in "belief,trail"; None: nothing is shown.
 
     ValueError names what is not known.
     """
-    if given is None:
+    if overlays is None:
         return OverlayFlags()
-    if isinstance(given, str):
-        names = [name.strip() for name in given.split(",") if name.strip()]
+    if isinstance(overlays, str):
+        names = [name.strip() for name in overlays.split(",") if name.strip()]
         check_names("overlay", names, FLAGS)
-        given = dict.fromkeys(names, True)
-    if isinstance(given, Mapping):
-        check_names("overlay", given, (*FLAGS, "robot"))
-        return OverlayFlags(**given)
-    if not isinstance(given, OverlayFlags):
-        refuse("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", given)
-    return given
+        overlays = dict.fromkeys(names, True)
+    if isinstance(overlays, Mapping):
+        check_names("overlay", overlays, (*FLAGS, "robot"))
+        return OverlayFlags(**overlays)
+    if not isinstance(overlays, OverlayFlags):
+        refuse("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", overlays)
+    return overlays
 
 
 def part_of_flags(settings: OverlayFlags) -> OverlayFlags:

@@ -9,9 +9,9 @@ import numpy as np
 from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.render.colours import Colour
-from soccer_env.render.overlays.scene import Cast, Part, Shot
+from soccer_env.render.overlays.cast import Cast, Part, Shot
+from soccer_env.render.overlays.paths import plan_of
 from soccer_env.render.overlays.shapes import ArrowGrid, Overlay
-from soccer_env.render.overlays.ways import plan_of
 from soccer_env.teams import Mind
 from soccer_env.thoughts.thought import Thought
 

@@ -7,14 +7,14 @@ from typing import NamedTuple
 
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.overlays.belief import belief_words, believed
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import force_arrows, has_forces, target_of
-from soccer_env.render.overlays.panel import CameraPicture, Words
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.panels import CameraPicture, Words
+from soccer_env.render.overlays.paths import ball_trail, plan_of, planned, travelled
+from soccer_env.render.overlays.roles import beams, mark_of_picked, roles
 from soccer_env.render.overlays.shapes import Overlay
 from soccer_env.render.overlays.sight import in_sight
-from soccer_env.render.overlays.states import beams, mark_of_picked, roles
-from soccer_env.render.overlays.ways import ball_trail, plan_of, planned, travelled
 from soccer_env.thoughts.thought import Thought
 
 LEAST_UNIT = 0.7  # of sizes in a picture of 960 px: letters stay legible in smaller ones
@@ -43,20 +43,20 @@ def overlays_of(flags: OverlayFlags, cast: Cast, shot: Shot, past: Sequence[Shot
         return []
     row = cast.picked(flags, shot)
     look = Look(cast, shot, past, row, cast.thought(shot, row), max(LEAST_UNIT, width / 960.0))
-    found: list[Overlay] = []
+    overlays: list[Overlay] = []
     words: list[str] = []
     for name, layer in LAYERS.items():
         if getattr(flags, name):
-            drawn, said = layer(look)
-            found += drawn
-            words += said
+            drawn, lines = layer(look)
+            overlays += drawn
+            words += lines
     if flags.belief or flags.sight or flags.field or flags.path:
-        found.insert(0, mark_of_picked(look))
+        overlays.insert(0, mark_of_picked(look))
     if flags.sight and cast.camera is not None and look.thought is not None and "head" in look.thought.groups:
-        found.append(CameraPicture(look))
+        overlays.append(CameraPicture(look))
     if words:
-        found.append(Words(tuple(dict.fromkeys(words)), look.unit, not shot.robots["active"].all()))
-    return found
+        overlays.append(Words(tuple(dict.fromkeys(words)), look.unit, not shot.robots["active"].all()))
+    return overlays
 
 
 Drawn = tuple[list[Overlay], list[str]]
@@ -106,23 +106,23 @@ def show_field(look: Look) -> Drawn:
 
 def show_path(look: Look) -> Drawn:
     """Draw where it plans to go, and where it came from."""
-    found = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
+    overlays = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
     part = look.cast.parts.get(look.row)
     if part is None or part.explanation is None or part.explanation.plan is None:
-        return found, [f"path: {'a learner' if part is None else part.name} plans no ways; travelled only"]
+        return overlays, [f"path: {'a learner' if part is None else part.name} plans no ways; travelled only"]
     why = why_none(look)
     if why or look.thought is None:
-        return found, [f"path: {why}"]
+        return overlays, [f"path: {why}"]
     if "plan" not in look.thought.groups:
-        return found, ["path: no plans were noted"]
-    return found + planned(plan_of(look.thought), look.unit), []
+        return overlays, ["path: no plans were noted"]
+    return overlays + planned(plan_of(look.thought), look.unit), []
 
 
 def show_roles(look: Look) -> Drawn:
     """Write what every robot does."""
-    found = roles(look.cast, look.shot, look.unit)
-    if found:
-        return found, []
+    overlays = roles(look.cast, look.shot, look.unit)
+    if overlays:
+        return overlays, []
     known = look.cast.reader is not None and look.shot.note is not None
     return [], [f"roles: {'these teams tell none' if known else look.cast.why_no_notes}"]
 

@@ -8,11 +8,11 @@ from math import ceil
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.match import Match
+from soccer_env.render.overlays.cast import Cast, Shot, cast_of, cast_of_replay, shot_of
 from soccer_env.render.overlays.flags import OverlayFlags, flags_of
 from soccer_env.render.overlays.layers import overlays_of
-from soccer_env.render.overlays.scene import Cast, Shot, cast_of, cast_of_replay, shot_of
+from soccer_env.render.overlays.paths import TRAVELLED
 from soccer_env.render.overlays.shapes import Overlay
-from soccer_env.render.overlays.ways import TRAVELLED
 from soccer_env.thoughts.thought import Reader, note_at
 from soccer_env.thoughts.thoughts import Thoughts
 
@@ -43,9 +43,9 @@ class Onlooker:
             return []
         note = self._thoughts.look(match) if self._cast.reader is not None else None
         shot = shot_of(match, note)
-        found = overlays_of(self.flags, self._cast, shot, list(self._past), width)
+        overlays = overlays_of(self.flags, self._cast, shot, list(self._past), width)
         self._past.append(shot)
-        return found
+        return overlays
 
 
 class Reel:

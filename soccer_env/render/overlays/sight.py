@@ -10,7 +10,7 @@ import numpy as np
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS
 from soccer_env.render.colours import BALL, GOALS, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.scene import Camera, Cast, Shot
+from soccer_env.render.overlays.cast import Camera, Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Overlay, Points, Polyline
 
 SIGHT: Colour = (255, 246, 190)
@@ -51,15 +51,15 @@ def by_head(
     x, y = pose[0] + camera.neck * cos(pose[2]), pose[1] + camera.neck * sin(pose[2])
     middle = pose[2] + float(groups["head"][0, 0]) / CENTI
     edge = fan(league, x, y, middle - camera.view / 2, middle + camera.view / 2, RAYS)
-    found: list[Overlay] = [Area([(x, y), *edge], SIGHT, 55)]
-    found.append(Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5 * unit, under=True))
+    overlays: list[Overlay] = [Area([(x, y), *edge], SIGHT, 55)]
+    overlays.append(Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5 * unit, under=True))
     for name in ("landmarks", "own_goal", "opponent_goal", "teammates", "opponents", "ball"):
         for left, right, _, _ in boxes(groups.get(name)):
             low, high = (middle + atan(side / camera.focal) for side in sorted((left, right)))
             rim = fan(league, x, y, low, high, BLOB_RAYS)
-            found.append(Area([(x, y), *rim], tints[name], 105))
-            found.append(Polyline([rim[0], (x, y), rim[-1]], tints[name], 1.2 * unit, under=True))
-    return found
+            overlays.append(Area([(x, y), *rim], tints[name], 105))
+            overlays.append(Polyline([rim[0], (x, y), rim[-1]], tints[name], 1.2 * unit, under=True))
+    return overlays
 
 
 def boxes(blobs: np.ndarray | None) -> list[tuple[int, int, int, int]]:
@@ -87,12 +87,12 @@ def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, f
 def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float) -> list[Overlay]:
     """Return rays to what an omnidirectional camera delivered, and dots where it found white lines."""
     x, y, heading = pose
-    found: list[Overlay] = []
+    overlays: list[Overlay] = []
 
     def ray(bearing: float, distance: float, tint: Colour) -> None:
         end = (x + distance * cos(heading + bearing), y + distance * sin(heading + bearing))
-        found.append(Polyline([(x, y), end], tint, 1.6 * unit, under=True))
-        found.append(Points([end], tint, 4.5 * unit))
+        overlays.append(Polyline([(x, y), end], tint, 1.6 * unit, under=True))
+        overlays.append(Points([end], tint, 4.5 * unit))
 
     seen = groups.get("lines")
     if seen is not None:
@@ -101,10 +101,10 @@ def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour
         angles = heading + turn * np.arange(len(ranges))
         there = ranges > 0.0
         dots = np.column_stack([x + ranges * np.cos(angles), y + ranges * np.sin(angles)])[there]
-        found.append(Points(dots, KEEPER, 2.6 * unit))
+        overlays.append(Points(dots, KEEPER, 2.6 * unit))
     for name in reversed(cast.rays):
         for bearing, distance in groups[name].tolist():
             mate = "teammates" if distance > 0 else "opponents"
             if distance != 0:
                 ray(bearing / CENTI, abs(distance) / CENTI, tints.get(mate if name == "players" else name, WHITE))
-    return found
+    return overlays

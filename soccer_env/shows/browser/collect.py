@@ -16,8 +16,8 @@ from soccer_env.match import Match
 from soccer_env.match.arguments import version
 from soccer_env.render.captions import PHASES
 from soccer_env.render.frame import one_line
+from soccer_env.render.overlays.cast import camera_of, directions_of
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.render.overlays.scene import camera_of, directions_of
 from soccer_env.render.robots import parts_of
 from soccer_env.shows.browser.events import Storyteller
 from soccer_env.shows.browser.fields import Fields
@@ -141,11 +141,11 @@ def camera_on_head(replay: Replay) -> dict[str, Any]:
     """
     sensors = replay.settings["league"].get("sensors")
     camera = camera_of(sensors)
-    found: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}
+    measures: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}
     if camera is not None:
         size = [camera.width, camera.height]
-        found = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
-    return {**found, "directions": directions_of(sensors)}
+        measures = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
+    return {**measures, "directions": directions_of(sensors)}
 
 
 def body_of(league: League) -> dict[str, Any]:

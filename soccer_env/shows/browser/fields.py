@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.render.overlays.cast import cast_of_replay, shot_of
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import ACROSS, forces_at, grid, has_forces, shares_of, target_of
-from soccer_env.render.overlays.scene import cast_of_replay, shot_of
 from soccer_env.shows.browser.packing import pack_bytes
 from soccer_env.thoughts.thought import Reader
 from soccer_env.thoughts.thoughts import Notes

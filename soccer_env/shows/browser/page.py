@@ -38,14 +38,14 @@ def write_page(
     return target
 
 
-def page_of(found: dict[str, Any]) -> str:
+def page_of(contents: dict[str, Any]) -> str:
     """Return the page that shows what `collect` found."""
-    home, away = found["teams"]
+    home, away = contents["teams"]
     scripts = "\n".join(part(name) for name in SCRIPTS)
     filled = {
         "TITLE": html.escape(f"{home} - {away}"),
         "STYLE": part("look.css"),
-        "DATA": as_script(found),
+        "DATA": as_script(contents),
         "SCRIPT": f'"use strict";\n(() => {{\n{scripts}\n}})();',
     }
     page = part("page.html")

@@ -11,7 +11,7 @@ from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.render.canvas import Canvas
 from soccer_env.render.colours import AMBER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.belief import letters
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.shapes import Label, Overlay, Points, Polyline
 from soccer_env.render.view import View
 
@@ -72,9 +72,9 @@ def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit), fallen)] if tags else []
 
 
-def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
+def words_of(team_words: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
     """Return what a robot does, in words, and whether it gets itself free; `said`, `numbers` as in `Thought`."""
-    words = [word for word in said if not (keeper and word in FIELD_ROLES)]
+    words = [word for word in team_words if not (keeper and word in FIELD_ROLES)]
     words = [word for word in words if not any(other != word and other.startswith(word) for other in words)]
     if not words and "rank" in numbers:
         words = ["goalkeeper" if keeper else FIELD_ROLES[min(1, int(numbers["rank"]))]]
@@ -87,7 +87,7 @@ def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, 
 
 def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     """Return the beam of every ranger that reads something, as long as it reads, along the camera's axis."""
-    found: list[Overlay] = []
+    overlays: list[Overlay] = []
     tags: list[tuple[tuple[float, float], str, Colour]] = []
     neck = cast.camera.neck if cast.camera is not None else 0.0
     for row, robot in enumerate(shot.robots):
@@ -98,10 +98,10 @@ def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
         gaze = heading + (float(thought.groups["head"][0, 0]) / CENTI if "head" in thought.groups else 0.0)
         start = (float(robot["x"]) + neck * cos(heading), float(robot["y"]) + neck * sin(heading))
         end = (start[0] + thought.infrared * cos(gaze), start[1] + thought.infrared * sin(gaze))
-        found.append(Polyline([start, end], BEAM, 2.2 * unit))
-        found.append(Points([end], BEAM, 3.6 * unit))
+        overlays.append(Polyline([start, end], BEAM, 2.2 * unit))
+        overlays.append(Points([end], BEAM, 3.6 * unit))
         tags.append((end, f"{thought.infrared:.2f} m", READING))
-    return [*found, Tags(tuple(tags), 0.5 * cast.league.body.reach, letters(unit))] if tags else []
+    return [*overlays, Tags(tuple(tags), 0.5 * cast.league.body.reach, letters(unit))] if tags else []
 
 
 def mark_of_picked(look: Look) -> Overlay:

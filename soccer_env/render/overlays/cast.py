@@ -56,9 +56,9 @@ class Camera(NamedTuple):
 
 def camera_of(sensors: object) -> Camera | None:
     """Return the camera that the settings of sensors describe, None for one that sees all round or is not known."""
-    given = sensors if isinstance(sensors, Mapping) else {}
-    view, neck = given.get("view_width"), given.get("neck_ahead")
-    pixels = PIXELS.fullmatch(str(given.get("resolution")))
+    settings = sensors if isinstance(sensors, Mapping) else {}
+    view, neck = settings.get("view_width"), settings.get("neck_ahead")
+    pixels = PIXELS.fullmatch(str(settings.get("resolution")))
     if not isinstance(view, (int, float)) or not isinstance(neck, (int, float)) or pixels is None:
         return None
     if not (0.0 < view < pi and abs(neck) < 1.0):
@@ -117,8 +117,8 @@ class Cast:
         everybody = np.ones(len(shot.robots), bool)
         if self.reader is None or shot.note is None:
             return everybody
-        found = self.reader.thinks(shot.note)
-        return found if found.any() else everybody
+        thinking = self.reader.thinks(shot.note)
+        return thinking if thinking.any() else everybody
 
 
 def cast_of(match: Match, reader: Reader | None) -> Cast:
@@ -147,8 +147,8 @@ def cast_of_replay(replay: Recorded, match: Match, reader: Reader | None) -> Cas
 
     Only shipped teams are asked: a name in a file loads nothing else.
     """
-    given, sensors = replay.settings, replay.settings["league"].get("sensors")
-    teams = given.get("teams")
+    settings, sensors = replay.settings, replay.settings["league"].get("sensors")
+    teams = settings.get("teams")
     parts = {}
     for row, agent in enumerate(match.agents):
         name = str(teams[agent]) if isinstance(teams, dict) and agent in teams else None

@@ -9,7 +9,7 @@ import numpy as np
 
 from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.render.colours import BALL_SHINE, CARPET, INK, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.scene import Shot
+from soccer_env.render.overlays.cast import Shot
 from soccer_env.render.overlays.shapes import Overlay, Points, Polyline
 from soccer_env.thoughts.thought import Thought
 
@@ -22,29 +22,29 @@ LEAST_STEP = 0.01  # [m] of a way between two of its points
 
 def plan_of(thought: Thought) -> np.ndarray:
     """Return the planned way (N, 2) [m], field frame, empty where there is none."""
-    way = thought.groups.get("plan", np.zeros((0, 2))) / CENTI
-    return way if np.any(way) else np.zeros((0, 2))
+    path = thought.groups.get("plan", np.zeros((0, 2))) / CENTI
+    return path if np.any(path) else np.zeros((0, 2))
 
 
-def planned(way: np.ndarray, unit: float) -> list[Overlay]:
+def planned(path: np.ndarray, unit: float) -> list[Overlay]:
     """Return the planned way, a light line with a dark rim, and a ring round its end."""
-    if len(way) < 2:
+    if len(path) < 2:
         return []
-    rim = Polyline(way, INK, 4.6 * unit)
-    return [rim, Polyline(way, WHITE, 2.4 * unit), Points([way[-1]], WHITE, 7.0 * unit, hollow=True)]
+    rim = Polyline(path, INK, 4.6 * unit)
+    return [rim, Polyline(path, WHITE, 2.4 * unit), Points([path[-1]], WHITE, 7.0 * unit, hollow=True)]
 
 
 def travelled(past: Sequence[Shot], shot: Shot, row: int, rate: float, unit: float) -> list[Overlay]:
     """Return the way that a robot has come in the last seconds; `rate`: control steps a second."""
     tint = TEAMS_LIGHT[int(shot.robots["team"][row])]
-    way = [(float(one.robots["x"][row]), float(one.robots["y"][row])) for one in latest(past, shot, TRAVELLED * rate)]
-    return [Polyline(unbroken(way), tint, 2.0 * unit, under=True)]
+    path = [(float(one.robots["x"][row]), float(one.robots["y"][row])) for one in latest(past, shot, TRAVELLED * rate)]
+    return [Polyline(unbroken(path), tint, 2.0 * unit, under=True)]
 
 
 def ball_trail(past: Sequence[Shot], shot: Shot, rate: float, unit: float) -> list[Overlay]:
     """Return the ball's way of the last seconds, the older the paler."""
-    way = [(float(one.ball["x"]), float(one.ball["y"])) for one in latest(past, shot, TRAIL * rate)]
-    piece = unbroken(way)
+    path = [(float(one.ball["x"]), float(one.ball["y"])) for one in latest(past, shot, TRAIL * rate)]
+    piece = unbroken(path)
     ends = np.linspace(0, len(piece) - 1, PIECES + 1).round().astype(int).tolist()
     return [
         Polyline(piece[first : last + 1], mixed(CARPET, BALL_SHINE, (at + 1) / PIECES), 3.0 * unit, under=True)
@@ -55,15 +55,15 @@ def ball_trail(past: Sequence[Shot], shot: Shot, rate: float, unit: float) -> li
 
 def latest(past: Sequence[Shot], shot: Shot, steps: float) -> list[Shot]:
     """Return the shots of the last control steps, this one the last; none from before the match began anew."""
-    found, now = [shot], step_of(shot)
+    shots, now = [shot], step_of(shot)
     before = now
     for one in reversed(past):
         step = step_of(one)
         if now - step > steps or step >= before:
             break
-        found.append(one)
+        shots.append(one)
         before = step
-    return found[::-1]
+    return shots[::-1]
 
 
 def step_of(shot: Shot) -> int:
@@ -71,10 +71,10 @@ def step_of(shot: Shot) -> int:
     return int(shot.match["step"])
 
 
-def unbroken(way: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+def unbroken(path: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
     """Return the part of a way since the last jump, without points that hardly differ."""
-    piece = [way[-1]]
-    for x, y in reversed(way[:-1]):
+    piece = [path[-1]]
+    for x, y in reversed(path[:-1]):
         away = hypot(x - piece[-1][0], y - piece[-1][1])
         if away > JUMP:
             break
