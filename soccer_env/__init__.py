@@ -63,22 +63,12 @@ __all__ = [
     "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "WholeTruth", "make_team", "soccer_v0",
     "team_of_function",
 ]  # fmt: skip
-__getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing the package stays quick
-    __name__,
-    {
-        "League": "soccer_env.leagues",
-        "Lineup": "soccer_env.teams",
-        "Match": "soccer_env.match",
-        "OwnTerm": "soccer_env.rewards",
-        "Rewards": "soccer_env.rewards",
-        "Scene": "soccer_env.scenes",
-        "Team": "soccer_env.teams",
-        "WholeTruth": "soccer_env.match.truth_state",
-        "make_team": "soccer_env.teams",
-        "soccer_v0": "soccer_env.soccer_v0",
-        "team_of_function": "soccer_env.teams.function_teams",
-    },
-)
+_MODULES = {
+    "League": "leagues", "Lineup": "teams", "Match": "match", "OwnTerm": "rewards", "Rewards": "rewards",
+    "Scene": "scenes", "Team": "teams", "WholeTruth": "match.truth_state", "make_team": "teams",
+    "soccer_v0": "soccer_v0", "team_of_function": "teams.function_teams",
+}  # fmt: skip
+__getattr__, __dir__ = lazy_names(__name__, {name: f"{__name__}.{module}" for name, module in _MODULES.items()})
 
 sys.meta_path.append(FoldersBeside(__name__, __file__, ("baselines", "agents", "train")))  # in a checkout
 _register()

@@ -1,4 +1,4 @@
-"""What a console and a notebook show of an env: the settings it was made from, and a picture of its match."""
+"""Text and picture of an env for consoles and notebooks: its settings, and its match."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ALWAYS = ("league", "home", "away")
 
 
 class Shown:
-    """Something with a `match`, which `arguments` says how to make."""
+    """An env with a `match` that is made from `arguments`."""
 
     match: Match
     arguments: Any
@@ -26,12 +26,12 @@ class Shown:
         return f"{type(self).__name__}({in_words(self.arguments, self.match)})"
 
     def _repr_png_(self) -> bytes | None:
-        """Return what a notebook shows: the first match as it stands, or None without the extra `render`."""
+        """Return a picture of the first match for notebooks, or None without the extra `render`."""
         return png_of(self.match)
 
 
 def in_words(arguments: MatchSettings, match: Any) -> str:
-    """Return league, team sizes and the settings that were changed, as they are written in a call."""
+    """Return league, team sizes and changed settings, written as in a call."""
     settings = match.settings
     shown = {"league": settings.league.name, "home": settings.home, "away": settings.away}
     for item in fields(arguments):
@@ -47,12 +47,12 @@ def is_plain(value: Any) -> bool:
 
 
 def png_of(match: Any, m: int = 0) -> bytes | None:
-    """Return a picture of a match as PNG, or None where it cannot be drawn, as without the extra `render`."""
+    """Return a picture of a match as PNG, or None if it cannot be drawn, as without the extra `render`."""
     try:
         from soccer_env.api.report import Screen
         from soccer_env.render import png_of_frame
 
         return png_of_frame(Screen(match).frame(m))
-    except Exception as error:  # a notebook then shows the words of `repr`, and goes on
+    except Exception as error:  # a notebook then shows the text of `repr`
         LOG.debug("no picture of %r: %s", match, error)
         return None
