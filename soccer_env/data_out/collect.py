@@ -18,7 +18,7 @@ from soccer_env.match import Match
 from soccer_env.types import AWAY, HOME, Phase
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.recorded import Recorded
+    from soccer_env.thoughts.thoughts import Recorded
 
 SHOOT_OUT = 5  # period, as kloppy and the Common Data Format number it
 SIDES = {HOME: "home", AWAY: "away"}

@@ -21,7 +21,7 @@ from soccer_env.teams import Explanation, explanation_of, shipped_team
 from soccer_env.thoughts.thought import Reader, Thought
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.recorded import Recorded
+    from soccer_env.thoughts.thoughts import Recorded
 
 PIXELS = re.compile(r"([1-9]\d{1,3})x([1-9]\d{1,3})")
 

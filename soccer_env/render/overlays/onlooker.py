@@ -17,7 +17,7 @@ from soccer_env.thoughts.thought import Reader, note_at
 from soccer_env.thoughts.thoughts import Thoughts
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.recorded import Recorded
+    from soccer_env.thoughts.thoughts import Recorded
 
 
 class Onlooker:
