@@ -1,8 +1,8 @@
 """A match as datasets of kloppy (extra `data`): `kloppy_tracking` and `kloppy_events`.
 
 Places are in metres from the centre spot, y to the left of x, on a pitch of the league's length and width; kloppy turns
-them into its other coordinate systems: `dataset.transform(to_coordinate_system="kloppy")`. Those that stretch places
-between the lines of a pitch of people (Opta, StatsBomb, Wyscout) make nothing of a penalty area of 0.5 m.
+them into its other coordinate systems: `dataset.transform(to_coordinate_system="kloppy")`. Systems that stretch places
+between the lines of a human pitch (Opta, StatsBomb, Wyscout) do not work with a penalty area of 0.5 m.
 """
 
 from datetime import timedelta
@@ -21,7 +21,7 @@ SHOTS = {"goal": "GOAL", "saved": "SAVED", "blocked": "BLOCKED", "off_target": "
 
 
 def require_kloppy() -> Any:
-    """Return kloppy's domain; ImportError says what to install."""
+    """Return the module `kloppy.domain`; ImportError says what to install."""
     try:
         from kloppy import domain
     except ImportError as error:
@@ -42,7 +42,7 @@ def kloppy_events(replay: Replay) -> Any:
 
 
 def tracking_dataset(recording: Collected) -> Any:
-    """Return a match as a kloppy TrackingDataset: a frame for each control step, robots that are on the pitch."""
+    """Return a match as a kloppy TrackingDataset: a frame for each control step, with the robots on the pitch."""
     domain = require_kloppy()
     about = About(recording, domain)
     robots, ball, owners, in_play = recording.robots, recording.ball, recording.owners(), recording.in_play
@@ -76,7 +76,7 @@ def tracking_dataset(recording: Collected) -> Any:
 def event_dataset(recording: Collected) -> Any:
     """Return a match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls; all else is generic.
 
-    A goal without a shot (carried or bumped in) is a shot with the result GOAL or OWN_GOAL, as kloppy tells goals.
+    A goal without a shot (carried or bumped in) is a shot with the result GOAL or OWN_GOAL, kloppy's form of a goal.
     """
     domain = require_kloppy()
     about = About(recording, domain)
@@ -87,7 +87,7 @@ def event_dataset(recording: Collected) -> Any:
 
 
 class About:
-    """What all records of a match share, in kloppy's classes."""
+    """Teams, players and periods of a match in kloppy's classes."""
 
     def __init__(self, recording: Collected, domain: Any) -> None:
         self.recording, self.domain = recording, domain
@@ -113,18 +113,15 @@ class About:
         for number in np.unique(self.numbers).tolist():
             frames = np.flatnonzero(self.numbers == number)
             self.starts[number] = int(frames[0])
-            self.periods[number] = domain.Period(
-                id=number,
-                start_timestamp=self.since_start(int(frames[0])),
-                end_timestamp=self.since_start(int(frames[-1])),
-            )
+            start, end = (self.since_start(int(frames[at])) for at in (0, -1))
+            self.periods[number] = domain.Period(id=number, start_timestamp=start, end_timestamp=end)
 
     def since_start(self, frame: int) -> timedelta:
         """Return the time from the start of the recording to a frame."""
         return timedelta(seconds=frame / self.recording.league.control_rate)
 
     def since_period(self, frame: int) -> timedelta:
-        """Return the time from the start of a frame's period to it."""
+        """Return the time of a frame since the start of its period."""
         return self.since_start(frame - self.starts[int(self.numbers[frame])])
 
     def team(self, team: int) -> Any:
@@ -132,7 +129,7 @@ class About:
         return self.teams[team] if team in (HOME, AWAY) else None
 
     def moment(self, frame: int, owner: int, in_play: bool) -> dict[str, Any]:
-        """Return what each record says of its moment."""
+        """Return period, time and state of the ball at a frame."""
         state = self.domain.BallState
         return {
             "period": self.periods[int(self.numbers[frame])],
@@ -142,7 +139,7 @@ class About:
         }
 
     def metadata(self, rate: float | None) -> Any:
-        """Return the metadata of a dataset; `rate` [1/s] of one that tracks."""
+        """Return the metadata of a dataset; `rate` [1/s]: of a tracking dataset."""
         domain, recording = self.domain, self.recording
         first = recording.match["home_direction"][0] > 0.0
         if recording.periods[0] not in (1, SHOOT_OUT):
@@ -161,7 +158,7 @@ class About:
         )  # fmt: skip
 
     def event(self, event: Event, number: int) -> Any:
-        """Return an event."""
+        """Return an event in kloppy's classes."""
         domain, build = self.domain, self.domain.EventFactory()
         common = {
             "event_id": f"{number}", "team": self.team(event.team), "player": self.player(event.row),
@@ -196,7 +193,7 @@ class About:
 
 
 def dimensions_of(pitch: Pitch, domain: Any) -> Any:
-    """Return the measures of a pitch in metres."""
+    """Return the dimensions of a pitch in metres."""
     return domain.MetricPitchDimensions(
         x_dim=domain.Dimension(-0.5 * pitch.length, 0.5 * pitch.length),
         y_dim=domain.Dimension(-0.5 * pitch.width, 0.5 * pitch.width),

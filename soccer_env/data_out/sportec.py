@@ -3,12 +3,11 @@
     from kloppy import sportec
     dataset = sportec.load_tracking(meta_data="match.xml", raw_data="match.xml")
 
-The file holds what theirs are two of: the match information and the positions. The format has 25 frames a second,
-numbered from 10,000 in the first half and from 100,000 in the second; each shows the control step nearest in time.
-Places are in metres from the centre spot, y to the left of x, not turned, speeds (S) in km/h; penalty shoot-outs have
-no place in it. It wants a date: a match begins at KICK_OFF, which is no date of anything. A robot that
-is sent off has no frames. BallPossession is 1 home, 2 guest, 0 nobody or both, which kloppy reads as guest: it knows
-no ball of nobody; `kloppy_tracking` does.
+The file holds match information and positions, which the league splits into two files. The format has 25 frames a
+second, numbered from 10,000 in the first half and from 100,000 in the second; each shows the control step nearest in
+time. Places are in metres from the centre spot, y to the left of x, not turned, speeds (S) in km/h. Penalty shoot-outs
+are left out. The format needs a date: every match begins at the arbitrary date KICK_OFF. A robot that is sent off has
+no frames. BallPossession is 1 home, 2 guest, 0 nobody or both; kloppy reads 0 as guest, `kloppy_tracking` does not.
 """
 
 from collections.abc import Iterator
@@ -27,7 +26,7 @@ from soccer_env.types import AWAY, HOME
 RATE = 25  # [1/s] frames, fixed by the format
 SECTIONS = {1: ("firstHalf", 10_000), 2: ("secondHalf", 100_000)}  # by period: name, and number of the first frame
 ROLES = {"home": "home", "away": "guest"}
-KEEPER, PLAYER = "TW", "ZO"  # positions: goalkeeper; there is none for "field player"
+KEEPER, PLAYER = "TW", "ZO"  # positions: goalkeeper, and all others: no code means "field player"
 OWNER = {HOME: 1, AWAY: 2, -1: 0}  # BallPossession
 KMH = 3.6  # the format's S is a speed in km/h
 
@@ -55,7 +54,7 @@ def lines_of(recording: Collected) -> Iterator[str]:
 
 
 def frames_of(recording: Collected, period: int) -> np.ndarray:
-    """Return which of the recording's frames the format shows of a period, 25 a second."""
+    """Return the frames of the recording that the format shows of a period, 25 a second."""
     inside = np.flatnonzero(recording.periods == period)
     if not len(inside):
         return inside
@@ -66,7 +65,7 @@ def frames_of(recording: Collected, period: int) -> np.ndarray:
 
 
 def element(name: str, closed: bool = True, **attributes: object) -> str:
-    """Return the start of an element with attributes, escaped, and its end if it is empty."""
+    """Return the opening tag of an element with escaped attributes; closed: an empty element."""
     written = "".join(f" {key}={quoteattr(printable(str(value)))}" for key, value in attributes.items())
     return f"<{name}{written}{'/' if closed else ''}>"
 
@@ -77,11 +76,11 @@ def printable(text: str) -> str:
 
 
 def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator[str]:
-    """Yield who plays whom, where and how long."""
-    pitch, score = recording.league.pitch, recording.score[-1].tolist()
+    """Yield teams, players, pitch and duration of the match."""
+    pitch, (home, away) = recording.league.pitch, recording.score[-1].tolist()
     yield "<MatchInformation>"
     yield element(
-        "General", MatchId=recording.name, KickoffTime=KICK_OFF.isoformat(), MatchDay=1, Result=f"{score[0]}:{score[1]}",
+        "General", MatchId=recording.name, KickoffTime=KICK_OFF.isoformat(), MatchDay=1, Result=f"{home}:{away}",
         HomeTeamName=recording.teams[0], GuestTeamName=recording.teams[1],
     )  # fmt: skip
     yield element("Environment", PitchX=pitch.length, PitchY=pitch.width)
@@ -106,12 +105,12 @@ def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator
 
 
 def stamp(recording: Collected, frame: int) -> str:
-    """Return when a frame of the recording is."""
+    """Return the time of a frame of the recording."""
     return (KICK_OFF + timedelta(seconds=frame / recording.league.control_rate)).isoformat(timespec="milliseconds")
 
 
 def ball_set(recording: Collected, period: int, frames: np.ndarray) -> Iterator[str]:
-    """Yield where the ball is."""
+    """Yield the frames of the ball."""
     section, first = SECTIONS[period]
     in_play, owners, radius = recording.in_play, recording.owners(), recording.league.ball.radius
     yield element("FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId="BALL", PersonId="BALL")
@@ -126,7 +125,7 @@ def ball_set(recording: Collected, period: int, frames: np.ndarray) -> Iterator[
 
 
 def player_set(recording: Collected, period: int, frames: np.ndarray, player: Player) -> Iterator[str]:
-    """Yield where a robot is while it is on the pitch."""
+    """Yield the frames of a robot while it is on the pitch."""
     section, first = SECTIONS[period]
     robots, row = recording.robots, player.row
     yield element(
@@ -141,5 +140,5 @@ def player_set(recording: Collected, period: int, frames: np.ndarray, player: Pl
 
 
 def moved_words(x: float, y: float, vx: float, vy: float) -> str:
-    """Return the attributes of a place [m] and of a speed, from a velocity [m/s]."""
+    """Return the attributes of a place [m] and of the speed of a velocity [m/s]."""
     return f'X="{x:.4f}" Y="{y:.4f}" S="{KMH * hypot(vx, vy):.3f}"'

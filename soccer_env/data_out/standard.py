@@ -2,15 +2,15 @@
 
 | file | what it holds |
 |---|---|
-| meta.json | pitch, players, periods and who plays on which side |
+| meta.json | pitch, players, periods and sides |
 | match.json | the match sheet: result, players, goals, cards |
 | tracking.jsonl | a line for each frame: robots on the pitch and the ball [m] |
 | event.jsonl | a line for each pass, shot, interception, save, foul and whistle |
 
-The format wants one direction of play: home attacks +x in all periods, so places of the second half are turned by
-180 degrees (`left_team_id` says who truly plays on the left). It wants dates: a match begins at KICK_OFF, which is no
-date of anything. A goal without a shot (carried or bumped in) is a shot of its scorer's, which is how the format tells
-goals; so is an own goal.
+The format needs one direction of play: home attacks +x in all periods, so places of the second half are turned by
+180 degrees (`left_team_id` names the team that really plays on the left). It needs dates: every match begins at the
+arbitrary date KICK_OFF. The format has goals as shots, so a goal without a shot (carried or bumped in) becomes a shot
+of its scorer, and so does an own goal.
 """
 
 import json
@@ -38,9 +38,9 @@ DIGITS = 4  # of a metre: tenths of a millimetre
 
 
 def write_standard(recording: Collected, folder: Path) -> Path:
-    """Write a match as four files of a folder, which takes the place of an earlier one, whole or not at all.
+    """Write a match as four files of a folder, which replaces an earlier folder, whole or not at all.
 
-    In a folder that holds other files as well, files of the same names are replaced one by one.
+    In a folder with other files the four files are replaced one by one.
     """
     match = Standard(recording)
     sheets = (json.dumps(sheet, indent=2) + "\n" for sheet in (match.meta(), match.sheet()))
@@ -67,7 +67,7 @@ class Standard:
         self.shot_in = {(event.end_frame, event.team) for event in recording.events if event.outcome == "goal"}
 
     def time(self, frame: int) -> str:
-        """Return when a frame is, as UTC."""
+        """Return the time of a frame as UTC."""
         at = KICK_OFF + timedelta(seconds=frame / self.recording.league.control_rate)
         return at.isoformat(timespec="microseconds").replace("+00:00", "Z")
 
@@ -108,12 +108,12 @@ class Standard:
         }  # fmt: skip
 
     def numbers(self) -> list[int]:
-        """Return the periods that the recording has frames of."""
+        """Return the numbers of the recorded periods."""
         periods: list[int] = np.unique(self.periods).tolist()
         return periods
 
     def about_period(self, period: int) -> dict[str, Any]:
-        """Return what meta.json says of a period."""
+        """Return the entry of a period in meta.json."""
         frames = np.flatnonzero(self.periods == period)
         first, last = int(frames[0]), int(frames[-1])
         left, right = ("home", "away") if self.direction[last] > 0.0 else ("away", "home")
@@ -134,7 +134,7 @@ class Standard:
         return [player for player in self.recording.players if player.side == side]
 
     def about(self, player: Player) -> dict[str, Any]:
-        """Return what meta.json says of a robot."""
+        """Return the entry of a robot in meta.json."""
         starter = bool(self.recording.robots["active"][0, player.row] == 1)
         return {
             "id": player.name, "team_id": player.side, "jersey_number": player.number, "is_starter": starter,
@@ -209,7 +209,7 @@ class Standard:
             }  # fmt: skip
 
     def tracked(self, frame: int, player: Player, speeds: np.ndarray) -> dict[str, Any]:
-        """Return where a robot is in a frame."""
+        """Return the place of a robot in a frame."""
         robots, row = self.recording.robots, player.row
         x, y = self.place(frame, robots["x"][frame, row], robots["y"][frame, row])
         return {"id": player.name, "x": x, "y": y, "vel": round(float(speeds[frame, row]), DIGITS)}
@@ -230,7 +230,7 @@ class Standard:
             }
 
     def event_fields(self, event: Event) -> dict[str, Any] | None:
-        """Return an event in the words of the format; None for one that it has none for."""
+        """Return the fields of an event in the format; None for an event that the format does not have."""
         if event.kind == "pass":
             return self.played(event, "pass", None, event.outcome, event.outcome == "successful")
         if event.kind == "shot":
@@ -249,7 +249,7 @@ class Standard:
         return None
 
     def common(self, event: Event) -> dict[str, Any]:
-        """Return what every event has."""
+        """Return the fields that all events have."""
         x, y = self.place(event.frame, event.x, event.y)
         return {
             "time": self.time(event.frame), "period": self.period(event.frame), "x": x, "y": y,
@@ -258,14 +258,14 @@ class Standard:
         }  # fmt: skip
 
     def called(self, event: Event, sub_type: str, outcome: str) -> dict[str, Any]:
-        """Return a call of the referee's."""
+        """Return the fields of a call of the referee."""
         return {
             **self.common(event), "type": "referee", "sub_type": sub_type, "outcome_type": outcome,
             "is_successful": True, "official_id": REFEREE,
         }  # fmt: skip
 
     def played(self, event: Event, kind: str, sub_type: str | None, outcome: str, good: bool) -> dict[str, Any]:
-        """Return what a robot did."""
+        """Return the fields of a robot's event."""
         fields = {
             **self.common(event), "type": kind, "sub_type": sub_type, "outcome_type": outcome, "is_successful": good,
             "player_id": self.name(event.row), "team_id": SIDES[event.team],

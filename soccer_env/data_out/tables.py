@@ -1,7 +1,7 @@
 """Tidy tables: one row for each frame and object, and one for each event, with a unit and a meaning for each column.
 
-Places are in the field frame, in metres: origin at the centre spot, x along the pitch, y to the left of it. They are
-not turned: teams change sides at half-time, and `home_direction` says where home attacks.
+Places are in the field frame, in metres: origin at the centre spot, x along the pitch, y to the left of x. They are
+not turned: teams change sides at half-time, and `home_direction` says in which direction home attacks.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ BALL = "ball"
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table: numbers have a unit, "" for those without; kind: "text", "whole", "number" or "flag"."""
+    """A column of a table; kind: "text", "whole", "number" or "flag"; unit: of numbers, "" for none."""
 
     name: str
     kind: str
@@ -27,7 +27,7 @@ class Column:
 
 
 def number(name: str, unit: str, text: str) -> Column:
-    """Return a column of numbers; what does not apply is missing (NaN)."""
+    """Return a column of numbers; NaN where the number does not apply."""
     return Column(name, "number", unit, text)
 
 
@@ -37,7 +37,7 @@ def whole(name: str, text: str) -> Column:
 
 
 def word(name: str, text: str) -> Column:
-    """Return a column of words; what does not apply is empty."""
+    """Return a column of words; empty where the word does not apply."""
     return Column(name, "text", "", text)
 
 
@@ -86,7 +86,7 @@ TABLES = {"tracking": TRACKING, "events": EVENTS}
 
 
 def tracking_table(recording: Collected) -> Table:
-    """Return a row for each frame and object: all of one frame after another, the ball first."""
+    """Return a row for each frame and object, frame by frame, the ball first."""
     frames, robots = recording.robots["x"].shape
     objects = robots + 1
     every = np.repeat(np.arange(frames), objects)
@@ -105,7 +105,7 @@ def tracking_table(recording: Collected) -> Table:
 
 
 def moments(recording: Collected) -> Table:
-    """Return what a table says of each frame (T,)."""
+    """Return the columns (T,) that describe each frame."""
     phases = np.array([PHASES[phase] for phase in range(max(PHASES) + 1)], object)
     return {
         "match": np.full(len(recording), recording.name, object),
