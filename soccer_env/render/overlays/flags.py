@@ -1,4 +1,4 @@
-"""The overlays of a picture, and the robot that they are about."""
+"""The flags that choose the overlays of a picture, and their robot."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NUMBERED = re.compile(r"(home|away|red|blue)[ _-]?(\d+)")
 
 @dataclass(frozen=True, kw_only=True)
 class OverlayFlags(Checked):
-    """What pictures, films and windows show over the match."""
+    """The overlays of pictures, films and windows."""
 
     TITLED = False
 
@@ -44,17 +44,17 @@ class OverlayFlags(Checked):
 
     @property
     def any(self) -> bool:
-        """Tell whether anything is to be shown."""
+        """Tell whether any overlay is on."""
         return any(getattr(self, name) for name in FLAGS)
 
     @property
     def need_groups(self) -> bool:
-        """Tell whether what cameras delivered and robots plan is to be shown: `thoughts.groups`."""
+        """Tell whether an overlay needs percepts of the camera or plans: `thoughts.groups`."""
         return self.sight or self.field or self.path or self.infrared
 
     @property
     def agent(self) -> str | None:
-        """Return the agent that is asked for, None for whoever is nearest to the ball."""
+        """Return the agent that `robot` names, None for the robot nearest to the ball."""
         numbered = NUMBERED.fullmatch(self.robot)
         if numbered is None:
             return None
@@ -62,7 +62,7 @@ class OverlayFlags(Checked):
         return f"{side}_{int(numbered[2])}"
 
     def turned(self, name: str) -> OverlayFlags:
-        """Return the flags with one of them turned over."""
+        """Return the flags with one flag inverted."""
         changed: dict[str, Any] = {name: not getattr(self, name)}
         return replace(self, **changed)
 
@@ -71,9 +71,9 @@ FLAGS = tuple(item.name for item in fields(OverlayFlags) if item.type == "bool")
 
 
 def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
-    """Return flags from flags, a mapping, or names as in "belief,trail"; None: nothing is shown.
+    """Return the flags of OverlayFlags, a mapping, names as in "belief,trail", or None (no overlay).
 
-    ValueError names what is not known.
+    ValueError names an unknown overlay.
     """
     if overlays is None:
         return OverlayFlags()
@@ -90,5 +90,5 @@ def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> Overlay
 
 
 def part_of_flags(settings: OverlayFlags) -> OverlayFlags:
-    """Return the flags alone out of settings that have more."""
+    """Return only the flags of settings with more fields."""
     return OverlayFlags(**{item.name: getattr(settings, item.name) for item in fields(OverlayFlags)})

@@ -21,24 +21,24 @@ LEAST_UNIT = 0.7  # of sizes in a picture of 960 px: letters stay legible in sma
 
 
 class Look(NamedTuple):
-    """One moment as a layer sees it."""
+    """The input of a layer: one moment, and the selected robot."""
 
     cast: Cast
     shot: Shot
     past: Sequence[Shot]  # the latest last, `shot` not among them
-    row: int  # of the robot that is looked into
+    row: int  # of the selected robot
     thought: Thought | None  # of that robot
     unit: float  # [1] scale of lines and letters
 
     @property
     def name(self) -> str:
-        """Return what people call that robot."""
+        """Return the robot's name for people, such as "red 1"."""
         robot = self.shot.robots[self.row]
         return f"{TEAM_NAMES[int(robot['team'])]} {int(robot['number'])}"
 
 
 def overlays_of(flags: OverlayFlags, cast: Cast, shot: Shot, past: Sequence[Shot], width: int) -> list[Overlay]:
-    """Return what the flags ask for, in the order in which it is drawn; `width` [px] of the picture scales it."""
+    """Return the overlays of the flags in the order of drawing; the picture's `width` [px] scales them."""
     if not flags.any:
         return []
     row = cast.picked(flags, shot)
@@ -63,7 +63,7 @@ Drawn = tuple[list[Overlay], list[str]]
 
 
 def why_none(look: Look) -> str:
-    """Return why nothing is known of what the robot thinks, "" if it is known."""
+    """Return why the robot's thoughts are unknown, "" if they are known."""
     if look.cast.reader is None or look.shot.note is None:
         return look.cast.why_no_notes
     if look.thought is None or not look.thought.knows:
@@ -72,7 +72,7 @@ def why_none(look: Look) -> str:
 
 
 def show_belief(look: Look) -> Drawn:
-    """Draw what the robot believes."""
+    """Draw the beliefs of the robot."""
     why = why_none(look)
     if why or look.thought is None:
         return [], [f"belief: {why}"]
@@ -80,7 +80,7 @@ def show_belief(look: Look) -> Drawn:
 
 
 def show_sight(look: Look) -> Drawn:
-    """Draw what its camera delivered."""
+    """Draw the percepts of the robot's camera."""
     groups = {} if look.thought is None else look.thought.groups
     by_head = "head" in groups and look.cast.camera is not None
     if not (by_head or (groups and look.cast.rays)):
@@ -90,7 +90,7 @@ def show_sight(look: Look) -> Drawn:
 
 
 def show_field(look: Look) -> Drawn:
-    """Draw the potential field of its team."""
+    """Draw the potential field of the robot's team."""
     part = look.cast.parts.get(look.row)
     if part is None or not has_forces(part):
         who = "a learner" if part is None else part.name
@@ -105,7 +105,7 @@ def show_field(look: Look) -> Drawn:
 
 
 def show_path(look: Look) -> Drawn:
-    """Draw where it plans to go, and where it came from."""
+    """Draw the planned and the travelled path of the robot."""
     overlays = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
     part = look.cast.parts.get(look.row)
     if part is None or part.explanation is None or part.explanation.plan is None:
@@ -137,16 +137,11 @@ def show_infrared(look: Look) -> Drawn:
 
 
 def show_trail(look: Look) -> Drawn:
-    """Draw where the ball came from."""
+    """Draw the trail of the ball."""
     return ball_trail(look.past, look.shot, look.cast.league.control_rate, look.unit), []
 
 
 LAYERS = {
-    "field": show_field,
-    "sight": show_sight,
-    "trail": show_trail,
-    "path": show_path,
-    "infrared": show_infrared,
-    "belief": show_belief,
-    "roles": show_roles,
-}
+    "field": show_field, "sight": show_sight, "trail": show_trail, "path": show_path, "infrared": show_infrared,
+    "belief": show_belief, "roles": show_roles,
+}  # fmt: skip

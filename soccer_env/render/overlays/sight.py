@@ -1,4 +1,4 @@
-"""What a camera has in view, and what it delivered: drawn from where the robot really stands."""
+"""The field of view of a camera and its percepts, drawn from the true pose of the robot."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from soccer_env.render.overlays.cast import Camera, Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Overlay, Points, Polyline
 
 SIGHT: Colour = (255, 246, 190)
-RAYS = 41  # of the fan that the field of view is drawn as
+RAYS = 41  # of the fan that shows the field of view
 BLOB_RAYS = 5
 
 Pose = tuple[float, float, float]
@@ -22,7 +22,7 @@ Groups = Mapping[str, np.ndarray]
 
 
 def in_sight(cast: Cast, shot: Shot, row: int, groups: Groups, unit: float) -> list[Overlay]:
-    """Return the view and what was delivered of it."""
+    """Return the field of view and the percepts of a robot (row)."""
     robot = shot.robots[row]
     pose = (float(robot["x"]), float(robot["y"]), float(robot["heading"]))
     tints = colours_of(int(robot["team"]), float(shot.match["home_direction"]))
@@ -32,7 +32,7 @@ def in_sight(cast: Cast, shot: Shot, row: int, groups: Groups, unit: float) -> l
 
 
 def colours_of(team: int, home_direction: float) -> dict[str, Colour]:
-    """Return the colours of what a robot of a team sees."""
+    """Return the colours of the things that a robot of a team sees."""
     own_end = 0 if (home_direction > 0.0) == (team == 0) else 1
     return {
         "ball": BALL,
@@ -63,7 +63,7 @@ def by_head(
 
 
 def boxes(blobs: np.ndarray | None) -> list[tuple[int, int, int, int]]:
-    """Return left, right, high and low [px] of the blobs that are there."""
+    """Return left, right, high and low [px] of the seen blobs."""
     return [] if blobs is None else [tuple(box) for box in blobs.tolist() if any(box)]
 
 
@@ -75,17 +75,17 @@ def fan(league: League, x: float, y: float, low: float, high: float, rays: int) 
 def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, float]:
     """Return where a ray from a point of the pitch leaves it."""
     across, up = cos(angle), sin(angle)
-    ways = []
+    distances = []
     if abs(across) > 1e-9:
-        ways.append((np.copysign(league.pitch.length / 2, across) - x) / across)
+        distances.append((np.copysign(league.pitch.length / 2, across) - x) / across)
     if abs(up) > 1e-9:
-        ways.append((np.copysign(league.pitch.width / 2, up) - y) / up)
-    way = max(0.0, float(min(ways)))
-    return x + way * across, y + way * up
+        distances.append((np.copysign(league.pitch.width / 2, up) - y) / up)
+    distance = max(0.0, float(min(distances)))
+    return x + distance * across, y + distance * up
 
 
 def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float) -> list[Overlay]:
-    """Return rays to what an omnidirectional camera delivered, and dots where it found white lines."""
+    """Return rays to the percepts of an omnidirectional camera, and dots where it found white lines."""
     x, y, heading = pose
     overlays: list[Overlay] = []
 
