@@ -1,20 +1,20 @@
 """Play learned teams: networks, policy files and the bundled policies.
 
 learned.py      a policy as a team
-policy.py       what a policy is: a network and all that has to agree before it may play
-normalising.py  how observations are normalised before a network sees them
-rules_known.py  the rules it was trained under, and a warning where it plays under others
-trained_with.py the senses it was trained with, and how those of a match differ
+policy.py       a policy: a network, and the facts that must agree before it may play
+normalising.py  normalisation of observations before a network
+rules_known.py  the rules that a policy was trained under, and a warning under other rules
+trained_with.py the senses that a policy was trained with, and differences from a match
 policy_file.py  policy files, which never run code
-torch_policy.py policies of any library on torch, written as such files
-torch_layers.py what stands in a torch module
-sb3_zip.py      zips of stable-baselines3, read without running what is in them
-sb3_actor.py    which of their parameters are the actor
+torch_policy.py policies of any torch library, written as policy files
+torch_layers.py the layers of a torch module
+sb3_zip.py      zips of stable-baselines3, read without running their contents
+sb3_actor.py    the parameters of the actor in these zips
 onnx_team.py    policies in ONNX files as teams
-onnx_checks.py  what such a file may hold: a network of known size
+onnx_checks.py  checks of ONNX files: a network of known size
 perceptron.py   the network, computed in compiled code
-attention.py    attention over other players, before its layers
-policies/       the bundled policies, with their page
+attention.py    attention over other players, before the layers
+policies/       the bundled policies, with their model card
 """
 
 from typing import TYPE_CHECKING
@@ -26,11 +26,5 @@ if TYPE_CHECKING:
     from soccer_env.agents.torch_policy import save_policy
 
 __all__ = ["convert_sb3", "load_sb3", "save_policy"]
-__getattr__, __dir__ = lazy_names(
-    __name__,
-    {
-        "convert_sb3": "soccer_env.agents.sb3_zip",
-        "load_sb3": "soccer_env.agents.sb3_zip",
-        "save_policy": "soccer_env.agents.torch_policy",
-    },
-)
+_ZIP, _TORCH = "soccer_env.agents.sb3_zip", "soccer_env.agents.torch_policy"
+__getattr__, __dir__ = lazy_names(__name__, {"convert_sb3": _ZIP, "load_sb3": _ZIP, "save_policy": _TORCH})

@@ -1,13 +1,13 @@
-"""Attention over other players, for policies of kind "attention": what comes before their layers.
+"""Attention over other players, before the layers of policies of kind "attention".
 
-    q      = Q fixed                                 (width,)  fixed: what belongs to no slot
+    q      = Q fixed                                 (width,)  fixed: the entries that belong to no slot
     e_s    = activation(W slot_s + b)                (width,)  of each slot s in use; all slots share W and b
     a_s    = exp(q . e_s) / sum_s exp(q . e_s)                 [Vaswani et al. 2017, 3.2.1]
     pooled = sum_s a_s e_s                           (width,)  zeros if no slot is in use
 
-Team-mates have one Q, W and b, opponents another; what is pooled of each goes behind the fixed entries into the first
-layer. So the order of the slots does not matter, nor do the entries of empty ones. Unlike the paper there is one head
-and no division by sqrt(width): Q learns its own scale.
+Team-mates have one Q, W and b, opponents another; both pooled vectors follow the fixed entries in the input of the
+first layer. So the order of slots does not matter, nor do the entries of empty slots. Unlike the paper there is one
+head and no division by sqrt(width): Q learns its own scale.
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ PLAYERS = (TEAMMATE, OPPONENT)  # groups of entries
 TENSORS = tuple(f"{kind}.{part}" for kind in PLAYERS for part in ("weight", "bias", "query"))  # W, b, Q
 NARROWEST = 8  # least width, beside a small hidden layer
 SHARE = 4  # [1] how many times as wide the first hidden layer is
-FIXED = 0  # places in the shape; of slots and their entries it has two numbers, one for each kind
+FIXED = 0  # places in the shape; slots and entries have two numbers each, one for each kind of player
 WIDTH = 1
 SLOTS = 2
 ENTRIES = 4
@@ -32,7 +32,7 @@ SHAPE = 6  # numbers of the shape
 
 @dataclass(frozen=True)
 class Layout:
-    """How many numbers of an observation belong to what; slots come last, team-mates first."""
+    """The parts of an observation, by numbers of entries; slots come last, team-mates first."""
 
     fixed: int  # entries that belong to no slot
     slots: tuple[int, int]  # of team-mates and opponents
@@ -43,7 +43,7 @@ class Layout:
         return tuple(shape for size in self.entries for shape in ((width, size), (width,), (width, self.fixed)))
 
     def features(self, width: int) -> int:
-        """Return how many numbers the first layer takes in."""
+        """Return the number of inputs of the first layer."""
         return self.fixed + len(PLAYERS) * width
 
 
@@ -71,7 +71,7 @@ def layout_of(inputs: Sequence[Entry]) -> Layout:
 
 
 def _alike(entry: Entry) -> Entry:
-    """Return what the entries of the same kind in all slots have in common."""
+    """Return an entry without name and slot: equal for the same entry of all slots."""
     return replace(entry, name="", slot=None)
 
 
@@ -96,18 +96,18 @@ def flat(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
 
 @compiled
 def observed(numbers, shape):
-    """Return how many entries an observation has; its shape begins at index `shape`."""
-    found = numbers[shape + FIXED]
+    """Return the number of entries of an observation, whose shape begins at index `shape`."""
+    count = numbers[shape + FIXED]
     for kind in range(2):
-        found += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
-    return int(found)
+        count += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
+    return int(count)
 
 
 @compiled
 def attend(numbers, shape, start, smooth, scratch):
-    """Put what is pooled of both kinds behind the fixed entries in scratch[2]; return the index of the next number.
+    """Write both pooled vectors after the fixed entries of scratch[2]; return the index of the next number.
 
-    Scratch[0] and scratch[1] are working space; `smooth` is True for tanh.
+    scratch[0] and scratch[1] are working space; `smooth` is True for tanh.
     """
     fixed, width = int(numbers[shape + FIXED]), int(numbers[shape + WIDTH])
     at, first = start, fixed
@@ -136,7 +136,7 @@ def ask(numbers, at, fixed, width, scratch):
 
 @compiled
 def pool(numbers, at, first, slots, entries, width, to, smooth, scratch):
-    """Write what is pooled of a kind's slots into scratch[1] from `to` on, with q in scratch[0] and each e behind it.
+    """Write the pooled vector of a kind of player into scratch[1] from `to` on; scratch[0] holds q and then each e.
 
     The weights are relative to the largest so far, so that no exponential overflows.
     """
@@ -162,7 +162,7 @@ def pool(numbers, at, first, slots, entries, width, to, smooth, scratch):
 
 @compiled
 def encode(numbers, at, slot, entries, width, smooth, scratch):
-    """Write e of one slot into scratch[0], behind q."""
+    """Write e of one slot into scratch[0], after q."""
     bias = at + entries * width
     for j in range(width):
         scratch[0, width + j] = numbers[bias + j]

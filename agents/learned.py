@@ -1,8 +1,8 @@
 """Teams that play a trained policy: `learned`, the bundled one, and every policy file.
 
-A decision is kept for `action_repeat` control steps. Where the walk of a legged robot is latched when a gait step
-ends, decisions come just early enough for that: the first one `first_decision` control steps into an episode; until
-then a robot stands.
+A decision is kept for `action_repeat` control steps. The walk of a legged robot is latched when a gait step ends, so
+decisions come just early enough for that: the first one `first_decision` control steps into an episode. Until then a
+robot stands.
 """
 
 from pathlib import Path
@@ -26,11 +26,11 @@ MEMORY = record(
         ("action", "f8", NUMBER, (7,)),  # forward, left, turn, kick, head, pan, tilt
     ]
 )
-HEAD = 4  # index of the head's number in an action
+HEAD = 4  # index of the head mode in an action
 
 
 class LearnedTeam(ObservingTeam):
-    """A policy as a team; `policy` says where it comes from."""
+    """A team that plays a policy."""
 
     policy: Policy
 
@@ -39,13 +39,13 @@ class LearnedTeam(ObservingTeam):
         return team_again, (dump(self.policy), bool(self.settings[AT_ONCE]))
 
     def check_league(self, league: League) -> None:
-        """Raise ValueError, with the reason, if the policy does not play this league; warn of rules unknown to it."""
+        """Raise ValueError if the policy does not play this league; warn if its rules differ from the training."""
         self.policy.check_plays(league)
         self.policy.tell_of_rules(league)
 
 
 def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
-    """Return the team that plays a policy; `at_once`: its decisions are counted from the first step of an episode."""
+    """Return the team that plays a policy; `at_once`: its first decision is in the first step of an episode."""
     made = LearnedTeam(
         policy.name, decide_slice, MEMORY, pack(policy, at_once), (policy.family,), observe=policy.observe
     )
@@ -54,31 +54,25 @@ def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
 
 
 def team_again(data: bytes, at_once: bool) -> LearnedTeam:
-    """Return the team that was pickled."""
+    """Return the pickled team."""
     return team_of(parse(data, "a pickled team"), at_once)
 
 
 def from_file(path: str | Path) -> LearnedTeam:
-    """Return the team of a policy file; ValueError says what is wrong with it."""
+    """Return the team of a policy file; ValueError for a wrong file."""
     policy = load(Path(path))
     return team_of(policy, policy.at_once)
 
 
 def from_zip(
-    path: str | Path,
-    league: str | League = "legged-2001",
-    observe: str = "truth",
-    action_repeat: int = 1,
-    activation: str | None = None,
-    at_once: bool = True,
-    pose: str | None = None,
-    senses: str | None = None,
+    path: str | Path, league: str | League = "legged-2001", observe: str = "truth", action_repeat: int = 1,
+    activation: str | None = None, at_once: bool = True, pose: str | None = None, senses: str | None = None,
     rules: str | None = None,
-) -> LearnedTeam:
+) -> LearnedTeam:  # fmt: skip
     """Return the team of a zip that stable-baselines3 saved after training through one of our APIs with these settings.
 
-    at_once: episodes began with a decision, as the APIs do it; False for `train.vec_env.SoccerVecEnv`. pose, senses,
-    rules: of the training; None: not known, and evaluations ask for neither pose nor senses.
+    at_once: episodes began with a decision, as in the APIs; False for `train.vec_env.SoccerVecEnv`. pose, senses,
+    rules: of the training; None: unknown, and evaluations then set neither pose nor senses.
     """
     from soccer_env.agents.sb3_zip import load_sb3
 
@@ -97,7 +91,7 @@ def team(strength: float = 1.0) -> LearnedTeam:
 
 
 def first_decision(delay_steps: int, repeat: int) -> int:
-    """Return the control steps until the first decision: it comes a perception-to-motion delay before a repeat ends."""
+    """Return the control steps until the first decision, a perception-to-motion delay before the end of a repeat."""
     return -delay_steps % repeat
 
 

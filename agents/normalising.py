@@ -1,8 +1,8 @@
-"""How a policy's observations are normalised before its network sees them, as VecNormalize and its like do it.
+"""Normalisation of a policy's observations before its network, as by VecNormalize.
 
     x' = min(max((x - mean) / deviation, -limit), limit)         of each input
 
-A policy keeps it as a table of plain numbers: "mean" and "deviation", one for each input, and "limit".
+A policy stores it as a table of plain numbers: "mean" and "deviation", one for each input, and "limit".
 """
 
 from collections.abc import Mapping
@@ -19,11 +19,10 @@ LEAST = 1e-12  # of a deviation
 
 
 def table_of(normaliser: Any) -> dict[str, Any]:
-    """Return the table of what normalised observations in training; {} for None.
+    """Return the table of the normaliser of the training; {} for None.
 
-    That is a table of KEYS, or VecNormalize of stable-baselines3, or another object with `obs_rms` that has `mean` and
-    `var`, as Gymnasium's NormalizeObservation: x' = (x - mean) / sqrt(var + epsilon), cut off at `clip_obs`, if there
-    is one.
+    normaliser: a table of KEYS, VecNormalize of stable-baselines3, or an object whose `obs_rms` has `mean` and `var`,
+    such as Gymnasium's NormalizeObservation: x' = (x - mean) / sqrt(var + epsilon), clipped at its `clip_obs`, if any.
     """
     if normaliser is None or getattr(normaliser, "norm_obs", True) is False:
         return {}
@@ -45,7 +44,7 @@ def table_of(normaliser: Any) -> dict[str, Any]:
 
 
 def check_normalise(table: object, inputs: int) -> float:
-    """Return the largest number that the network can take in; ValueError unless it is a table of KEYS, or empty."""
+    """Return the largest possible input of the network; ValueError unless the table is empty or has KEYS."""
     if not isinstance(table, Mapping) or (table and set(table) != set(KEYS)):
         raise ValueError(f"normalise must be empty or a table of {', '.join(KEYS)}, got {brief(table)}")
     if not table:
@@ -62,11 +61,11 @@ def check_normalise(table: object, inputs: int) -> float:
 
 
 def check_number(key: str, value: object, least: float) -> None:
-    """Raise ValueError unless a value is a number of Python's own in the range."""
+    """Raise ValueError unless a value is a Python number from `least` to MOST."""
     if type(value) not in (int, float) or not isfinite(value) or not least <= value <= MOST:  # type: ignore[arg-type, operator]
         raise ValueError(f"normalise[{key!r}] must hold numbers from {least:g} to {MOST:g}, got {brief(value)}")
 
 
 def numbers_of(table: Mapping[str, Any]) -> np.ndarray:
-    """Return the table as numbers (1 + 2 inputs,): limit, means, deviations; empty for an empty one."""
+    """Return the table as numbers (1 + 2 inputs,): limit, means, deviations; no numbers for an empty table."""
     return np.array([table["limit"], *table["mean"], *table["deviation"]] if table else [], np.float64)

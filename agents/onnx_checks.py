@@ -1,11 +1,11 @@
-"""What an ONNX file of a stranger may hold: a network whose time and memory are known before it plays.
+"""Checks of untrusted ONNX files: a network whose time and memory are known before it plays.
 
     file         at most 16 MiB, all of its weights inside
     operators    those of OPERATORS, of the standard opset; so no loops, no random numbers, no code of other libraries
-    sizes        every array has a size that follows from that of the observations, within MAX_VALUES and MAX_WORK
+    sizes        the size of every array follows from that of the observations, within MAX_VALUES and MAX_WORK
 
-onnxruntime reads none of the file's own bytes, but what the package `onnx` understood of them, written anew. It trusts
-its files: it reads others that they name, loops for ever and takes all memory that they ask for.
+onnxruntime trusts its files: it reads other files that they name, loops for ever and takes any amount of memory. So it
+never gets the file itself, but a copy that the package `onnx` has parsed and written.
 """
 
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ from soccer_env.guards.checking import brief
 
 MAX_FILE = 16 * 2**20  # [bytes] as of our own policy files
 MAX_PARTS = 50_000  # messages in a file; an export has a few for each operator
-MAX_CONSTANT = 2**24  # numbers in arrays that do not grow with the rows: weights, and those turned round
+MAX_CONSTANT = 2**24  # numbers in arrays that do not grow with the rows: weights, and transposed weights
 MAX_VALUES = 2**20  # numbers in all arrays together, for each row
 MAX_WORK = 2**27  # multiplications of matrices for each row; a network of 4 million weights needs 2^22
 OPERATORS = {
@@ -37,7 +37,7 @@ INSIDE = "export it with the weights inside, as by torch.onnx.export(..., extern
 
 
 def checked_model(content: bytes) -> Any:
-    """Return the model of an ONNX file, without what `onnx` does not know and nobody needs; ValueError if unsafe."""
+    """Return the model of an ONNX file, without unknown and unneeded fields; ValueError if it is unsafe."""
     import onnx
 
     try:
@@ -50,8 +50,8 @@ def checked_model(content: bytes) -> Any:
             raise ValueError(f"has weights in another file, {brief(name)}: {INSIDE}")
     model.DiscardUnknownFields()
     graph = model.graph
-    for what, found in (("functions of its own", model.functions), ("sparse weights", graph.sparse_initializer)):
-        if found:
+    for what, extras in (("functions of its own", model.functions), ("sparse weights", graph.sparse_initializer)):
+        if extras:
             raise ValueError(f"has {what}: export it with standard operators alone")
     for name in ("training_info", "metadata_props"):
         model.ClearField(name)
@@ -67,18 +67,18 @@ def checked_model(content: bytes) -> Any:
 
 
 def parts_of(model: Any) -> Iterator[Any]:
-    """Yield all messages in a message, those of inner graphs and functions too; ValueError for too many."""
+    """Yield all messages in a message, with inner graphs and functions; ValueError for too many."""
     waiting, count = [model], 0
     while waiting:
         message = waiting.pop()
         yield message
         for field, value in message.ListFields():
             if field.message_type is not None:
-                found = [value] if hasattr(value, "ListFields") else value
-                count += len(found)
+                parts = [value] if hasattr(value, "ListFields") else value
+                count += len(parts)
                 if count > MAX_PARTS:
                     raise ValueError(f"has more than {MAX_PARTS} parts")
-                waiting.extend(found)
+                waiting.extend(parts)
 
 
 def check_operators(nodes: Any) -> None:
@@ -93,8 +93,8 @@ def check_operators(nodes: Any) -> None:
 def check_input(model: Any) -> None:
     """Raise ValueError unless a model has one input (B, n), where n is a number."""
     axes = {one.name: [axis.dim_param or axis.dim_value for axis in axes_of(one)] for one in inputs_of(model)}
-    if [len(found) for found in axes.values()] != [2]:
-        got = ", ".join(f"{name} {found}" for name, found in axes.items())
+    if [len(sizes) for sizes in axes.values()] != [2]:
+        got = ", ".join(f"{name} {sizes}" for name, sizes in axes.items())
         raise ValueError(f"must have one input (B, n), got {got or 'none'}; see team_of_function")
     width = next(iter(axes.values()))[1]
     if not isinstance(width, int) or width < 1:
@@ -102,24 +102,24 @@ def check_input(model: Any) -> None:
 
 
 def inputs_of(model: Any) -> list[Any]:
-    """Return the inputs that are no weights."""
+    """Return the inputs of a model that are no weights."""
     weights = {tensor.name for tensor in model.graph.initializer}
     return [one for one in model.graph.input if one.name not in weights]
 
 
 def axes_of(value: Any) -> Any:
-    """Return the axes of an array as the file says them."""
+    """Return the axes of an array in the file."""
     return value.type.tensor_type.shape.dim
 
 
 def check_sizes(model: Any, rows: int) -> None:
-    """Raise ValueError unless all that a model computes for so many rows is known, and within bounds."""
+    """Raise ValueError unless all arrays and all work of a model for this number of rows are known and bounded."""
     import onnx
 
     pinned = onnx.ModelProto()
     pinned.CopyFrom(model)
     axes_of(inputs_of(pinned)[0])[0].dim_value = rows
-    for output in pinned.graph.output:  # what is said of sizes is not believed
+    for output in pinned.graph.output:  # sizes in the file are not trusted
         output.type.tensor_type.ClearField("shape")
     try:
         graph = onnx.shape_inference.infer_shapes(pinned, check_type=True, strict_mode=True, data_prop=True).graph
@@ -139,13 +139,13 @@ def check_sizes(model: Any, rows: int) -> None:
 
 
 def check_cost(cost: int, what: str, once: int, each: int, rows: int) -> None:
-    """Raise ValueError for what costs too much."""
+    """Raise ValueError if a cost exceeds its limit."""
     if cost > once + each * rows:
         raise ValueError(f"computes {cost} {what} for {rows} rows, the limit is {once + each * rows}")
 
 
 def check_divisions(graph: Any, kinds: dict[str, int]) -> None:
-    """Raise ValueError for a division of whole numbers by other than positive constants: some end the process."""
+    """Raise ValueError for a division of whole numbers by anything but positive constants: 0 ends the process."""
     from onnx.numpy_helper import to_array
 
     constants = {weight.name: weight for weight in graph.initializer}
@@ -158,7 +158,7 @@ def check_divisions(graph: Any, kinds: dict[str, int]) -> None:
 
 
 def size_of(value: Any) -> tuple[int, ...]:
-    """Return the axes of an array of numbers; ValueError if they are not known."""
+    """Return the axes of an array of numbers; ValueError if they are unknown."""
     kind = value.type.tensor_type
     axes = tuple(axis.dim_value if axis.HasField("dim_value") else -1 for axis in kind.shape.dim)
     if not kind.HasField("shape") or min(axes, default=0) < 0:
@@ -173,14 +173,14 @@ def kind_of(value: Any) -> int:
 
 
 def refuse_unknown(name: str) -> NoReturn:
-    """Raise ValueError for an array whose size depends on more than that of the observations."""
+    """Raise ValueError for an array whose size does not follow from the size of the observations."""
     raise ValueError(
         f"the size of {brief(name)} is not known before it plays: export it for a fixed size, simplified (onnxsim)"
     )
 
 
 def work_of(node: Any, sizes: dict[str, tuple[int, ...]]) -> int:
-    """Return how many multiplications a product of matrices takes; 0 for all else."""
+    """Return the number of multiplications in a product of matrices; 0 for other operators."""
     if node.op_type not in ("MatMul", "Gemm"):
         return 0
     first = sizes[node.input[0]]

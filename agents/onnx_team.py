@@ -1,10 +1,10 @@
-"""Policies in ONNX files as teams: whatever network a library exports plays, by onnxruntime (the extra `onnx`).
+"""Policies in ONNX files as teams: networks that any library exports, run by onnxruntime (the extra `onnx`).
 
-    inputs    one: observations (B, n), or (1, n)
-    outputs   the first: actions (B, 4 or 7); twice as many, of which the first half are means; values of our discrete
-              actions (B, 12); or the chosen ones (B,), whole numbers
+    input     one: observations (B, n), or (1, n)
+    output    the first: actions (B, 4 or 7); twice as many numbers, the first half being means; values of our discrete
+              actions (B, 12); or the chosen actions (B,), whole numbers
 
-A file is read once; what it may hold stands in `onnx_checks.py`.
+A file is read once; `onnx_checks.py` checks its contents.
 """
 
 from collections.abc import Callable
@@ -24,7 +24,7 @@ HALVES = (2 * len(BOX), 2 * len(FULL))
 
 
 class OnnxPolicy:
-    """The network of an ONNX file as a function of observations (B, n); ValueError says what does not fit."""
+    """The network of an ONNX file as a function of observations (B, n); ValueError names a misfit."""
 
     def __init__(self, content: bytes, where: str) -> None:
         try:
@@ -37,7 +37,7 @@ class OnnxPolicy:
         self._model = self._asked(partial(checked_model, content))
         self._input = inputs_of(self._model)[0]
         self._size, self._width = (axis.dim_value for axis in axes_of(self._input))  # 0: any number of rows
-        self._known: set[int] = set()  # numbers of rows for which sizes were checked
+        self._known: set[int] = set()  # numbers of rows with checked sizes
         self._check(self._size or 1)
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = options.inter_op_num_threads = 1  # a match has threads of its own
@@ -51,18 +51,18 @@ class OnnxPolicy:
         return OnnxPolicy, (self.content, self.where)
 
     def __call__(self, observations: np.ndarray) -> np.ndarray:
-        """Return actions (B, 4 or 7), or discrete ones (B,)."""
+        """Return actions (B, 4 or 7), or discrete actions (B,)."""
         if self._width != observations.shape[1]:
             taken = f"takes {self._width} inputs, the observation has {observations.shape[1]}"
             raise ValueError(f"policy file {self.where!r}: {taken}: give observe= as in its training")
         parts = [observations] if self._size != 1 else list(observations[:, None])  # of exports for one robot at a time
         runs = [self._run(part.astype(self._kind)) for part in parts]
-        found = np.concatenate(runs)
-        if found.dtype.kind == "f" and found.shape[1:] == (len(DISCRETE),):
-            return np.asarray(found.argmax(axis=1))
-        if found.shape[1:] and found.shape[1] in HALVES:
-            return np.asarray(found[:, : found.shape[1] // 2])
-        return found
+        outputs = np.concatenate(runs)
+        if outputs.dtype.kind == "f" and outputs.shape[1:] == (len(DISCRETE),):
+            return np.asarray(outputs.argmax(axis=1))
+        if outputs.shape[1:] and outputs.shape[1] in HALVES:
+            return np.asarray(outputs[:, : outputs.shape[1] // 2])
+        return outputs
 
     def _run(self, rows: np.ndarray) -> np.ndarray:
         """Return the first output for rows (B, n)."""
@@ -71,13 +71,13 @@ class OnnxPolicy:
         return first
 
     def _check(self, rows: int) -> None:
-        """Raise ValueError unless the time and the memory for so many rows are bounded."""
+        """Raise ValueError unless time and memory for this number of rows are bounded."""
         if rows not in self._known:
             self._asked(partial(check_sizes, self._model, rows))
             self._known.add(rows)
 
     def _asked(self, ask: Callable[[], Any]) -> Any:
-        """Return what onnxruntime answers; ValueError in one line instead of its many kinds of errors."""
+        """Return the result of a call to onnxruntime; its many kinds of errors become a ValueError of one line."""
         try:
             return ask()
         except Exception as error:
@@ -85,11 +85,11 @@ class OnnxPolicy:
 
 
 def from_onnx(path: str | Path, observe: str = "belief", action_repeat: int = 1, at_once: bool = True) -> FunctionTeam:
-    """Return the team of an ONNX file; the settings are those of `team_of_function`."""
+    """Return the team of an ONNX file, with the settings of `team_of_function`."""
     content = read_plain(path, MAX_FILE)
     policy = OnnxPolicy(content, file_name(path))
-    told = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"
+    fingerprint = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"
     return team_of_function(
         policy, observe=observe, action_repeat=action_repeat, at_once=at_once, flat=True,
-        name=Path(path).stem, fingerprint=told,
+        name=Path(path).stem, fingerprint=fingerprint,
     )  # fmt: skip

@@ -6,7 +6,7 @@ A network lies in one flat array of numbers, so that kernels are compiled once f
     layer's inputs in front | with attention its shape | signs of a mirror | normalised: limit, means, deviations
     | with attention Q, W, b of both kinds | weights and biases
 
-An action depends bit for bit on its own observation only, whatever else is played at the same time.
+An action depends bit for bit on its own observation alone, and not on other rows.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
 LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  # places in the head; the first size
-CLIPPED, SQUASHED, CHOSEN = range(3)  # what becomes of the outputs: clipped, tanh, or the action of the largest
+CLIPPED, SQUASHED, CHOSEN = range(3)  # use of the outputs: clipped, tanh, or the action of the largest
 CHOICE = len(BOX)  # numbers of a discrete action
 NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
 
 def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
-    """Return the numbers (n,) float64 of a policy's network; `at_once`: it decides at the first step of an episode."""
+    """Return the numbers (n,) float64 of a policy's network; `at_once`: it decides in the first step of an episode."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
     output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
@@ -53,9 +53,9 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
 
 @compiled
 def act(numbers, row, action, scratch):
-    """Write the action (a,) for one observation (n,); scratch (3, widest) is working space.
+    """Write the action (a,) for one observation (n,), in [-1, 1]; scratch (3, widest) is working space.
 
-    If the head of the array says so, the mean of the network and of its mirror image; in [-1, 1].
+    With MIRROR it is the mean of the network and of its mirror image.
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = entries(numbers), int(numbers[SIZES + layers])
@@ -85,7 +85,7 @@ def act(numbers, row, action, scratch):
 
 @compiled
 def normalise(numbers, scale, inputs, scratch):
-    """Subtract the means of the inputs in scratch[2], divide by their deviations and cut off at the limit."""
+    """Subtract the means of the inputs in scratch[2], divide by their deviations and clip at the limit."""
     if numbers[NORMALISED] == 0.0:
         return
     limit = numbers[scale]
@@ -107,7 +107,7 @@ def choose(outputs, action, scratch):
 
 @compiled
 def forward(numbers, layers, start, scratch):
-    """Compute the network for the inputs in scratch[2]; the outputs come to lie in scratch[0]."""
+    """Compute the network for the inputs in scratch[2] and write the outputs into scratch[0]."""
     smooth, at = numbers[NETWORK] % 2.0 == 0.0, start
     if numbers[NETWORK] >= ATTENTION:
         at = attend(numbers, SIZES + layers + 1, start, smooth, scratch)
@@ -128,7 +128,7 @@ def forward(numbers, layers, start, scratch):
 
 @compiled
 def entries(numbers):
-    """Return how many entries the observation has."""
+    """Return the number of entries of an observation."""
     if numbers[NETWORK] >= ATTENTION:
         return observed(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES])
@@ -136,7 +136,7 @@ def entries(numbers):
 
 @compiled
 def given(numbers):
-    """Return how many numbers an action has."""
+    """Return the length of an action."""
     return CHOICE if numbers[OUTPUT] == CHOSEN else int(numbers[SIZES + int(numbers[LAYERS])])
 
 

@@ -1,7 +1,7 @@
-"""What a policy is: a trained network and everything that has to agree before it may play.
+"""A policy: a trained network, and all facts that must agree before it may play.
 
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
-      -> normalised, if it says so                                         normalising.py
+      -> normalised, if `normalise` is set                                 normalising.py
       -> kind "attention" only: other players pooled                       attention.py
       -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
       -> ...
@@ -9,7 +9,7 @@
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
          or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played
 
-A policy is checked as it is made, wherever it comes from: what passes here can neither overflow nor give NaN.
+Every policy is checked when it is made: a checked policy can neither overflow nor give NaN.
 """
 
 import re
@@ -30,7 +30,7 @@ from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, names_of
 from soccer_env.observations.reflection import observation_signs
 
-ACTIONS = {"box": len(BOX), "full": len(FULL), "discrete": len(DISCRETE)}  # numbers that come out
+ACTIONS = {"box": len(BOX), "full": len(FULL), "discrete": len(DISCRETE)}  # number of outputs
 KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
@@ -40,22 +40,22 @@ MAX_INPUTS = 4096
 MAX_NUMBERS = 3_900_000  # of all layers together, so that a policy file stays below its 16 MiB
 MAX_MADE = 64  # entries
 MAX_TEXT = 2000  # characters of one entry
-MAX_ACTIVITY = 1e37  # what a unit may reach; float32 ends at 3.4e38
+MAX_ACTIVITY = 1e37  # largest value of a unit; float32 ends at 3.4e38
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,63}")  # safe in a table, in a command line and as a file's name
 INPUT = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Policy:
-    """A trained network and everything that has to agree before it may play.
+    """A trained network, and all facts that must agree before it may play.
 
-    ValueError says what is wrong. The arrays are copied and cannot be written to. Two policies are the same if
-    `policy_file.dump` gives the same bytes.
+    ValueError names a wrong field. The arrays are read-only copies. Two policies are equal if `policy_file.dump` gives
+    the same bytes.
     """
 
-    name: str  # what the team calls itself
+    name: str  # of the team
     league: str  # name of the league it was trained in
-    family: str  # of that league: it plays in every league of the family that has the same layout and control rate
+    family: str  # of that league: it plays every league of the family with the same layout and control rate
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
     inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
@@ -68,12 +68,12 @@ class Policy:
     biases: tuple[np.ndarray, ...]  # (out,) float32 of each layer
     made: Mapping[str, str]  # where it comes from: command, date, commit, seed, versions ... plain text
     attention: tuple[np.ndarray, ...] = ()  # float32, as `attention.TENSORS` names them; () for kind "slots"
-    rules: Mapping[str, Any] = field(default_factory=dict)  # it was trained under, by name; {}: nothing is known
+    rules: Mapping[str, Any] = field(default_factory=dict)  # of the training, by name; {}: unknown
     squash: bool = False  # True: tanh of the outputs instead of clipping them
-    at_once: bool = False  # True: its first decision falls into the first step of an episode, as the APIs do it
-    normalise: Mapping[str, Any] = field(default_factory=dict)  # observations, as `normalising` says; {}: as they are
-    senses: str = ""  # of its robots in training, "sensors" or "ideal"; "": nothing is known, see `trained_with`
-    pose: str = ""  # how they knew where they were, "percept" or "particles"; "": nothing is known
+    at_once: bool = False  # True: its first decision is in the first step of an episode, as in the APIs
+    normalise: Mapping[str, Any] = field(default_factory=dict)  # table of `normalising`; {}: not normalised
+    senses: str = ""  # of the training, "sensors" or "ideal"; "": unknown, see `trained_with`
+    pose: str = ""  # of the training, "percept" or "particles"; "": unknown
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -109,24 +109,24 @@ class Policy:
             object.__setattr__(self, name, dict(getattr(self, name)))
 
     def __repr__(self) -> str:
-        """Return what it is called, where it plays and what it looks like, without its numbers."""
+        """Return name, league and shape of the policy, without its numbers."""
         sizes = ", ".join(str(len(bias)) for bias in self.biases)
         shape = f"{self.kind} of {len(self.inputs)} inputs, layers of {sizes}"
         return f"Policy({self.name!r}, {self.league!r}, observe={self.observe!r}, actions={self.actions!r}: {shape})"
 
     @property
     def entries(self) -> list[Entry]:
-        """Return what each of the inputs means, as far as its name says."""
+        """Return the meaning of each input, as far as its name tells."""
         return entries_named(self.observe, self.inputs)
 
     def tell_of_rules(self, league: League) -> None:
-        """Warn, once in a process, if a league's rules are not those that the policy was trained under."""
+        """Warn, once in a process, if a league's rules differ from the rules of the training."""
         tell_of_rules(self.name, self.rules, league.rules)
 
     def check_plays(self, league: League) -> None:
-        """Raise ValueError unless a league's family, control rate and layout are those that the policy knows.
+        """Raise ValueError unless family, control rate and layout of a league agree with the policy.
 
-        What the league is called does not matter, nor do its numbers: variants are played as well as they can be.
+        Name and numbers of the league do not matter: a policy may play variants.
         """
         for what, own, other in (
             ("family", self.family, league.family),
@@ -151,12 +151,12 @@ class Policy:
 
 
 def trained_in(league: League) -> dict[str, Any]:
-    """Return the fields of a policy that say in which league, and under which rules, it was trained."""
+    """Return the fields of a policy for the league and the rules of its training."""
     return {**league_of(league), "rules": recorded(league.rules)}
 
 
 def league_of(league: League) -> dict[str, Any]:
-    """Return the fields of a policy that say which league it plays."""
+    """Return the fields of a policy for its league."""
     return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
 
 
@@ -182,7 +182,7 @@ def _check_inputs(inputs: object) -> None:
     for number, name in enumerate(inputs):
         _check_text(f"input {number}", name, INPUT)
         if name in seen:
-            raise ValueError(f"input {number} must have a name of its own, {name!r} stands before it")
+            raise ValueError(f"input {number} must have a name of its own, {name!r} is used before")
         seen.add(name)
 
 
@@ -208,7 +208,7 @@ def _check_array(what: str, array: object) -> None:
 
 
 def _check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> int:
-    """Return how many numbers the first layer takes in; ValueError unless attention is as its kind and inputs ask."""
+    """Return the number of inputs of the first layer; ValueError unless attention fits kind and inputs."""
     if not isinstance(attention, tuple) or len(attention) != (len(TENSORS) if kind == "attention" else 0):
         size = f"{len(attention)} arrays" if isinstance(attention, tuple) else type(attention).__name__
         wanted = f"of {', '.join(TENSORS)}" if kind == "attention" else "without arrays"
@@ -254,7 +254,7 @@ def _check_layers(weights: object, biases: object, inputs: int, outputs: int, nu
 
 
 def _check_pooled(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
-    """Return the largest number that the first layer can take in; ValueError if one on the way to it could overflow."""
+    """Return the largest possible input of the first layer; ValueError if attention could overflow."""
     largest = entering
     for first in range(0, len(attention), 3):
         weight, bias, query = (np.abs(array.astype(np.float64)) for array in attention[first : first + 3])
@@ -272,7 +272,7 @@ def _check_pooled(attention: tuple[np.ndarray, ...], activation: str, entering: 
 def _check_activity(
     weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str, largest: float
 ) -> None:
-    """Raise ValueError if inputs up to `largest` could make a unit overflow, and the actions NaN."""
+    """Raise ValueError if inputs up to `largest` could make a unit overflow."""
     for number, (weight, bias) in enumerate(zip(weights, biases)):
         reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
         _check_reached(f"layer{number}", reached.max())
@@ -280,13 +280,13 @@ def _check_activity(
 
 
 def _check_reached(what: str, reached: float) -> None:
-    """Raise ValueError unless what units can reach stays below the limit."""
+    """Raise ValueError unless the largest value of the units stays below the limit."""
     if not reached < MAX_ACTIVITY:
         raise ValueError(f"{what} must stay below {MAX_ACTIVITY:g}, its units could reach {reached:g}")
 
 
 def _frozen(array: np.ndarray) -> np.ndarray:
-    """Return a copy that nobody can write to."""
+    """Return a read-only copy."""
     copy = np.array(array, dtype=np.float32, order="C", subok=False)
     copy.setflags(write=False)
     return copy

@@ -5,14 +5,14 @@
     tensors    float32, little-endian, one after the other without gaps
 
 TEXT is JSON again: the fields of `Policy` without its arrays, and "version". The schema is strict: exactly these keys,
-each once, with these types; anything else is a ValueError in one line that names the file. Version 5 tells the senses
-of the training; version 4 discrete, squashed and normalised policies, and when they decide first; versions 1 and 2 said
-nothing of the rules, version 1 nothing of the league but its name: family and control rate are those of our own league
-of that name. The kind "attention" has six tensors more, "teammate.weight" and so on (`attention.TENSORS`).
+each once, with these types; anything else is a ValueError in one line that names the file. Version 5 added the senses
+of the training; version 4 added discrete, squashed and normalised policies, and the step of the first decision.
+Versions 1 and 2 have no rules; version 1 has only the name of the league, so family and control rate are those of our
+league of that name. The kind "attention" has six more tensors, "teammate.weight" and so on (`attention.TENSORS`).
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
-the tensors cover the file without holes and overlaps. It lets duplicate names, unknown fields of a tensor and any
-dtype pass and gives no metadata for bytes, so the header is read here first.
+the tensors cover the file without holes and overlaps. It accepts duplicate names, unknown fields of a tensor and any
+dtype, and returns no metadata of bytes, so the header is read here first.
 """
 
 import json
@@ -40,42 +40,26 @@ MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
 MAX_DIGITS = 20  # of a whole number
 PREFIX = 8  # [bytes] the header's length
 SCHEMA: dict[str, type] = {
-    "version": int,
-    "name": str,
-    "league": str,
-    "family": str,
-    "control_rate": int,
-    "observe": str,
-    "inputs": list,
-    "actions": str,
-    "action_repeat": int,
-    "kind": str,
-    "activation": str,
-    "mirror": bool,
-    "made": dict,
-    "rules": dict,
-    "squash": bool,
-    "at_once": bool,
-    "normalise": dict,
-    "senses": str,
-    "pose": str,
-}
+    "version": int, "name": str, "league": str, "family": str, "control_rate": int, "observe": str, "inputs": list,
+    "actions": str, "action_repeat": int, "kind": str, "activation": str, "mirror": bool, "made": dict, "rules": dict,
+    "squash": bool, "at_once": bool, "normalise": dict, "senses": str, "pose": str,
+}  # fmt: skip
 NEWER: dict[int, dict[str, Any]] = {
     4: {"squash": False, "at_once": False, "normalise": {}},
     5: {"senses": "", "pose": ""},
 }
-"""The keys that came with later versions, and what files without them mean."""
+"""The keys that later versions added, and their values for older files."""
 LATEST = NEWER[4] | NEWER[5]
 LACKS = {1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5])}
-"""The keys that older files do not have, by version."""
+"""The keys that older files lack, by version."""
 TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
 
 def dump(policy: Policy) -> bytes:
-    """Return the content of a policy's file; the same policy gives the same bytes.
+    """Return the content of a policy's file; equal policies give equal bytes.
 
-    What needs nothing of the later versions is written as version 3 or 4, which older versions of the package read.
+    The lowest version from 3 on that can hold the policy is written, so that older versions of the package can read it.
     """
     fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", *TABLES)}
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
@@ -92,12 +76,12 @@ def dump(policy: Policy) -> bytes:
 
 
 def load(path: str | os.PathLike[str]) -> Policy:
-    """Read a policy file; ValueError names the file and says what is wrong with it."""
+    """Read a policy file; ValueError names the file and the reason."""
     return parse(read_plain(path, MAX_FILE), file_name(path))
 
 
 def parse(data: bytes, where: str) -> Policy:
-    """Return the policy of a file's content; ValueError says `where` and what is wrong."""
+    """Return the policy of a file's content; ValueError names `where` and the reason."""
     try:
         header = _header(data)
         table = _table(header)
@@ -108,7 +92,7 @@ def parse(data: bytes, where: str) -> Policy:
 
 
 def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
-    """Return the content of a regular file of at most `limit` bytes; ValueError for anything else names the file."""
+    """Return the content of a regular file of at most `limit` bytes; ValueError, which names it, for other files."""
     try:
         return whole_files.read_plain(path, limit)
     except (OSError, ValueError, TypeError) as error:
@@ -124,7 +108,7 @@ def one_line(reason: object) -> str:
 
 
 def strict_json(data: bytes | str, what: str, finite: bool = True) -> Any:
-    """Parse JSON without duplicate keys, very long numbers, very deep nesting, and NaN and infinity if `finite`."""
+    """Parse JSON; ValueError for duplicate keys, long numbers, deep nesting and, if `finite`, NaN and infinity."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         table = dict(pairs)
@@ -200,10 +184,10 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
-    """Return the fields of an older file with those that it lacks: no rules, its league by its name."""
-    said = [key for key in LACKS[version] if key in table]
-    if said:
-        raise ValueError(f"{KEY} has an unknown key {said[0]!r} for version {version}")
+    """Return the fields of an older file, completed: no rules, and the league by its name."""
+    unexpected = [key for key in LACKS[version] if key in table]
+    if unexpected:
+        raise ValueError(f"{KEY} has an unknown key {unexpected[0]!r} for version {version}")
     if version > 1:
         return {**LATEST, **({"rules": {}} if version == 2 else {}), **table}
     known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
@@ -213,20 +197,20 @@ def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
 
 
 def maker(table: Mapping[str, Any]) -> str:
-    """Return which version of the package made a policy, if its file says so, and which one this is, in words."""
+    """Return in words the version of the package that made a policy, if its file names it, and the present version."""
     made = table.get("made")
     by = made.get("soccer_env") if isinstance(made, dict) else None
-    said = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
-    return f"{said}; this soccer_env ({version()})"
+    origin = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
+    return f"{origin}; this soccer_env ({version()})"
 
 
 def _more(table: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return the names of the tensors that a policy's kind has beside its layers."""
+    """Return the names of a policy's tensors that are not its layers."""
     return TENSORS if table["kind"] == "attention" else ()
 
 
 def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
-    """Raise ValueError unless the tensors are float32 layers, named from layer0 on, of two axes and one, and `more`."""
+    """Raise ValueError unless the tensors are layers of float32, named from layer0 on, and `more`."""
     entries = {name: entry for name, entry in header.items() if name != "__metadata__"}
     layers = min(max(0, len(entries) - len(more)) // 2, MAX_LAYERS)
     expected = {f"layer{number}.{part}" for number in range(layers) for part in ("weight", "bias")} | set(more)

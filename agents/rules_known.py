@@ -1,7 +1,7 @@
-"""The rules that a policy was trained under, kept in its file, and what is said where it plays under others.
+"""The rules that a policy was trained under, kept in its file, and a warning if it plays under other rules.
 
-A policy plays on under other rules: it then does what paid where it was trained, such as holding a ball that may not be
-held here. Who lets it play is told so once, by a warning of the logger `soccer_env.agents`.
+Under other rules a policy behaves as in its training, and may for example hold a ball that must not be held. The logger
+`soccer_env.agents` warns of that once.
 """
 
 import logging
@@ -23,13 +23,13 @@ LOG = logging.getLogger("soccer_env.agents")
 
 
 def league_under(league: str | League, rules: str) -> League:
-    """Return a league with the rules asked for."""
+    """Return a league with these rules."""
     preset = find_league(league)
     return replace(preset, rules=rule_set(preset.rules, rules))
 
 
 def recorded(rules: Rules) -> dict[str, Any]:
-    """Return what a policy file keeps of rules: every switch and number by name, and the set's name."""
+    """Return the entries of rules in a policy file: every switch and number by name, and the name of the set."""
     return {item.name: getattr(rules, item.name) for item in fields(Rules) if item.name != "half_minutes"}
 
 
@@ -49,7 +49,7 @@ def check_recorded(rules: object) -> None:
 
 
 def differences(known: Mapping[str, Any], rules: Rules) -> list[str]:
-    """Return each rule that differs as "pushing (on, off)": as a policy knows it and as it is here; switches first."""
+    """Return each rule that differs as "pushing (on, off)": in the policy and here; switches first."""
     here = {name: value for name, value in recorded(rules).items() if name not in NOT_RULES}
     names = [*SWITCHES, *(name for name in here if name not in SWITCHES), *(name for name in known if name not in here)]
     return [
@@ -67,7 +67,7 @@ def written(value: Any) -> str:
 
 
 def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
-    """Warn, once in a process, if the policy of a name does not know the rules under which it is to play."""
+    """Warn, once in a process, if a policy plays under rules that differ from its training or are unknown."""
     if not known:
         warn_once(
             f"policy {name!r} does not say under which rules it was trained, and now plays under {rules.name!r}; to "
@@ -84,5 +84,5 @@ def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
 
 @cache
 def warn_once(text: str) -> None:
-    """Log a warning, the first time that it is asked for."""
+    """Log a warning, the first time only."""
     LOG.warning(text)

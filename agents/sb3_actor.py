@@ -1,11 +1,11 @@
-"""Which parameters of a stable-baselines3 policy are its actor, for each of its algorithms with MlpPolicy.
+"""The parameters of the actor in a stable-baselines3 policy, for each algorithm with MlpPolicy.
 
 PPO, A2C     mlp_extractor.policy_net.0, .2 ..., action_net      mean, or values of discrete actions; tanh
 SAC          actor.latent_pi.0, .2 ..., actor.mu                 mean, squashed by tanh; relu
 TD3, DDPG    actor.mu.0, .2 ...                                  action, squashed by tanh; relu
 DQN          q_net.q_net.0, .2 ...                               values of discrete actions; relu
 
-What else their zips hold, such as critics, does not matter to what is played.
+Other parameters, such as critics, do not affect the play.
 """
 
 import re
@@ -22,14 +22,14 @@ NAMES = "PPO, A2C, SAC, TD3, DDPG and DQN"
 
 
 class Algorithm(NamedTuple):
-    """How the actor of an algorithm is stored, and what its outputs are."""
+    """The stored form of an algorithm's actor, and the meaning of its outputs."""
 
-    hidden: str  # what comes before the number of a layer
-    last: str  # the layer behind those, "" if there is none
+    hidden: str  # prefix of a layer's number
+    last: str  # the layer after the hidden layers, "" if there is none
     activation: str  # unless the zip names another
     squash: bool
-    discrete: bool | None  # None: unless there is `log_std`
-    unused: re.Pattern[str]  # parameters that do not matter to what is played
+    discrete: bool | None  # None: discrete unless there is a `log_std`
+    unused: re.Pattern[str]  # parameters that do not affect the play
 
 
 VALUES = r"value_net\.(weight|bias)|mlp_extractor\.value_net\.[0-9]{1,3}\.(weight|bias)"
@@ -45,7 +45,7 @@ ALGORITHMS = (
 
 
 def algorithm_of(state: Mapping[str, np.ndarray]) -> Algorithm:
-    """Return the algorithm whose parameters these are; ValueError names the first that belongs to none."""
+    """Return the algorithm of some parameters; ValueError names the first parameter that fits no algorithm."""
     for one in ALGORITHMS:
         if f"{one.last or one.hidden + '0'}.weight" in state:
             for key in state:
@@ -63,9 +63,11 @@ def is_discrete(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> bool:
 
 
 def layers_of(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> tuple[Layers, Layers]:
-    """Return weights and biases of the actor, one activation behind each layer but the last."""
-    found = [key.removeprefix(algorithm.hidden).partition(".")[0] for key in state if key.startswith(algorithm.hidden)]
-    numbers = sorted({int(number) for number in found})
+    """Return weights and biases of the actor's layers."""
+    indices = [
+        key.removeprefix(algorithm.hidden).partition(".")[0] for key in state if key.startswith(algorithm.hidden)
+    ]
+    numbers = sorted({int(number) for number in indices})
     if numbers != list(range(0, 2 * len(numbers), 2)):
         raise ValueError(f"layers of {algorithm.hidden[:-1]} must be 0, 2, 4 ..., got {brief(numbers)}")
     names = [f"{algorithm.hidden}{number}" for number in numbers] + [algorithm.last] * bool(algorithm.last)

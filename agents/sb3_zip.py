@@ -1,13 +1,12 @@
-"""Zips of stable-baselines3, read through their parameters only: nothing in them is ever run.
+"""Zips of stable-baselines3: only their parameters are read, and nothing in them is ever run.
 
-    policy.pth    torch's archive of the parameters. Its pickle may name nothing but tensors of float32 (ALLOWED,
-                  OPCODES: looked through without running it), its records are copied into an archive of our own, and
-                  torch.load(weights_only=True) reads that one.
-    data          JSON; plain values and plain texts of it are read, the pickles behind ":serialized:" never decoded.
+    policy.pth    torch's archive of the parameters. Its pickle may name only tensors of float32 (ALLOWED, OPCODES:
+                  checked without running it), its records are copied into a new archive, which
+                  torch.load(weights_only=True) reads.
+    data          JSON; plain values and texts are read, the pickles behind ":serialized:" are never decoded.
 
-MlpPolicy of the algorithms in `sb3_actor.py` can be read, with actions of 4 or 7 numbers in [-1, 1] or with our
-discrete ones. What a zip does not hold cannot be checked: the observations must have been ours, in our order, and what
-VecNormalize made of them has to be said.
+MlpPolicy of the algorithms in `sb3_actor.py` can be read, with actions of 4 or 7 numbers in [-1, 1] or our discrete
+actions. A zip cannot show that its observations were ours, in our order; a VecNormalize must be given as `normalise`.
 """
 
 import os
@@ -63,25 +62,16 @@ DISCRETE_SPACE = {"n": str(len(DISCRETE)), "start": "0"}
 
 
 def load_sb3(
-    path: str | os.PathLike[str],
-    *,
-    league: str | League,
-    observe: str,
-    action_repeat: int = 1,
-    name: str | None = None,
-    activation: str | None = None,
-    at_once: bool = False,
-    normalise: Any = None,
-    pose: str | None = None,
-    senses: str | None = None,
-    rules: str | None = None,
-) -> Policy:
+    path: str | os.PathLike[str], *, league: str | League, observe: str, action_repeat: int = 1,
+    name: str | None = None, activation: str | None = None, at_once: bool = False, normalise: Any = None,
+    pose: str | None = None, senses: str | None = None, rules: str | None = None,
+) -> Policy:  # fmt: skip
     """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
 
-    `name` is the file's own unless given. `activation` is for zips of a user's own policy classes that do not name
-    theirs; None: what the zip says, else the algorithm's. `normalise`: what VecNormalize made of the observations, see
-    `normalising.table_of`. `at_once`, `pose`, `senses`, `rules`: how it was trained, see `Policy`; rules None: not
-    known. ValueError names the file and the reason; without torch it is an ImportError.
+    `name`: default the file's name. `activation`: for zips of users' own policy classes that do not name theirs; None:
+    from the zip, else from the algorithm. `normalise`: the VecNormalize of the training, see `normalising.table_of`.
+    `at_once`, `pose`, `senses`, `rules`: of the training, see `Policy`; rules None: unknown. ValueError names the file
+    and the reason; ImportError without torch.
     """
     preset = find_league(league) if rules is None else league_under(league, rules)
     one_of("observe", observe, OBSERVE)
@@ -94,10 +84,8 @@ def load_sb3(
         if read["weights"][0].shape[1] != len(inputs):
             taken = read["weights"][0].shape[1]
             fitting = [other for other in OBSERVE if len(names_of(preset, other)) == taken]
-            hint = (
-                f": give observe={fitting[0]}" if fitting else ": was it trained in another league, or with state=True?"
-            )
-            raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}{hint}")
+            hint = f"give observe={fitting[0]}" if fitting else "was it trained in another league, or with state=True?"
+            raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}: {hint}")
         return Policy(
             **read, **(league_of if rules is None else trained_in)(preset), name=_stem(path) if name is None else name,
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
@@ -108,9 +96,9 @@ def load_sb3(
 
 
 def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **settings: Any) -> Policy:
-    """Write the policy of a stable-baselines3 zip as a policy file and return it; settings are those of `load_sb3`.
+    """Write the policy of a stable-baselines3 zip as a policy file and return it, with the settings of `load_sb3`.
 
-    Episodes began with a decision (`at_once`) unless told otherwise.
+    Unlike there, `at_once` is True by default.
     """
     if Path(out).suffix != ".safetensors":
         raise ValueError(f"a policy file must end in .safetensors, got {os.fspath(out)!r}")
@@ -121,45 +109,45 @@ def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **set
 
 
 def _network(content: bytes, activation: str | None) -> dict[str, Any]:
-    """Return the fields of a policy that its zip tells: the network, what its outputs mean, and where it comes from."""
-    said = _plain_data(content)
+    """Return the fields of a policy that its zip holds: the network, the kind of actions, and the origin."""
+    settings = _plain_data(content)
     state = _parameters(_member(content, "policy.pth", MAX_MEMBER))
     algorithm = algorithm_of(state)
     weights, biases = layers_of(algorithm, state)
     discrete = is_discrete(algorithm, state)
-    if discrete != (said["action_space"][":type:"].endswith(DISCRETE_TYPE)):
+    if discrete != (settings["action_space"][":type:"].endswith(DISCRETE_TYPE)):
         raise ValueError("its action_space is not of the kind that its network gives")
-    kwargs = said["policy_kwargs"]
+    kwargs = settings["policy_kwargs"]
     return {
         "actions": "discrete" if discrete else _actions(len(biases[-1])),
         "activation": _activation(kwargs, activation, algorithm.activation),
         "squash": algorithm.squash or (str(kwargs.get("squash_output", False)) == "True" and not discrete),
         "weights": weights,
         "biases": biases,
-        "made": _made(said, content),
+        "made": _made(settings, content),
     }
 
 
 def _member(content: bytes, name: str, limit: int) -> bytes:
-    """Return one member of a zip, unpacked in memory, after its size was checked."""
+    """Return one member of a zip, unpacked in memory after a check of its size."""
     return _members(content, lambda member: member == name, limit, f"member {name!r}")[name]
 
 
 def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, bytes]:
-    """Return the members of a zip whose names are wanted: at least one, each once, at most `limit` bytes together."""
+    """Return the members of a zip with wanted names: at least one, each once, at most `limit` bytes together."""
     if content.count(LISTED) > MAX_MEMBERS:
         raise ValueError(f"lists more than {MAX_MEMBERS} members")
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
-            found = [entry for entry in archive.infolist() if wanted(entry.filename)]
-            if not found or len({entry.filename for entry in found}) < len(found):
-                raise ValueError(f"the zip has the {what} twice" if found else f"the zip lacks the {what}")
-            if any(entry.compress_type not in METHODS or entry.flag_bits & 1 for entry in found):
+            entries = [entry for entry in archive.infolist() if wanted(entry.filename)]
+            if not entries or len({entry.filename for entry in entries}) < len(entries):
+                raise ValueError(f"the zip has the {what} twice" if entries else f"the zip lacks the {what}")
+            if any(entry.compress_type not in METHODS or entry.flag_bits & 1 for entry in entries):
                 raise ValueError(f"the {what} is encrypted or packed in a way that stable-baselines3 does not use")
-            size = sum(entry.file_size for entry in found)
+            size = sum(entry.file_size for entry in entries)
             if size > limit:
                 raise ValueError(f"the {what} would unpack to {size} bytes, the limit is {limit}")
-            return {entry.filename: archive.read(entry) for entry in found}
+            return {entry.filename: archive.read(entry) for entry in entries}
     except ValueError:
         raise
     except Exception as error:  # zipfile raises a dozen types of error for broken files
@@ -167,24 +155,24 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
 
 
 def _plain_data(content: bytes) -> dict[str, Any]:
-    """Return the settings of the run; ValueError if they describe a policy that is not supported."""
-    said = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
-    if not isinstance(said, dict):
+    """Return the settings of the run; ValueError for an unsupported policy."""
+    settings = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
+    if not isinstance(settings, dict):
         raise ValueError("data must be a JSON object")
     for key, kinds in (("observation_space", (BOX_TYPE,)), ("action_space", (BOX_TYPE, DISCRETE_TYPE))):
-        space = said.get(key)
+        space = settings.get(key)
         kind = space.get(":type:") if isinstance(space, dict) else None
         if not (isinstance(kind, str) and kind.endswith(kinds)):
             raise ValueError(f"its {key} must be a Box{' or Discrete' if len(kinds) > 1 else ''}, got {brief(kind)}")
-    _check_actions(said["action_space"])
-    kwargs = said.get("policy_kwargs")
+    _check_actions(settings["action_space"])
+    kwargs = settings.get("policy_kwargs")
     if not isinstance(kwargs, dict):
         raise ValueError("data says no policy_kwargs: it is no model of an algorithm that is known")
     for key in kwargs.keys() - {":type:", ":serialized:"} - HARMLESS:
         raise ValueError(f"policy_kwargs has {brief(key)}, which is not supported")
     if kwargs.get("features_extractor_class", FLATTEN) != FLATTEN:
         raise ValueError(f"its features are made by {brief(kwargs['features_extractor_class'])}, not only flattened")
-    return said
+    return settings
 
 
 def _check_actions(space: Mapping[str, Any]) -> None:
@@ -203,16 +191,16 @@ def _check_actions(space: Mapping[str, Any]) -> None:
 
 
 def _activation(kwargs: Any, given: str | None, default: str) -> str:
-    """Return the activation that the zip says in plain text, else the given one, else the algorithm's."""
+    """Return the activation that the zip names in plain text, else the given one, else the algorithm's."""
     text = kwargs.get("activation_fn")
     if text is None:
         return given or default
     if not isinstance(text, str) or text not in ACTIVATION_TEXTS:
         raise ValueError(f"activation_fn must be Tanh or ReLU, got {brief(text)}")
-    said = ACTIVATION_TEXTS[text]
-    if given not in (None, said):
-        raise ValueError(f"its activation is {said}, not {given}")
-    return said
+    named = ACTIVATION_TEXTS[text]
+    if given not in (None, named):
+        raise ValueError(f"its activation is {named}, not {given}")
+    return named
 
 
 def _parameters(pth: bytes) -> dict[str, np.ndarray]:
@@ -236,7 +224,7 @@ def _parameters(pth: bytes) -> dict[str, np.ndarray]:
 
 
 def _copied(pth: bytes) -> bytes:
-    """Return policy.pth as a new archive that holds nothing but the records that were looked at."""
+    """Return policy.pth as a new archive that holds only the checked records."""
     if not pth.startswith(b"PK\x03\x04"):
         raise ValueError("policy.pth is not an archive of torch 1.6 or later")
     record = re.compile(r"[A-Za-z0-9_.-]{1,100}/(data\.pkl|version|byteorder|data/[0-9]{1,6})")
@@ -253,7 +241,7 @@ def _copied(pth: bytes) -> bytes:
 
 
 def _check_pickle(content: bytes) -> None:
-    """Raise ValueError unless a pickle names nothing but tensors; it is looked through, never run."""
+    """Raise ValueError unless a pickle names only tensors; the pickle is scanned, never run."""
     if len(content) > MAX_PICKLE:
         raise ValueError(f"data.pkl of policy.pth has {len(content)} bytes, the limit is {MAX_PICKLE}")
     try:
@@ -270,7 +258,7 @@ def _check_pickle(content: bytes) -> None:
 
 
 def _stem(path: str | os.PathLike[str]) -> str:
-    """Return a name for the policy made from its file's."""
+    """Return a name for the policy, made from the name of its file."""
     return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
 
 
@@ -282,7 +270,7 @@ def _actions(size: int) -> str:
     return kinds[size]
 
 
-def _made(said: Mapping[str, Any], content: bytes) -> dict[str, str]:
-    """Return where the policy comes from, as far as the zip says it in plain values."""
+def _made(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
+    """Return the origin of the policy, from plain values of the zip."""
     made = {"from": "stable-baselines3", "sha256": sha256(content).hexdigest()}
-    return made | {key: str(said[key]) for key in ("num_timesteps", "seed") if type(said.get(key)) is int}
+    return made | {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}

@@ -1,4 +1,4 @@
-"""What stands in a torch module: its Linear layers in order, and the one activation between them."""
+"""The layers of a torch module: its Linear layers in order, and the one activation between them."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -9,22 +9,22 @@ from soccer_env.actions import BOX, FULL
 from soccer_env.agents.policy import ACTIVATIONS
 from soccer_env.guards.checking import one_of
 
-SKIPPED = ("Identity", "Flatten", "Dropout")  # what changes nothing when a policy plays
+SKIPPED = ("Identity", "Flatten", "Dropout")  # layers without effect when a policy plays
 HALVED = (2 * len(BOX), 2 * len(FULL))  # outputs: means, then deviations
 OTHERWISE = "; team_of_function lets any module play"
 
 
 class Network(NamedTuple):
-    """A plain network that was read off a module."""
+    """A plain network, read from a module."""
 
     weights: tuple[np.ndarray, ...]  # (out, in) float32
     biases: tuple[np.ndarray, ...]  # (out,) float32
     activation: str
-    squash: bool  # a Tanh stands behind the last layer
+    squash: bool  # True: a Tanh follows the last layer
 
 
 def network_of(module: Any, activation: str | None) -> Network:
-    """Return the network of a module, or of several in a row; ValueError says what does not fit."""
+    """Return the network of a module, or of several modules in a row; ValueError names a misfit."""
     import torch
 
     if activation is not None:
@@ -43,9 +43,9 @@ def network_of(module: Any, activation: str | None) -> Network:
 
 
 def activations_of(parts: list[Any], given: str | None) -> tuple[str, bool]:
-    """Return the one activation between the Linear layers of a chain, and whether a Tanh stands behind the last."""
+    """Return the activation between the Linear layers of a chain, and whether a Tanh follows the last layer."""
     words = "".join(" " if type(part).__name__ == "Linear" else f"{type(part).__name__.lower()}," for part in parts)
-    *between, last = words[1:].split(" ")  # of each layer what follows it
+    *between, last = words[1:].split(" ")  # the parts after each layer
     used = {one.removesuffix(",") or given for one in between} or {given or "tanh"}
     if not used <= set(ACTIVATIONS) or len(used) > 1 or last not in ("", "tanh,"):
         raise ValueError(
@@ -56,7 +56,7 @@ def activations_of(parts: list[Any], given: str | None) -> tuple[str, bool]:
 
 
 def chain_of(module: Any) -> Iterator[Any]:
-    """Yield the Linear layers and activations of a module, or of several in a row, in the order in which they stand."""
+    """Yield the Linear layers and activations of a module, or of several modules in a row, in order."""
     import torch
 
     if isinstance(module, (list, tuple)):
@@ -75,7 +75,7 @@ def chain_of(module: Any) -> Iterator[Any]:
 
 
 def named(parts: list[Any]) -> str:
-    """Return the kinds of modules, as a short text."""
+    """Return the class names of modules as text."""
     return ", ".join(type(part).__name__ for part in parts) or "nothing"
 
 
@@ -86,7 +86,7 @@ def as_numbers(tensor: Any) -> np.ndarray:
 
 
 def applied(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
-    """Return what a module, several in a row, or a function gives for observations (B, n), as it would play.
+    """Return the outputs of a module, several modules in a row, or a function for observations (B, n), as in play.
 
     Of several outputs the first counts; of a distribution its mean.
     """
@@ -95,28 +95,28 @@ def applied(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
     parts = module if isinstance(module, (list, tuple)) else [module]
     parameter = next(parameter for part in parts for parameter in part.parameters())
     training = [(inner, inner.training) for part in parts for inner in part.modules()]
-    found = torch.as_tensor(rows, dtype=parameter.dtype, device=parameter.device)
+    values = torch.as_tensor(rows, dtype=parameter.dtype, device=parameter.device)
     try:
         for part in parts:
             part.eval()
         with torch.no_grad():
             for step in function if isinstance(function, (list, tuple)) else [function]:
-                found = tensor_of(step(found))
+                values = tensor_of(step(values))
     finally:
         for inner, was in training:
             inner.training = was
-    numbers: np.ndarray = found.detach().cpu().double().numpy()
+    numbers: np.ndarray = values.detach().cpu().double().numpy()
     return numbers
 
 
-def tensor_of(given: Any) -> Any:
-    """Return the tensor in what a module gave; ValueError if it is none of a kind that is known."""
+def tensor_of(output: Any) -> Any:
+    """Return the tensor in the output of a module; ValueError for an output of an unknown kind."""
     import torch
 
-    if isinstance(given, (list, tuple)) and given:
-        given = given[0]
-    if not isinstance(given, torch.Tensor):
-        given = getattr(given, "mean", given)  # of a distribution
-    if not isinstance(given, torch.Tensor):
-        raise ValueError(f"the module must give a tensor of outputs, got {type(given).__name__}: give outputs=")
-    return given
+    if isinstance(output, (list, tuple)) and output:
+        output = output[0]
+    if not isinstance(output, torch.Tensor):
+        output = getattr(output, "mean", output)  # of a distribution
+    if not isinstance(output, torch.Tensor):
+        raise ValueError(f"the module must give a tensor of outputs, got {type(output).__name__}: give outputs=")
+    return output

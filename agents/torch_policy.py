@@ -1,7 +1,7 @@
-"""Policies trained by any library on torch, written as policy files of ours: `save_policy`.
+"""Policies trained by any torch library, written as policy files: `save_policy`.
 
-Whether the layers that were read off a module are what it computes is not taken on trust: both are asked about the same
-observations, and no file is written unless they agree.
+The layers read from a module are compared with the module itself on the same observations, and no file is written
+unless they agree.
 """
 
 import os
@@ -26,9 +26,9 @@ from soccer_env.match.arguments import version
 from soccer_env.observations import OBSERVE, names_of
 
 ENDING = ".safetensors"
-PROBES = 256  # observations for which both are compared
-TOLERANCE = 1e-4  # of an output, relative to the largest one; float32 sums in another order differ by about 1e-6
-CLOSE = 1e-3  # two values of discrete actions, relative to the largest one: either of them may be chosen
+PROBES = 256  # observations of the comparison
+TOLERANCE = 1e-4  # of an output, relative to the largest; float32 sums in another order differ by about 1e-6
+CLOSE = 1e-3  # difference of two values of discrete actions, relative to the largest: either may be chosen
 
 
 def save_policy(
@@ -37,16 +37,16 @@ def save_policy(
     outputs: Callable[[Any], Any] | None = None, at_once: bool = True, name: str | None = None,
     pose: str | None = None, senses: str | None = None,
 ) -> Policy:  # fmt: skip
-    """Write the actor of a learner as a policy file, and return what it holds; ValueError, and no file, if it cannot.
+    """Write the actor of a learner as a policy file, and return the policy; ValueError, and no file, if it cannot.
 
-    module: a torch module, or several that follow each other: Linear layers with Tanh or ReLU between. 4 or 7 outputs
-    are the mean of the actions, twice as many are that and a deviation, which is left out, 12 are values of the
-    discrete actions. league, observe, action_repeat, rules: those of the training. squash: actions are the tanh of the
-    outputs, as in SAC; a Tanh at the end says so as well. normalise: what normalised the observations, such as
-    VecNormalize, see `normalising.table_of`. activation: "tanh" or "relu" where `forward` applies it and no module
-    does. outputs: a function of observations (B, n) that gives the outputs to compare with, else the module itself.
-    at_once: episodes began with a decision, as by the APIs; False: as by `SoccerVecEnv`. name: else the file's. pose,
-    senses: those of the training, which evaluations then ask for; None: not known. A file is written over, as by loops.
+    module: a torch module, or several in a row: Linear layers with Tanh or ReLU between. 4 or 7 outputs are the mean of
+    the actions, twice as many are mean and deviation (left out), 12 are values of the discrete actions. league,
+    observe, action_repeat, rules: of the training. squash: actions are the tanh of the outputs, as in SAC or with a
+    Tanh at the end. normalise: the normaliser of the observations, such as VecNormalize, see `normalising.table_of`.
+    activation: "tanh" or "relu" if `forward` applies it and no module does. outputs: a function of observations (B, n)
+    for the comparison, default the module itself. at_once: episodes began with a decision, as in the APIs; False: as in
+    `SoccerVecEnv`. name: default the file's name. pose, senses: of the training, for evaluations; None: unknown. An
+    existing file is overwritten.
     """
     if Path(path).suffix != ENDING:
         raise ValueError(f"a policy file must end in {ENDING}, got {os.fspath(path)!r}")
@@ -69,7 +69,7 @@ def save_policy(
 
 
 def kind_of(network: Network) -> str:
-    """Return the kind of actions of a network; ValueError says how many outputs there may be."""
+    """Return the kind of actions of a network; ValueError names the allowed numbers of outputs."""
     size = len(network.biases[-1])
     for kind, numbers in ACTIONS.items():
         if size == numbers:
@@ -78,14 +78,14 @@ def kind_of(network: Network) -> str:
 
 
 def made_of(module: Any) -> dict[str, str]:
-    """Return where a policy comes from, as its file says it."""
+    """Return the origin of a policy for its file."""
     import torch
 
     return {"from": f"torch {type(module).__name__}"[:64], "torch": torch.__version__, "soccer_env": version()}
 
 
 def compare(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarray]) -> None:
-    """Raise ValueError unless the policy, as it will play, does what a module says (`ask`: (B, n) -> outputs).
+    """Raise ValueError unless policy and module agree (`ask`: (B, n) -> outputs of the module).
 
     squashed: the module's outputs have passed through tanh.
     """
@@ -108,7 +108,7 @@ def compare(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarr
 
 
 def normalised(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return observations (B, n) as a policy's network takes them in, float32."""
+    """Return observations (B, n) as inputs of a policy's network, float32."""
     table = policy.normalise
     if not table:
         return rows
@@ -117,7 +117,7 @@ def normalised(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 
 def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return the outputs of a policy's network for observations (B, n), before they are clipped, squashed or chosen."""
+    """Return the outputs of a policy's network for observations (B, n), before clipping, tanh or choice."""
     values = normalised(policy, rows).astype(np.float64)
     last = len(policy.weights) - 1
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
@@ -128,7 +128,7 @@ def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 
 def played(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return the actions (B, 4 or 7) that a policy plays for observations (B, n), by the code that plays it."""
+    """Return the actions (B, 4 or 7) of a policy for observations (B, n), by the kernels that play it."""
     numbers = pack(policy)
     actions = np.zeros((len(rows), given(numbers)))
     scratch = np.zeros((3, widest(numbers)))
@@ -138,7 +138,7 @@ def played(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 
 def check_close(what: str, ours: np.ndarray, theirs: np.ndarray, tolerance: float) -> None:
-    """Raise ValueError for numbers that are farther apart."""
+    """Raise ValueError if two arrays differ by more than a tolerance."""
     apart = np.abs(ours - theirs)
     if not (apart <= tolerance).all():  # NaN as well
         at = tuple(int(i) for i in np.unravel_index(int(np.argmax(np.nan_to_num(apart, nan=np.inf))), apart.shape))

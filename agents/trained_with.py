@@ -1,8 +1,7 @@
-"""The senses that a policy was trained with, kept in its file, and how those of a match differ from them.
+"""The senses that a policy was trained with, kept in its file, and how the senses of a match differ from them.
 
-`senses` says what filled the beliefs of its robots ("sensors" or "ideal"), `pose` how they knew where they were
-("percept" or "particles"); "": nothing is known, or it was trained with both. Files that `soccer train` wrote before
-these were fields say it among the settings of their run.
+`senses` says what filled the beliefs of its robots ("sensors" or "ideal"), `pose` where their poses came from
+("percept" or "particles"); "": unknown, or both. Older files of `soccer train` have them in the settings of their run.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ IDEAL = "ideal"
 
 
 class Difference(NamedTuple):
-    """A setting that a policy was trained with otherwise."""
+    """A setting that differs from a policy's training."""
 
     policy: Policy
     setting: str  # "senses" or "pose"
@@ -32,41 +31,41 @@ class Difference(NamedTuple):
 
 
 def check_trained_with(policy: Policy) -> None:
-    """Raise ValueError unless a policy says of its senses and its pose what there is, or nothing."""
+    """Raise ValueError unless senses and pose of a policy are known values, or empty."""
     for setting, known in KNOWN.items():
         one_of(setting, getattr(policy, setting), known)
 
 
 def known_senses(senses: str | None, pose: str | None) -> dict[str, Any]:
-    """Return the fields of a policy for what a caller says of its training; None: nothing."""
+    """Return the fields of a policy for the senses and pose of its training; None: unknown."""
     return {"senses": senses or "", "pose": pose or ""}
 
 
 def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the fields of a policy for the settings of a run of `soccer train`; "" for what it met both ways."""
+    """Return the fields of a policy for the settings of a run of `soccer train`; "" if it was trained with both."""
     share = settings.get("ideal_share", 0.0)
     senses = IDEAL if share == 1.0 else str(settings.get("senses", ""))
     if senses not in KNOWN["senses"]:
         senses = ""
     pose = settings.get("pose", "")
-    felt = pose if senses != IDEAL and pose in KNOWN["pose"] else ""  # who is told the truth needs none
-    return {"senses": senses if share in (0.0, 1.0) else "", "pose": felt}
+    pose = pose if senses != IDEAL and pose in KNOWN["pose"] else ""  # ideal senses need no pose
+    return {"senses": senses if share in (0.0, 1.0) else "", "pose": pose}
 
 
 def trained_with(policy: Policy) -> dict[str, str]:
-    """Return the senses and the pose that a policy was trained with, by its fields or by what its run left in it."""
-    said = {setting: getattr(policy, setting) for setting in KNOWN}
-    if any(said.values()):
-        return said
+    """Return senses and pose of a policy's training, from its fields or from the settings of its run."""
+    fields = {setting: getattr(policy, setting) for setting in KNOWN}
+    if any(fields.values()):
+        return fields
     try:
-        found = json.loads(policy.made.get("settings", ""))
+        settings = json.loads(policy.made.get("settings", ""))
     except (ValueError, RecursionError):
-        return said
-    return senses_of_run(found) if isinstance(found, dict) else said
+        return fields
+    return senses_of_run(settings) if isinstance(settings, dict) else fields
 
 
 def policies_in(team: Any) -> Iterator[Policy]:
-    """Yield the policies that a team plays: its own, or those of the teams of a lineup."""
+    """Yield the policy of a team, or the policies of the teams in a lineup."""
     for one in getattr(team, "teams", (team,)):
         policy: Any = getattr(one, "policy", None)
         if hasattr(policy, "made"):
@@ -74,19 +73,19 @@ def policies_in(team: Any) -> Iterator[Policy]:
 
 
 def differences(team: Any, senses: str, pose: str) -> list[Difference]:
-    """Return what the policies of a team were trained with and would meet otherwise with some senses and a pose."""
-    found = []
+    """Return the settings of the training of a team's policies that differ from these senses and this pose."""
+    differing = []
     for policy in policies_in(team):
         known = trained_with(policy)
         if known["senses"] not in ("", senses):
-            found.append(Difference(policy, "senses", known["senses"], senses))
+            differing.append(Difference(policy, "senses", known["senses"], senses))
         if senses != IDEAL and known["pose"] not in ("", pose):
-            found.append(Difference(policy, "pose", known["pose"], pose))
-    return found
+            differing.append(Difference(policy, "pose", known["pose"], pose))
+    return differing
 
 
 def tell_of_truth(policy: Policy) -> None:
-    """Warn, once in a process, that a policy that observes the truth plays with ideal senses alone."""
+    """Warn, once in a process, that a policy which observes the truth needs ideal senses."""
     if policy.observe == "truth":
         warn_once(
             f"policy {policy.name!r} observes the truth: it plays only with senses='ideal' (a command takes --senses "

@@ -4,40 +4,40 @@ How to use it:
 
     soccer_v0.py         the PettingZoo API
     gymnasium_envs.py    the Gymnasium API
-    api/                 what both share
-    match/               `Match`: many matches at once, without dictionaries, and how a step of them is played
-    thoughts/            what robots saw, believed and decided, noted as a match is played
+    api/                 the parts that both share
+    match/               `Match`: many matches at once, without dictionaries, and one step of them
+    thoughts/            percepts, beliefs and decisions of robots, noted while a match is played
     replay/              matches on disk that play again exactly
     render/              pictures, windows and overlays
     shows/               replays as pictures, films and pages for the browser
     data_out/            replays as tables and in the formats of football data
 
-What a match is made of:
+The parts of a match:
 
     types.py             every record of a match, with units, frames and ranges
     records/             the records of percepts, of beliefs and of a step
     leagues/             the leagues, every number with unit and source
-    teams/               what a team is, the teams by name, and functions as teams
-    actions.py           what learners may do
-    observations/        what learners see
-    rewards/             what learners are paid for
+    teams/               the protocol of a team, the registry of teams, and functions as teams
+    actions.py           the actions of learners
+    observations/        the observations of learners
+    rewards/             the rewards of learners
     scenes/              how an episode begins: kick-off and drills
     physics/             bodies, wheels, legs and ball; the only user of pymunk
     referee/             goals, restarts and the other rules
-    statistics/          who has the ball and what he does with it, how goals fall
-    optics/              what a camera shows where
-    robot_kinds/         each kind of robot declared in one file
+    statistics/          possession, passes, shots, and the kinds of goals
+    optics/              geometry of the cameras
+    robot_kinds/         each kind of robot, declared in one file
     perception/          percepts from the truth
     belief/              beliefs from percepts
-    skills/              what scripted players share, from belief to command
+    skills/              skills that scripted players share, from belief to command
 
-What all of it stands on:
+The foundations:
 
-    guards/              checks, ranges, whole files, and what keeps a match whole where control goes elsewhere
+    guards/              checks, ranges, whole files, and protection against signals, threads and errors
     geometry.py          angles, vectors and frames
     random_numbers.py    the generator that lives in the records
     compiled.py          the decorator that compiles a function
-    compiling/           how that is done, and machine code on disk
+    compiling/           the compiler, and machine code on disk
 
 The folders baselines/, agents/ and train/ of the repository are imported as `soccer_env.baselines` and so on.
 """
@@ -63,22 +63,12 @@ __all__ = [
     "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "WholeTruth", "make_team", "soccer_v0",
     "team_of_function",
 ]  # fmt: skip
-__getattr__, __dir__ = lazy_names(  # resolved at first use, so that importing the package stays quick
-    __name__,
-    {
-        "League": "soccer_env.leagues",
-        "Lineup": "soccer_env.teams",
-        "Match": "soccer_env.match",
-        "OwnTerm": "soccer_env.rewards",
-        "Rewards": "soccer_env.rewards",
-        "Scene": "soccer_env.scenes",
-        "Team": "soccer_env.teams",
-        "WholeTruth": "soccer_env.match.truth_state",
-        "make_team": "soccer_env.teams",
-        "soccer_v0": "soccer_env.soccer_v0",
-        "team_of_function": "soccer_env.teams.function_teams",
-    },
-)
+_MODULES = {
+    "League": "leagues", "Lineup": "teams", "Match": "match", "OwnTerm": "rewards", "Rewards": "rewards",
+    "Scene": "scenes", "Team": "teams", "WholeTruth": "match.truth_state", "make_team": "teams",
+    "soccer_v0": "soccer_v0", "team_of_function": "teams.function_teams",
+}  # fmt: skip
+__getattr__, __dir__ = lazy_names(__name__, {name: f"{__name__}.{module}" for name, module in _MODULES.items()})
 
 sys.meta_path.append(FoldersBeside(__name__, __file__, ("baselines", "agents", "train")))  # in a checkout
 _register()

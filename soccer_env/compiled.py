@@ -1,13 +1,13 @@
 """The decorators that compile the stages of a match.
 
-Plain Python over record fields goes in; machine code that runs without the interpreter lock comes out. Nothing is
-compiled before its first call, and what was compiled is kept on disk (`compiling/`).
+They turn plain Python over record fields into machine code that runs without the interpreter lock. A function is
+compiled at its first call, and its machine code is kept on disk (`compiling/`).
 
 Environment variables: `SOCCER_ENV_CACHE` (folder of the cache), `SOCCER_ENV_QUIET=1` (say nothing while compiling),
 `NUMBA_DISABLE_JIT=1` (run everything as ordinary Python, for a debugger or for coverage).
 
-Constants that a function reads from its module must follow from source code alone: a value that comes from a data
-file or from the environment is frozen into the machine code on disk.
+Constants that a function reads from its module must follow from source code alone: a value from a data file or from
+the environment would be frozen into the machine code on disk.
 """
 
 import functools
@@ -30,10 +30,10 @@ OPTIONS = {"nopython": True, "nogil": True, "error_model": "numpy", "fastmath": 
 
 
 def compiled(function: F) -> F:
-    """Compile `function` for the types it is called with, at its first call, and cache the result on disk.
+    """Compile `function` for the types of its arguments, at its first call, and cache the result on disk.
 
-    With NUMBA_DISABLE_JIT=1 it stays Python, and structured arrays reach it as recarrays. A function that is in no
-    file (typed into an interpreter, or in a notebook) is compiled but not cached.
+    With NUMBA_DISABLE_JIT=1 the function stays Python, and gets structured arrays as recarrays. A function without a
+    file (typed into an interpreter or a notebook) is compiled but not cached.
     """
     if config.DISABLE_JIT:
         return cast(F, _as_python(function))
@@ -46,9 +46,9 @@ def compiled(function: F) -> F:
 
 
 def inlined(function: F) -> F:
-    """Compile `function` as `compiled` does, and put its code wherever another compiled function calls it.
+    """Compile `function` as `compiled` does, and inline it in its compiled callers.
 
-    For a function that is called in one place, or does little: to hand on an array is to copy seven numbers or more.
+    For a short function, or one with a single caller: passing an array copies at least seven numbers.
     """
     made: Any = compiled(function)
     if not config.DISABLE_JIT:
@@ -57,7 +57,7 @@ def inlined(function: F) -> F:
 
 
 def records(count: int, dtype: Any) -> Any:
-    """Return `count` zeroed scratch records, inside a compiled function: with attributes in plain Python as well."""
+    """Return `count` zeroed scratch records for compiled functions; their fields are attributes in plain Python too."""
     return np.zeros(count, dtype).view(np.recarray)
 
 
@@ -80,7 +80,7 @@ def _as_python(function: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(function)
     def call(*arguments: Any, **named: Any) -> Any:
-        if _depth.value:  # the outermost call has done it: parts of a recarray are recarrays and records
+        if _depth.value:  # converted by the outermost call: parts of a recarray are recarrays and records
             return function(*arguments, **named)
         _depth.value += 1
         try:
@@ -94,7 +94,7 @@ def _as_python(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def with_attributes(value: Any) -> Any:
-    """Return a view of a structured array or record whose fields are attributes, and anything else as it is."""
+    """Return a structured array or record as a view whose fields are attributes, any other value unchanged."""
     if isinstance(value, np.ndarray):
         is_plain = value.dtype.names is not None and not isinstance(value, np.recarray)
         return value.view(np.recarray) if is_plain else value

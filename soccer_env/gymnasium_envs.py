@@ -1,7 +1,6 @@
 """The Gymnasium API for one learner in one match, `SoloSoccer`; `api/ids.py` has its ids.
 
-Everybody but the learner is played by a team. Spaces, rewards and infos are those of the agent in
-`soccer_v0.parallel_env`, transition by transition.
+Teams play all other robots. Spaces, rewards and infos equal those of the agent in `soccer_v0.parallel_env`.
 """
 
 from collections.abc import Mapping
@@ -19,54 +18,53 @@ from soccer_env.guards.turns import held
 from soccer_env.match.arguments import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
 
 
-def choose_learner(asked: LearnerSetup) -> tuple[str, dict[str, Any]]:
-    """Return the learner, home's last robot unless `agent` names it, and the settings of a match it plays in."""
+def choose_learner(arguments: LearnerSetup) -> tuple[str, dict[str, Any]]:
+    """Return the learner, home's last robot unless `agent` names another, and the settings of its match."""
     from soccer_env.match.settings import make_settings
 
-    checked, controllers = make_settings(asked), asked.controllers
+    checked, controllers = make_settings(arguments), arguments.controllers
     sizes = {"home": checked.home, "away": checked.away}
     agents = [f"{side}_{number}" for side, size in sizes.items() for number in range(size)]
-    agent = f"home_{checked.home - 1}" if asked.agent is None else asked.agent
+    agent = f"home_{checked.home - 1}" if arguments.agent is None else arguments.agent
     check_names("agent", [agent], agents)
     if controllers is not None and not (isinstance(controllers, Mapping) and agent not in controllers):
         raise ValueError(f"controllers must map agents or sides other than {agent} to teams, got {controllers!r}")
     own, other = ("home", "away") if agent.startswith("home") else ("away", "home")
-    players = {own: asked.teammates, other: asked.opponents, **(controllers or {}), agent: None}
+    players = {own: arguments.teammates, other: arguments.opponents, **(controllers or {}), agent: None}
     for other_agent in agents:
         if other_agent != agent and players.get(other_agent, players[other_agent.split("_")[0]]) is None:
             raise ValueError(
                 f"{agent} is the one learner, so a team has to play {other_agent}: give opponents, teammates"
             )
-    given = {**part_of(asked, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
-    return agent, given
+    settings = {**part_of(arguments, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
+    return agent, settings
 
 
 class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
-    """One learner in one match; a `soccer_v0.parallel_env` inside whose other robots are played by teams.
+    """One learner in one match: a `soccer_v0.parallel_env` in which teams play all other robots.
 
-    Its settings are the fields of `SoloArguments`, `help(SoloSoccer.__init__)` explains them; ValueError names what is
-    wrong.
+    `help(SoloSoccer.__init__)` explains the settings, the fields of `SoloArguments`; ValueError names a wrong setting.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array", "human"]}
     _spec: EnvSpec | None = None
 
     @made_from(SoloArguments)
-    def __init__(self, asked: SoloArguments) -> None:
+    def __init__(self, arguments: SoloArguments) -> None:
         from soccer_env.soccer_v0 import parallel_env
 
-        self.asked = asked
-        self.agent, given = choose_learner(asked)
-        shown = {"render_mode": asked.render_mode, "infos": asked.infos, "overlays": asked.overlays}
-        self._parallel = parallel_env(**given, **shown)
-        self.match, self.render_mode = self._parallel.match, asked.render_mode
+        self.arguments = arguments
+        self.agent, settings = choose_learner(arguments)
+        shown = {"render_mode": arguments.render_mode, "infos": arguments.infos, "overlays": arguments.overlays}
+        self._parallel = parallel_env(**settings, **shown)
+        self.match, self.render_mode = self._parallel.match, arguments.render_mode
         self.metadata = {**self.metadata, "render_fps": self._parallel.metadata["render_fps"]}
         self.observation_space = self._parallel.observation_space(self.agent)
         self.action_space = self._parallel.action_space(self.agent)
 
     @property
     def spec(self) -> EnvSpec | None:
-        """How `gymnasium.make` made this; its `max_episode_steps` are our `max_cycles`, as wrappers want to know."""
+        """Return the spec of `gymnasium.make`, with our `max_cycles` as `max_episode_steps` for wrappers."""
         return self._spec
 
     @spec.setter
@@ -78,39 +76,39 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
-        """Begin an episode, as `ParallelSoccer.reset` says; return observation and info."""
+        """Begin an episode, see `ParallelSoccer.reset`; return observation and info."""
         observations, infos = self._parallel.reset(seed, options)
         self.match = self._parallel.match
         super().reset(seed=None if seed is None else int(seed))
         return observations[self.agent], infos[self.agent]
 
     def step(self, action: Any) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
-        """Play one step, as `ParallelSoccer.step` says; return observation, reward, terminated, truncated, info."""
+        """Play one step, see `ParallelSoccer.step`; return observation, reward, terminated, truncated, info."""
         observations, rewards, terminated, truncated, infos = self._parallel.step({self.agent: action})
         agent = self.agent
         return observations[agent], rewards[agent], terminated[agent], truncated[agent], infos[agent]
 
     def save(self) -> bytes:
-        """Return what the episode's future depends on, as `ParallelSoccer.save` does; it goes on rebuilt, as there."""
+        """Return a save of the episode, see `ParallelSoccer.save`; the physics is rebuilt."""
         return self._parallel.save()
 
     @held
     def load(self, saved: bytes) -> tuple[np.ndarray, dict[str, Any]]:
-        """Go on from what `save` returned, as `ParallelSoccer.load` says; return observation and info."""
+        """Go on from a save, see `ParallelSoccer.load`; return observation and info."""
         observations, infos = self._parallel.load(saved)
         return observations[self.agent], infos[self.agent]
 
     @property
     def opponent_names(self) -> list[str]:
-        """Return the names of those that the learner has met, which "opponent" in flat infos counts; 0: a learner."""
+        """Return the names of all opponents so far, which "opponent" in flat infos indexes; 0 is a learner."""
         return self._parallel.opponent_names
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy is to be reset."""
-        return by_settings(SoloSoccer, part_of(self.asked, SoloArguments))
+        """Copy by settings: the copy needs a reset."""
+        return by_settings(SoloSoccer, part_of(self.arguments, SoloArguments))
 
     def render(self) -> Any:
-        """Return a frame or show it, as `ParallelSoccer.render` says."""
+        """Return a frame or show it, see `ParallelSoccer.render`."""
         return self._parallel.render()
 
     def close(self) -> None:

@@ -3,16 +3,16 @@
 | | |
 |---|---|
 | agents | `home_0`, ..., `away_0`, ...: every robot that no team plays |
-| observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout`, or what a user's own has |
-| action | Box(4): forward, left, turn, kick; or Box(7): and head, pan, tilt; or Discrete; see `soccer_env.actions` |
+| observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout`, or a user's own |
+| action | Box(4): forward, left, turn, kick; Box(7): also head, pan, tilt; or Discrete; see `soccer_env.actions` |
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
 | state | the whole truth of the match in [-1, 1], see `soccer_env.match.truth_state` |
 
 `infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
 "phase", "opponent", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in
-words: "active", "score" (own goals, the opponents'), "phase", "opponent" (a team's name, "learner" for none; flat infos
-have its place in `env.opponent_names`), "rewards" (term -> weighted reward), "events" (only what happened in this step)
-and, at the end of an episode, "statistics" and "maps" (`statistics.maps.maps_of`) from the side of the agent's team.
+words: "active", "score" (own goals, the opponents'), "phase", "opponent" (the team's name, or "learner"; flat infos
+have its place in `env.opponent_names`), "rewards" (term -> weighted reward), "events" (only events of this step) and,
+at the end of an episode, "statistics" and "maps" (`statistics.maps.maps_of`) from the side of the agent's team.
 infos="none" is the fastest. Finite actions outside [-1, 1] are clipped.
 
 Version history: v0, the first.
@@ -62,7 +62,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
             raise ValueError(f"needs 1 match and autoreset 'off', got {match.count} and {match.autoreset!r}")
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
-        self.match, self.asked = match, match.asked
+        self.match, self.arguments = match, match.arguments
         self.render_mode = check_render_mode(render_mode)
         self.screen = Screen(match, overlays)
         self.metadata = {**self.metadata, "render_fps": self.screen.fps}
@@ -97,10 +97,10 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
     ) -> tuple[dict[str, np.ndarray], Infos]:
         """Begin an episode; return observations and infos by agent.
 
-        With a seed the match starts its random streams anew, without it goes on to its next episode. The option
-        "match_seed" is one of a Match's `seeds`: this env then plays that one of its matches. The option "opponents"
-        is a team, its name or a Lineup that plays against the learners from now on; `match` is then another object.
-        ValueError, and the running episode goes on, for anything else.
+        A seed restarts the random streams of the match; without, the match goes on to its next episode. The option
+        "match_seed" is one of a Match's `seeds`: this env then plays that match. The option "opponents" is a team, its
+        name or a Lineup that plays against the learners from now on; `match` is then another object. ValueError, and
+        the running episode goes on, for anything else.
         """
         wanted = check_options(options, OPTIONS)
         if seed is not None and "match_seed" in wanted:
@@ -121,7 +121,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self._tell_who_plays()
 
     def _tell_who_plays(self) -> None:
-        """Take note of the opponents of an episode that has begun, or that is gone on with."""
+        """Store the opponents of an episode that has begun or was loaded."""
         self._met.turn_to(self.match)
         if self._report is not None:
             self._report.turn_to(self.match)
@@ -133,7 +133,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         """Play one step; return observations, rewards, terminations, truncations and infos by agent.
 
         All agents end together, and `agents` is then empty. ValueError names the agent whose action is missing,
-        unknown, mis-shaped or not finite, RuntimeError says that a reset is due; in both cases nothing has changed.
+        unknown, of a wrong shape or not finite, RuntimeError asks for a reset; both change nothing.
         """
         if not self.agents:
             raise RuntimeError(f"step {'after the end of the episode' if self._begun else 'before reset'}: call reset")
@@ -145,18 +145,13 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         if terminated or truncated:
             self.agents = []
         self._show()
-        return (
-            self._observations(),
-            rewards,
-            dict.fromkeys(agents, terminated),
-            dict.fromkeys(agents, truncated),
-            infos,
-        )
+        terminations, truncations = dict.fromkeys(agents, terminated), dict.fromkeys(agents, truncated)
+        return self._observations(), rewards, terminations, truncations, infos
 
     def save(self) -> bytes:
-        """Return everything that the episode's future depends on, as `Match.save` does; RuntimeError before reset.
+        """Return everything that the episode's future depends on; RuntimeError before reset.
 
-        As there, the physics of the running episode is rebuilt: it goes on otherwise than without a save.
+        As by `Match.save`, the physics of the running episode is rebuilt, which changes its future.
         """
         if not self._begun:
             raise RuntimeError("save before reset: call reset")
@@ -164,9 +159,9 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
 
     @held
     def load(self, saved: bytes) -> tuple[dict[str, np.ndarray], Infos]:
-        """Go on from what `save` of this or an equal env returned; return observations and infos by agent.
+        """Go on from a save of this or an equal env, even after the end; return observations and infos by agent.
 
-        Also out of an episode that has ended. ValueError, and the running episode goes on, for anything else.
+        ValueError, and the running episode goes on, for anything else.
         """
         self.match.load(saved)
         self._tell_who_plays()
@@ -176,19 +171,21 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return self._observations(), self._infos()
 
     def _observations(self) -> dict[str, Any]:
-        """Return an array of its own, or a dict of such, for each agent: callers write into them."""
+        """Return a new array, or a dict of new arrays, for each agent: callers may write into them."""
         match, agents = self.match, self.possible_agents
         if isinstance(match.observations, np.ndarray):
             return dict(zip(agents, match.observations[0, self._rows].copy(), strict=True))
         rows = np.arange(len(match.agents))[self._rows].tolist()
-        told = {agent: match.seen.of_robot(match.observations, row) for agent, row in zip(agents, rows, strict=True)}
-        return {agent: copied(pick(seen, 0)) for agent, seen in told.items()}
+        by_agent = {
+            agent: match.seen.of_robot(match.observations, row) for agent, row in zip(agents, rows, strict=True)
+        }
+        return {agent: copied(pick(seen, 0)) for agent, seen in by_agent.items()}
 
     def _infos(self) -> Infos:
         return {agent: {} for agent in self.possible_agents} if self._report is None else self._report.infos()
 
     def _gather(self, actions: Any) -> np.ndarray:
-        """Return the actions as the match takes them; ValueError names what is wrong with them."""
+        """Return the actions in the form of `Match.step`; ValueError names the wrong action."""
         usual = self._usual(actions)
         if usual is not None and self._flat is not None:
             np.concatenate(usual, out=self._flat)
@@ -200,19 +197,19 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return self._actions
 
     def _usual(self, actions: Any) -> list[np.ndarray] | None:
-        """Return the actions in order if all are float arrays of the right shape, else None; it is there for speed."""
+        """Return the actions in order if all are float arrays of the right shape, else None; a fast path."""
         if self._discrete or type(actions) is not dict or len(actions) != len(self.agents):
             return None
-        found = []
+        ordered = []
         for agent in self.agents:
             action = actions.get(agent)
             if type(action) is not np.ndarray or action.shape != self._action_shape or action.dtype.char not in FLOATS:
                 return None
-            found.append(action)
-        return found
+            ordered.append(action)
+        return ordered
 
     def check_action(self, agent: str, action: Any) -> Any:
-        """Return one agent's action as numbers (or as an index); ValueError names the agent and the value."""
+        """Return one agent's action as numbers, or as an index; ValueError names the agent and the value."""
         if self._discrete:
             return discrete_index(action, agent)
         numbers = self.match.settings.actions.numbers(action, agent)
@@ -221,20 +218,20 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return numbers
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the whole truth as one vector in [-1, 1], from the side that is asked for, see `Match.state`."""
+        """Return the whole truth as one vector in [-1, 1], from a side, see `Match.state`."""
         state: np.ndarray = self.match.state(side)[0]
         return state
 
     @property
     def state_names(self) -> list[str]:
-        """Return what the numbers of `state()` are called."""
+        """Return the names of the numbers of `state()`."""
         return self.match.state_names
 
     @property
     def opponent_names(self) -> list[str]:
-        """Return the names of those that learners have met, which "opponent" in flat infos counts: 0 is a learner.
+        """Return the names of all opponents so far, which "opponent" in flat infos indexes: 0 is a learner.
 
-        The teams follow, those of a Lineup in its order; others that a reset brings come behind them.
+        Teams follow, the teams of a Lineup in order; opponents of later resets are appended.
         """
         return self._met.names
 
@@ -263,37 +260,39 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self.screen.close()
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy is to be reset."""
-        settings = {**part_of(self.match.asked, MatchArguments), "render_mode": self.render_mode}
+        """Copy by settings: the copy needs a reset."""
+        settings = {**part_of(self.match.arguments, MatchArguments), "render_mode": self.render_mode}
         return by_settings(_env_of, {**settings, "infos": self.info_kind, "overlays": self.screen.overlays})
 
     @property
     def unwrapped(self) -> ParallelSoccer:
-        """Return the env itself; `env.unwrapped.match` is the match inside, whatever the wrappers."""
+        """Return the env itself; `env.unwrapped.match` is the match inside all wrappers."""
         return self
 
 
 def _env_of(*, render_mode: str | None, infos: InfoKind, overlays: Any, **settings: Any) -> ParallelSoccer:
-    """Return the env that was pickled."""
+    """Return the pickled env."""
     return ParallelSoccer(Match(**settings), render_mode, infos, overlays)
 
 
 @takes(EnvArguments)
-def parallel_env(asked: EnvArguments) -> ParallelSoccer:
-    """Return one match as a PettingZoo ParallelEnv; ValueError names a setting that is wrong, and what is allowed."""
-    return ParallelSoccer(Match(**part_of(asked, MatchSetup)), asked.render_mode, asked.infos, asked.overlays)
+def parallel_env(arguments: EnvArguments) -> ParallelSoccer:
+    """Return one match as a PettingZoo ParallelEnv; ValueError names the wrong setting and the allowed values."""
+    return ParallelSoccer(
+        Match(**part_of(arguments, MatchSetup)), arguments.render_mode, arguments.infos, arguments.overlays
+    )
 
 
 @takes(EnvArguments)
-def raw_env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
-    """Return one match as a PettingZoo AECEnv; the settings are those of `parallel_env`."""
-    return TurnSoccer(parallel_env(**part_of(asked, EnvArguments)))
+def raw_env(arguments: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
+    """Return one match as a PettingZoo AECEnv, with the settings of `parallel_env`."""
+    return TurnSoccer(parallel_env(**part_of(arguments, EnvArguments)))
 
 
 @takes(EnvArguments)
-def env(asked: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
-    """Return `raw_env` with PettingZoo's check of the order of calls; the settings are those of `parallel_env`."""
-    return OrderedSoccer(raw_env(**part_of(asked, EnvArguments)))
+def env(arguments: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
+    """Return `raw_env` with PettingZoo's check of the order of calls, with the settings of `parallel_env`."""
+    return OrderedSoccer(raw_env(**part_of(arguments, EnvArguments)))
 
 
 __all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

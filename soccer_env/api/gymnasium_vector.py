@@ -29,26 +29,26 @@ OPTIONS = ("match_seeds", "opponents")  # of reset
 class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
     """One learner in each of `num_envs` matches, straight over the batched core.
 
-    Its settings are the fields of `VectorArguments`, `help(SoccerVectorEnv.__init__)` explains them. Infos are
-    Gymnasium's: an array for each key of `SoloSoccer`'s, and a mask `_key` of the matches that have it. In nested ones
-    "score" is (num_envs, 2), "statistics" and "maps" are of episodes that have just ended (SameStep: in "final_info").
+    `help(SoccerVectorEnv.__init__)` explains the settings, the fields of `VectorArguments`. Infos have Gymnasium's
+    form: an array for each key of `SoloSoccer`'s infos, and a mask `_key` of the matches that have it. In nested infos
+    "score" is (num_envs, 2); "statistics" and "maps" belong to ended episodes (SameStep: in "final_info").
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
 
     @made_from(VectorArguments)
-    def __init__(self, asked: VectorArguments) -> None:
-        self.asked = asked
-        mode = check_mode(asked.autoreset_mode)
-        self.render_mode = check_render_mode(asked.render_mode, ("rgb_array",))
-        self.agent, given = choose_learner(asked)
-        limits = [steps for steps in (asked.max_cycles, asked.max_episode_steps) if steps is not None]
-        given["max_cycles"] = min(limits, default=None)
-        self.match = Match(**given, matches=asked.num_envs, threads=asked.threads, autoreset=MODES[mode])
+    def __init__(self, arguments: VectorArguments) -> None:
+        self.arguments = arguments
+        mode = check_mode(arguments.autoreset_mode)
+        self.render_mode = check_render_mode(arguments.render_mode, ("rgb_array",))
+        self.agent, settings = choose_learner(arguments)
+        limits = [steps for steps in (arguments.max_cycles, arguments.max_episode_steps) if steps is not None]
+        settings["max_cycles"] = min(limits, default=None)
+        self.match = Match(**settings, matches=arguments.num_envs, threads=arguments.threads, autoreset=MODES[mode])
         self.num_envs = self.match.count
         self._row = self.match.agents.index(self.agent)
         self._met = Met(self.match, np.array([self._row]))
-        self._report = report_of(kind_of_infos(asked.infos), self.match, self._row, self._met)
+        self._report = report_of(kind_of_infos(arguments.infos), self.match, self._row, self._met)
         self._screen = Screen(self.match)
         self.metadata = {**self.metadata, "autoreset_mode": mode, "render_fps": self._screen.fps}
         self.single_observation_space = space_of(self.match.seen.group_of(self._row).form)
@@ -62,16 +62,16 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         self._begun = False
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy is to be reset."""
-        return by_settings(SoccerVectorEnv, part_of(self.asked, VectorArguments))
+        """Copy by settings: the copy needs a reset."""
+        return by_settings(SoccerVectorEnv, part_of(self.arguments, VectorArguments))
 
     @held
     def reset(self, *, seed: Any = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin an episode in all matches; return observations (num_envs, n) and infos.
 
-        seed: a number that all matches follow from (match 0 as `SoloSoccer` with it), or one for each, with which it
-        is `SoloSoccer` with that seed. The option "match_seeds" takes a Match's `seeds` as they are, "opponents" a team
-        or Lineup that plays from now on. ValueError, and the running episodes go on, for anything else.
+        seed: one seed for all matches (match 0 equals `SoloSoccer` with this seed), or a seed for each match, which
+        then equals `SoloSoccer` with that seed. The option "match_seeds" takes the `seeds` of a Match, "opponents" a
+        team or Lineup that plays from now on. ValueError, and the running episodes go on, for anything else.
         """
         wanted = check_options(options, OPTIONS)
         seeds = wanted.get("match_seeds")
@@ -88,7 +88,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             self.match = match
             self._screen.turn_to(match)
             self._met.turn_to(match)
-            self._report = report_of(kind_of_infos(self.asked.infos), match, self._row, self._met)
+            self._report = report_of(kind_of_infos(self.arguments.infos), match, self._row, self._met)
         self._begun = True
         return self._observations(), self._infos()
 
@@ -96,7 +96,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """Play one step of all matches; return observations (num_envs, n), rewards, terminated, truncated, infos.
 
-        ValueError names the match whose action is wrong, RuntimeError says that a reset is due; nothing has changed.
+        ValueError names the match with a wrong action, RuntimeError asks for a reset; both change nothing.
         """
         if not self._begun:
             raise RuntimeError("step before reset: call reset")
@@ -114,20 +114,20 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     @property
     def opponent_names(self) -> list[str]:
-        """Return the names of those that the learner has met, which "opponent" in flat infos counts; 0: a learner."""
+        """Return the names of all opponents so far, which "opponent" in flat infos indexes; 0 is a learner."""
         return self._met.names
 
     def save(self, rows: Any = None) -> bytes:
-        """Return what the future of all matches or of some depends on, as `Match.save`; they go on rebuilt."""
+        """Return a save of all matches or of some, as `Match.save` does; their physics is rebuilt."""
         if not self._begun:
             raise RuntimeError("save before reset: call reset")
         return self.match.save(rows)
 
     @held
     def load(self, saved: bytes, rows: Any = None) -> tuple[np.ndarray, dict[str, Any]]:
-        """Go on from what `save` returned, in all matches or in some, as `Match.load` does.
+        """Go on from a save, in all matches or in some, as `Match.load` does; return observations and infos of all.
 
-        Return observations (num_envs, n) and infos of all. ValueError, and all go on as they were, for anything else.
+        ValueError, and no change, for anything else.
         """
         if rows is not None and not self._begun:
             raise RuntimeError("load of some matches before reset: call reset")
@@ -136,7 +136,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         return self._observations(), self._infos()
 
     def _check(self, actions: Any) -> np.ndarray:
-        """Return the learners' actions (num_envs, ...); Match looks at their values."""
+        """Return the learners' actions (num_envs, ...), checked for type and shape; Match checks their values."""
         try:
             numbers = np.asarray(actions)
         except (TypeError, ValueError) as error:
@@ -148,14 +148,14 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         return numbers
 
     def _observations(self) -> Any:
-        """Return the learners' observations (num_envs, n), in an array of their own, or in a dict of such."""
+        """Return the learners' observations (num_envs, n) in a new array, or in a dict of new arrays."""
         return copied(self.match.seen.of_robot(self.match.observations, self._row))
 
     def _infos(self) -> dict[str, Any]:
         return {} if self._report is None else self._report.infos()
 
     def _add_final(self, infos: dict[str, Any]) -> dict[str, Any]:
-        """Add the last observation and info of the matches that ended, and take their reward terms to that info."""
+        """Add the last observation and info of ended matches, and move their reward terms into that info."""
         report, match = self._report, self.match
         for index, m in enumerate(match.ended):
             last = {
@@ -178,19 +178,19 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def close_extras(self, **ignored: Any) -> None:
         """End the threads."""
-        if hasattr(self, "match"):  # Gymnasium 1.2 also closes what could not be made
+        if hasattr(self, "match"):  # Gymnasium 1.2 also closes envs whose __init__ failed
             self.match.close()
 
 
 def report_of(infos: InfoKind, match: Match, row: int, met: Met) -> FlatArrays | NestedArrays | None:
-    """Return what makes the infos of a robot (row) in each match."""
+    """Return the report that makes the infos of a robot (row) in each match."""
     if infos == "none":
         return None
     return NestedArrays(match, row) if infos == "nested" else FlatArrays(match, row, infos == "full", met)
 
 
 def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
-    """Return the autoreset mode; ValueError names those that exist."""
+    """Return the autoreset mode; ValueError names the known modes."""
     for known, name in MODES.items():
         if mode in (known, known.value, name):
             return known
@@ -198,15 +198,15 @@ def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
 
 
 def seeds_of_each(seeds: Any) -> list[int]:
-    """Return the match seeds of matches that have a seed each; ValueError for one that is no seed."""
+    """Return the match seeds of a list of seeds; ValueError for a wrong seed."""
     from soccer_env.random_numbers import seeds_for
 
-    found = []
+    match_seeds = []
     for seed in seeds:
         if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
             raise ValueError(f"each seed must be a whole number of 0 or more, got {seed!r}")
-        found.append(int(seeds_for(int(seed), 1)[0]))
-    return found
+        match_seeds.append(int(seeds_for(int(seed), 1)[0]))
+    return match_seeds
 
 
 __all__ = ["SoccerVectorEnv"]

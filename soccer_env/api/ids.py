@@ -1,12 +1,12 @@
-"""The ids of the environments: `gymnasium.make`, `gymnasium.make_vec` and PettingZoo's registry find them by these.
+"""The ids of the environments for `gymnasium.make`, `gymnasium.make_vec` and PettingZoo's registry.
 
 `soccer_env/Legged2001-1v1-v0` to `-6v6-v0` and `soccer_env/MiddleSize2006-1v1-v0` to `-6v6-v0`; `home=` and `away=`
-give any other sizes. Their episodes are truncated after `STEPS` steps unless `max_cycles=` says otherwise, so that a
-learner sees returns; those of `soccer_env/Legged2001-Match-1v1-v0` and so on are whole matches. PettingZoo knows
-`soccer_env/soccer-v0` and `soccer_env/soccer-Match-v0`.
+set any other sizes. Episodes are truncated after `STEPS` steps, or `max_cycles=`, so that a learner sees returns;
+episodes of `soccer_env/Legged2001-Match-1v1-v0` and so on are whole matches. PettingZoo knows `soccer_env/soccer-v0`
+and `soccer_env/soccer-Match-v0`.
 
-`import soccer_env` registers them, so nothing of the environments is imported here. A worker process that has not
-imported it finds them by `soccer_env:soccer_env/Legged2001-1v1-v0`: Gymnasium imports what stands before the colon.
+`import soccer_env` registers the ids, so this file imports no environment. A worker process that has not imported the
+package uses `soccer_env:soccer_env/Legged2001-1v1-v0`: Gymnasium imports the module before the colon.
 """
 
 import gymnasium
@@ -19,7 +19,7 @@ LENGTHS: dict[str, int | None] = {"": STEPS, "Match-": None}  # word in an id ->
 
 
 def register() -> None:
-    """Register the ids with Gymnasium and with PettingZoo, where it has a registry; nothing is imported for it."""
+    """Register the ids with Gymnasium, and with PettingZoo if it has a registry, without importing environments."""
     for word, steps in LENGTHS.items():
         for name, league in LEAGUES.items():
             for size in SIZES:

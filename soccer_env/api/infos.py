@@ -1,15 +1,15 @@
-"""Infos as numbers: flat, and at every step under the same keys, as collectors of libraries want them.
+"""Infos as numbers: flat, with the same keys at every step, as the collectors of libraries expect.
 
 | key | number |
 |---|---|
-| `active` | False for a robot that is sent off or only fills a row |
+| `active` | False for a robot that is sent off, and for a spare row |
 | `score_for`, `score_against` | goals of the agent's team, of its opponents |
 | `phase` | phase of play, a `types.Phase` |
-| `opponent` | who plays the other team: its place in `env.opponent_names`, 0 for a learner |
+| `opponent` | the opponents' team: its place in `env.opponent_names`, 0 for a learner |
 | `reward_NAME` | share of each term of the reward: `soccer list rewards` |
-| `event_NAME` | what happened in the match in this step: the fields of `types.EVENTS` but for the ball's place |
-| `own_NAME` | what happened to the robot itself: the fields of `types.ROBOT_EVENTS` |
-| `statistics_NAME` | infos="full": of the episode so far, from the agent's team's side: `soccer list statistics` |
+| `event_NAME` | events of the match in this step: the fields of `types.EVENTS` without the ball's place |
+| `own_NAME` | events of the robot itself: the fields of `types.ROBOT_EVENTS` |
+| `statistics_NAME` | infos="full": of the episode so far, from the side of the agent's team: `soccer list statistics` |
 """
 
 from operator import itemgetter
@@ -30,7 +30,7 @@ OWN_NAMES = ROBOT_EVENTS.names or ()
 
 
 def keys_of(match: Match) -> tuple[list[str], list[str], list[str]]:
-    """Return the keys of a match's rewards, of its events, and of those of a robot itself."""
+    """Return the keys of a match's rewards, of its events, and of the events of a robot."""
     rewards = [f"reward_{name}" for name in match.term_names]
     return rewards, [f"event_{name}" for name in EVENT_NAMES], [f"own_{name}" for name in OWN_NAMES]
 
@@ -52,7 +52,7 @@ class FlatReport:
         self.turn_to(match)
 
     def turn_to(self, match: Match) -> None:
-        """Take note of who plays, at the beginning of an episode; the match may be another one of the same robots."""
+        """Store the opponents at the start of an episode; `match` may be a new Match with the same robots."""
         self._match = match
         self.opponents = int(self._met.now(0)[0]), int(self._met.now(1)[0])  # of each team, in the first match
 
@@ -63,14 +63,14 @@ class FlatReport:
         return self._of(*records, match.statistics[0])
 
     def last(self, index: int) -> Infos:
-        """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
+        """Return the last infos of an ended episode by agent; `index` is its row in `match.final`."""
         final = self._match.final
         return self._of(*(final[name][index] for name in (*FINAL_RECORDS, "statistics")))
 
     def _of(
         self, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray, statistics: Any
     ) -> Infos:
-        """Return the infos that follow from the records of one match, by agent."""
+        """Return the infos from the records of one match, by agent."""
         score, active = match["score"].tolist(), robots["active"].tolist()
         own, shares, happened = robot_events.tolist(), terms.tolist(), self._chosen(events.item())
         common, infos = self._nothing.copy(), {}
@@ -78,7 +78,7 @@ class FlatReport:
         if happened != self._quiet:
             common.update(zip(self._events, happened))
         for agent, row, team in self._robots:
-            infos[agent] = info = common.copy()  # much faster than a dict of so many pairs
+            infos[agent] = info = common.copy()  # much faster than a new dict
             info["active"] = active[row] == 1
             info["score_for"], info["score_against"] = score[team], score[1 - team]
             info["opponent"] = self.opponents[team]
@@ -93,7 +93,7 @@ class FlatReport:
 
 
 class FlatArrays:
-    """The same for one robot in each of many matches: an array (M,) for each key."""
+    """Infos as numbers for one robot in each of many matches: an array (M,) for each key."""
 
     def __init__(self, match: Match, row: int, full: bool, met: Met) -> None:
         self._match, self._row, self._team = match, row, side_of(match.agents[row])
@@ -104,52 +104,47 @@ class FlatArrays:
         self._before = self._now = met.now(self._team)
 
     def infos(self) -> dict[str, Any]:
-        """Return arrays of their own, and for each a mask `_key` of the matches that have it: all."""
+        """Return new arrays, each with a mask `_key` that is True for all matches."""
         match, row = self._match, self._row
         self._before, self._now = self._now, self._met.now(self._team)  # a step may have ended episodes
         score, own = match.matches["score"], match.robot_events[:, row]
-        values = (
-            *(match.robots["active"][:, row] == 1, score[:, self._team], score[:, 1 - self._team]),
-            match.matches["phase"],
-            self._now,
-            *match.terms[:, row].T,
-            *(match.events[name] for name in EVENT_NAMES),
-            *(own[name] for name in OWN_NAMES),
-        )
-        found = dict(zip(self._keys, values, strict=True))
+        values = [match.robots["active"][:, row] == 1, score[:, self._team], score[:, 1 - self._team]]
+        values += [match.matches["phase"], self._now, *match.terms[:, row].T]
+        values += [*(match.events[name] for name in EVENT_NAMES), *(own[name] for name in OWN_NAMES)]
+        arrays = dict(zip(self._keys, values, strict=True))
         if self._full:
             numbers = numbers_of(match.statistics, self._team)
-            found |= {f"statistics_{name}": values for name, values in numbers.items()}
+            arrays |= {f"statistics_{name}": values for name, values in numbers.items()}
         everywhere = np.ones(match.count, bool)
         return {
             name: item
-            for key, numbers in found.items()
+            for key, numbers in arrays.items()
             for name, item in ((key, as_python(numbers)), (f"_{key}", everywhere.copy()))
         }
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
-        """Return what is to be added where episodes ended (M,): nothing."""
+        """Return the infos to add where episodes ended (M,): none."""
         return {}
 
     def last(self, index: int) -> dict[str, Any]:
-        """Return the robot's last info of an episode that ended, a row of `match.final`."""
+        """Return the robot's last info of an ended episode; `index` is its row in `match.final`."""
         (info,) = self._one.last(index).values()
         info["opponent"] = int(self._before[self._match.ended[index]])
         return info
 
     def forget(self, infos: dict[str, Any], ended: np.ndarray) -> None:
-        """Take the rewards of episodes that ended out of the infos of those that have begun."""
+        """Set the rewards of ended episodes to 0 in the infos of the new episodes."""
         for name in self._match.term_names:
             infos[f"reward_{name}"][ended] = 0.0
 
 
 def as_python(numbers: np.ndarray) -> np.ndarray:
-    """Return a copy with the dtype that Python's own numbers have in an array."""
+    """Return a copy as int64 or float64, the types of Python's numbers."""
     return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
 
 
 def report_of(infos: InfoKind, match: Match, rows: np.ndarray, met: Met) -> Report | FlatReport | None:
-    """Return what makes the infos of some robots (rows)."""
+    """Return the report that makes the infos of some robots (rows)."""
     if infos == "none":
         return None
     return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full", met)

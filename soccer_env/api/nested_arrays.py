@@ -1,6 +1,6 @@
-"""Nested infos of one robot in each of many matches, as Gymnasium's vectors have them: words, each with a mask.
+"""Nested infos of one robot in each of many matches, in Gymnasium's form for vectors: words, each with a mask.
 
-What many robots of one match are told is `report.Report`; numbers are in `infos.py`.
+`report.Report` makes the nested infos of many robots in one match; `infos.py` makes infos as numbers.
 """
 
 from collections.abc import Sequence
@@ -24,70 +24,69 @@ class NestedArrays:
         self._before = self._one.opponents
 
     def infos(self) -> dict[str, Any]:
-        """Return what `Report.infos` says of each match, in Gymnasium's arrays and masks."""
+        """Return `Report.infos` of each match as Gymnasium's arrays and masks."""
         match, row = self._match, self._row
         self._before = self._one.opponents  # of the episodes that a step may have ended
         self._one.turn_to(match)
         score = match.matches["score"]
         shares = zip(match.term_names, match.terms[:, row].T.copy(), strict=True)
-        return self._masked(
-            {
-                "active": match.robots["active"][:, row] == 1,
-                "events": self._events(),
-                "rewards": self._masked(dict(shares)),
-                "score": np.stack([score[:, self._team], score[:, 1 - self._team]], axis=1),
-                "phase": np.array(PHASES, object)[match.matches["phase"]],
-                "opponent": self._one.opponents[self._team].copy(),
-            }
-        )
+        infos = {
+            "active": match.robots["active"][:, row] == 1,
+            "events": self._events(),
+            "rewards": self._masked(dict(shares)),
+            "score": np.stack([score[:, self._team], score[:, 1 - self._team]], axis=1),
+            "phase": np.array(PHASES, object)[match.matches["phase"]],
+            "opponent": self._one.opponents[self._team].copy(),
+        }
+        return self._masked(infos)
 
     def _masked(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Return values that all matches have, each followed by its mask."""
+        """Return values that all matches have, each with its mask."""
         everywhere = np.ones(self._match.count, bool)
         return {
             name: item for key, value in values.items() for name, item in ((key, value), (f"_{key}", everywhere.copy()))
         }
 
     def _events(self) -> dict[str, Any]:
-        """Return the events that happened in some match: a word or True where it happened, and the mask."""
-        match, found = self._match, {}
+        """Return the events that happened in any match: a word or True where they happened, and the mask."""
+        match, events = self._match, {}
         for name in QUIET.dtype.names or ():
             codes = match.events[name]
             mask = codes != QUIET[name]
             if name in NO_EVENTS or not mask.any():
                 continue
             words = self._one.words.get(name)
-            found[name], found[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
+            events[name], events[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
         for name in match.robot_events.dtype.names or ():
             mask = match.robot_events[name][:, self._row] != 0
             if mask.any():
-                found[name], found[f"_{name}"] = mask.copy(), mask
-        return found
+                events[name], events[f"_{name}"] = mask.copy(), mask
+        return events
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
-        """Return statistics (M,) and maps of the matches that ended, from the learner's side; 0 and None elsewhere."""
+        """Return statistics (M,) and maps of ended matches, from the learner's side; 0 and None for other matches."""
         numbers = numbers_of(self._match.statistics, self._team)
         masked = {name: np.where(ended, values, 0) for name, values in numbers.items()}
         both = {key: item for name, values in masked.items() for key, item in ((name, values), (f"_{name}", ended))}
         return {"statistics": both, "_statistics": ended, "maps": self._maps(ended), "_maps": ended}
 
     def _maps(self, ended: np.ndarray) -> dict[str, Any]:
-        """Return the maps of the matches that ended, lists in arrays (M,) of objects, each with its mask."""
-        found: dict[str, Any] = {}
+        """Return the maps of ended matches, lists in arrays (M,) of objects, each with its mask."""
+        maps: dict[str, Any] = {}
         for m in np.flatnonzero(ended).tolist():
             for name, value in maps_of(self._match.statistics[m], self._team, self._match.settings.rows).items():
-                found.setdefault(name, np.full(len(ended), None, object))[m] = value
-                found[f"_{name}"] = ended
-        return found
+                maps.setdefault(name, np.full(len(ended), None, object))[m] = value
+                maps[f"_{name}"] = ended
+        return maps
 
     def last(self, index: int) -> dict[str, Any]:
-        """Return the robot's last info of an episode that ended, a row of `match.final`."""
+        """Return the robot's last info of an ended episode; `index` is its row in `match.final`."""
         (info,) = self._one.last(index).values()
         opponent = self._before[self._team][self._match.ended[index]]
         return {**info, "score": np.array(info["score"]), "opponent": opponent}
 
     def forget(self, infos: dict[str, Any], ended: np.ndarray) -> None:
-        """Take the rewards of episodes that ended out of the infos of those that have begun."""
+        """Set the rewards of ended episodes to 0 in the infos of the new episodes."""
         for name in self._match.term_names:
             infos["rewards"][name][ended] = 0.0
 

@@ -1,4 +1,4 @@
-"""Who the learners of an API play against: their name for infos, and others at a reset."""
+"""The opponents of the learners of an API: their names for infos, and new opponents at a reset."""
 
 from typing import Any
 
@@ -8,11 +8,11 @@ from soccer_env.match import Match
 from soccer_env.match.arguments import MatchArguments, part_of
 from soccer_env.match.squads import Squad, who_plays
 
-LEARNER = "learner"  # what infos call a robot that no team plays
+LEARNER = "learner"  # name in infos of a robot that no team plays
 
 
 class Met:
-    """Whom some robots (rows) of a match play against: names, and as numbers their places among those ever met."""
+    """The opponents of some robots (rows): names of all opponents so far, and the number of the present one."""
 
     def __init__(self, match: Match, rows: np.ndarray) -> None:
         self.names = [LEARNER]
@@ -20,9 +20,9 @@ class Met:
         self.turn_to(match)
 
     def turn_to(self, match: Match) -> None:
-        """Take note of who can play; the match may be another one of the same robots."""
+        """Store the opponents that can play; `match` may be a new Match with the same robots."""
         self._count = match.count
-        self._squads: list[list[tuple[int, Squad]]] = [[], []]  # of the other side of each team, by number
+        self._squads: list[list[tuple[int, Squad]]] = [[], []]  # number and squad of the opponents of each side
         for team in self._sides:
             last = last_opponent(match, team)
             for squad in match.squads:
@@ -32,11 +32,11 @@ class Met:
                     self._squads[team].append((self.names.index(squad.name), squad))
 
     def now(self, team: int) -> np.ndarray:
-        """Return the number of what plays the last robot of the other team now (M,)."""
-        found = np.zeros(self._count, np.int64)
+        """Return the number (M,) of the team that plays the last robot of the other side now; 0: a learner."""
+        numbers = np.zeros(self._count, np.int64)
         for number, squad in self._squads[team]:
-            found[slice(None) if squad.plays is None else squad.plays] = number
-        return found
+            numbers[slice(None) if squad.plays is None else squad.plays] = number
+        return numbers
 
 
 def last_opponent(match: Match, team: int) -> int:
@@ -45,16 +45,16 @@ def last_opponent(match: Match, team: int) -> int:
 
 
 def opponents_of(match: Match, team: int) -> np.ndarray:
-    """Return the name of what plays the last robot of the other team now, (M,) objects; a lineup's own names."""
+    """Return the name of the team that plays the last robot of the other side now, (M,) objects."""
     names = who_plays(match.squads, last_opponent(match, team), match.count)
     names[names == ""] = LEARNER
     return names
 
 
 def against(match: Match, opponents: Any) -> Match:
-    """Return a match like another, with other opponents for its learners, before its next episode.
+    """Return a copy of a match with new opponents for its learners, before its next episode.
 
-    ValueError, and the other goes on, if the learners are not all of one side, or if these opponents cannot play.
+    ValueError, and `match` can go on, if the learners play on both sides or if these opponents cannot play.
     """
     sides = sorted({match.agents[row].split("_")[0] for row in np.flatnonzero(match.learns)})
     if len(sides) != 1 or opponents is None:
@@ -64,10 +64,12 @@ def against(match: Match, opponents: Any) -> Match:
         )
     if match.recorder is not None:
         raise ValueError("opponents cannot change while a Recorder writes the match down: stop it first")
-    asked = part_of(match.asked, MatchArguments)
+    arguments = part_of(match.arguments, MatchArguments)
     other = "away" if sides == ["home"] else "home"
-    controllers = {name: team for name, team in (asked["controllers"] or {}).items() if not name.startswith(other)}
+    controllers = {name: team for name, team in (arguments["controllers"] or {}).items() if not name.startswith(other)}
     dropped = "opponents" if other == "away" else "teammates"
-    made = Match(**{**asked, dropped: None, "controllers": {**controllers, other: opponents}, "seed": 0, "seeds": None})
-    made.seeds[:], made.matches["episode"] = match.seeds, match.matches["episode"]
-    return made
+    new_match = Match(
+        **{**arguments, dropped: None, "controllers": {**controllers, other: opponents}, "seed": 0, "seeds": None}
+    )
+    new_match.seeds[:], new_match.matches["episode"] = match.seeds, match.matches["episode"]
+    return new_match

@@ -1,4 +1,4 @@
-"""What the APIs of a match share: nested infos in words, frames and windows, and checks of what callers pass."""
+"""Nested infos in words, frames and windows, and checks of arguments, for all APIs of a match."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, get_args
@@ -15,19 +15,15 @@ from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
 OPTIONS = ("match_seed", "opponents")  # of reset
-IGNORED_OPTION = "options"  # what PettingZoo's parallel_api_test passes to every env
+IGNORED_OPTION = "options"  # PettingZoo's parallel_api_test passes it to every env
 TEAMS = ("home", "away")
 PHASES = tuple(phase.name.lower().replace("_", "-") for phase in Phase)
 DRILL = ("open", "success", "failure")  # at 0, 1 and -1
-WORDS: dict[str, Sequence[str]] = {  # what the codes of an event mean; events that are not here are flags
-    "goal": TEAMS,
-    "restart": PHASES,
-    "restart_team": TEAMS,
-    "touch_team": TEAMS,
-    "drill": DRILL,
-}
+WORDS: dict[str, Sequence[str]] = {  # meanings of the codes of events; all other events are flags
+    "goal": TEAMS, "restart": PHASES, "restart_team": TEAMS, "touch_team": TEAMS, "drill": DRILL,
+}  # fmt: skip
 NO_EVENTS = ("ball_x", "ball_y")  # fields of the record that are always filled
-FINAL_RECORDS = ("matches", "robots", "events", "robot_events", "terms")  # of `match.final`, as reports take them
+FINAL_RECORDS = ("matches", "robots", "events", "robot_events", "terms")  # of `match.final`, in the order of `of`
 Infos = dict[str, dict[str, Any]]
 
 
@@ -47,21 +43,21 @@ class Report:
         self.turn_to(match)
 
     def turn_to(self, match: Match) -> None:
-        """Take note of who plays, at the beginning of an episode; the match may be another one of the same robots."""
+        """Store the opponents at the start of an episode; `match` may be a new Match with the same robots."""
         self._match = match
         self.opponents = opponents_of(match, 0), opponents_of(match, 1)  # of each team, by match
 
     def infos(self) -> Infos:
-        """Return the infos of the first match, by agent; at the end of an episode with its statistics."""
+        """Return the infos of the first match by agent, with statistics at the end of an episode."""
         match = self._match
-        found = self.of(0, match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
-        return self.add_statistics(found, match.statistics[0]) if match.terminated[0] or match.truncated[0] else found
+        infos = self.of(0, match.matches[0], match.robots[0], match.events[0], match.robot_events[0], match.terms[0])
+        return self.add_statistics(infos, match.statistics[0]) if match.terminated[0] or match.truncated[0] else infos
 
     def last(self, index: int) -> Infos:
-        """Return the last infos of an episode that ended, a row of `match.final`, by agent."""
+        """Return the last infos of an ended episode by agent; `index` is its row in `match.final`."""
         final = self._match.final
-        found = self.of(int(self._match.ended[index]), *(final[name][index] for name in FINAL_RECORDS))
-        return self.add_statistics(found, final["statistics"][index])
+        infos = self.of(int(self._match.ended[index]), *(final[name][index] for name in FINAL_RECORDS))
+        return self.add_statistics(infos, final["statistics"][index])
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
         """Add the statistics and maps of the episode to the infos of its agents, each from its team's side."""
@@ -74,7 +70,7 @@ class Report:
     def of(
         self, m: int, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray
     ) -> Infos:
-        """Return the infos that follow from the records of match m, by agent."""
+        """Return the infos from the records of match m, by agent."""
         happened = dict(self._say(events.item()))
         home, away = match["score"].tolist()
         scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]
@@ -97,7 +93,7 @@ class Report:
         return infos
 
     def _say(self, values: tuple[Any, ...]) -> Iterator[tuple[str, Any]]:
-        """Yield name and meaning of the events of a record that happened."""
+        """Yield name and meaning of each event that happened."""
         for index, name, quiet, words in self._events:
             if values[index] != quiet:
                 yield name, True if words is None else words[values[index]]
@@ -109,7 +105,7 @@ def side_of(agent: str) -> int:
 
 
 def kind_of_infos(infos: InfoKind | bool) -> InfoKind:
-    """Return what kind of infos are asked for; ValueError names those that exist."""
+    """Return the kind of infos; ValueError names the known kinds."""
     if isinstance(infos, bool):
         return "flat" if infos else "none"
     kind: InfoKind = one_of("infos", infos, get_args(InfoKind))
@@ -117,9 +113,9 @@ def kind_of_infos(infos: InfoKind | bool) -> InfoKind:
 
 
 class Screen:
-    """Frames of a Match, and a window for its first; pygame is imported when the first frame is drawn.
+    """Frames of a Match, and a window for its first match; pygame is imported when the first frame is drawn.
 
-    `overlays`, as in `render.overlays.flags.flags_of`, lie over frames of the first match; ValueError for wrong ones.
+    `overlays`, as in `render.overlays.flags.flags_of`, lie over frames of the first match; ValueError for unknown ones.
     """
 
     def __init__(self, match: Match, overlays: Any = None) -> None:
@@ -151,18 +147,18 @@ class Screen:
         return frame
 
     def _over(self) -> list[Any]:
-        """Return what lies over a frame of the first match."""
+        """Return the overlays of a frame of the first match."""
         if self.overlays is None:
             return []
         if self._onlooker is None:
             from soccer_env.render.overlays.onlooker import Onlooker
 
             self._onlooker = Onlooker(self._match, self.overlays)
-        found: list[Any] = self._onlooker.see(self._match, self._picture.width)
-        return found
+        overlays: list[Any] = self._onlooker.see(self._match, self._picture.width)
+        return overlays
 
     def show(self) -> None:
-        """Show a frame of the first match, in real time; nothing happens once the user has closed the window."""
+        """Show a frame of the first match in real time; do nothing once the user has closed the window."""
         if self._window is None:
             from soccer_env.render import Window
 
@@ -177,7 +173,7 @@ class Screen:
 
 
 def title_of(match: Match) -> tuple[str, str] | None:
-    """Return who plays home and away, or None if no team plays."""
+    """Return the names of the teams home and away, or None if no team plays."""
     if not match.squads:
         return None
     names: tuple[list[str], list[str]] = ([], [])
@@ -188,12 +184,12 @@ def title_of(match: Match) -> tuple[str, str] | None:
 
 
 def check_render_mode(mode: str | None, modes: tuple[str, ...] = RENDER_MODES) -> str | None:
-    """Return the render mode; ValueError names those that exist."""
+    """Return the render mode; ValueError names the known modes."""
     return None if mode is None else one_of("render_mode", mode, modes)
 
 
 def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
-    """Return the options of a reset; ValueError names those that are known."""
+    """Return the options of a reset; ValueError names the known options."""
     if options is None:
         return {}
     if not isinstance(options, Mapping):
@@ -203,7 +199,7 @@ def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
 
 
 def check_agents(actions: Any, agents: list[str]) -> None:
-    """Raise ValueError unless there is an action for each agent and for nobody else."""
+    """Raise ValueError unless the keys of the actions are exactly the agents."""
     if not isinstance(actions, Mapping):
         raise ValueError(f"actions must be a dict from agents to actions, got {type(actions).__name__}")
     for agent in agents:

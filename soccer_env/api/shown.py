@@ -1,4 +1,4 @@
-"""What a console and a notebook show of an env: the settings it was made from, and a picture of its match."""
+"""Text and picture of an env for consoles and notebooks: its settings, and its match."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ ALWAYS = ("league", "home", "away")
 
 
 class Shown:
-    """Something with a `match`, which `asked` says how to make."""
+    """An env with a `match` that is made from `arguments`."""
 
     match: Match
-    asked: Any
+    arguments: Any
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({in_words(self.asked, self.match)})"
+        return f"{type(self).__name__}({in_words(self.arguments, self.match)})"
 
     def _repr_png_(self) -> bytes | None:
-        """Return what a notebook shows: the first match as it stands, or None without the extra `render`."""
+        """Return a picture of the first match for notebooks, or None without the extra `render`."""
         return png_of(self.match)
 
 
-def in_words(asked: MatchSettings, match: Any) -> str:
-    """Return league, team sizes and the settings that were changed, as they are written in a call."""
+def in_words(arguments: MatchSettings, match: Any) -> str:
+    """Return league, team sizes and changed settings, written as in a call."""
     settings = match.settings
-    found = {"league": settings.league.name, "home": settings.home, "away": settings.away}
-    for item in fields(asked):
-        value = getattr(asked, item.name)
+    shown = {"league": settings.league.name, "home": settings.home, "away": settings.away}
+    for item in fields(arguments):
+        value = getattr(arguments, item.name)
         if item.name not in ALWAYS and value is not item.default and not (is_plain(value) and value == item.default):
-            found[item.name] = value if is_plain(value) else getattr(value, "name", value)
-    return ", ".join(f"{name}={brief(value)}" for name, value in found.items())
+            shown[item.name] = value if is_plain(value) else getattr(value, "name", value)
+    return ", ".join(f"{name}={brief(value)}" for name, value in shown.items())
 
 
 def is_plain(value: Any) -> bool:
@@ -47,12 +47,12 @@ def is_plain(value: Any) -> bool:
 
 
 def png_of(match: Any, m: int = 0) -> bytes | None:
-    """Return a picture of a match as PNG, or None where it cannot be drawn, as without the extra `render`."""
+    """Return a picture of a match as PNG, or None if it cannot be drawn, as without the extra `render`."""
     try:
         from soccer_env.api.report import Screen
         from soccer_env.render import png_of_frame
 
         return png_of_frame(Screen(match).frame(m))
-    except Exception as error:  # a notebook then shows the words of `repr`, and goes on
+    except Exception as error:  # a notebook then shows the text of `repr`
         LOG.debug("no picture of %r: %s", match, error)
         return None

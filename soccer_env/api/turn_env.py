@@ -1,4 +1,4 @@
-"""One agent acts after the other (PettingZoo's AEC), over `soccer_v0.ParallelSoccer`: turns, and saves between them."""
+"""One agent acts after the other (PettingZoo's AEC), over `soccer_v0.ParallelSoccer`; saves between turns."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from soccer_env.soccer_v0 import ParallelSoccer
 
 MAGIC = b"soccer_env turns 1\n"
-SHARED = ("terminations", "truncations", "rewards", "_cumulative_rewards")  # by agent, of the step before
+SHARED = ("terminations", "truncations", "rewards", "_cumulative_rewards")  # by agent, of the last step
 
 
 class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
-    """One agent acts after the other, the match is stepped when all have. A bad action is refused at once."""
+    """Agents act one after the other, then the match is stepped. A wrong action is refused at once."""
 
     env: ParallelSoccer
     agents: list[str]
@@ -35,12 +35,12 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         return self.env._repr_png_()
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy is to be reset."""
+        """Copy by settings: the copy needs a reset."""
         return TurnSoccer, (self.env,)
 
     @property
     def opponent_names(self) -> list[str]:
-        """Return the names of those that learners have met, which "opponent" in infos counts."""
+        """Return the names of all opponents so far, which "opponent" in infos indexes."""
         return self.env.opponent_names
 
     @held
@@ -50,7 +50,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
 
     @held
     def step(self, action: Any) -> None:
-        """Take the action of `agent_selection`; ValueError, and nothing has changed, if it is wrong."""
+        """Take the action of `agent_selection`; ValueError, and no change, if the action is wrong."""
         agent = self.agent_selection
         if not (self.terminations[agent] or self.truncations[agent]):
             self.env.check_action(agent, action)
@@ -59,22 +59,18 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         super().step(action)
 
     def save(self) -> bytes:
-        """Return what the episode's future depends on, also actions of those that have acted; it goes on rebuilt."""
+        """Return a save of the episode and of the actions in this turn; the physics is rebuilt, as by `Match.save`."""
         match = self.env.save()
         acted = {agent: None if action is None else np.asarray(action).tolist() for agent, action in self._done()}
-        turn = {
-            "agents": self.agents,
-            "selected": self.agent_selection if self.agents else "",
-            "skipped": getattr(self, "_skip_agent_selection", None),
-            "acted": acted,
-            **{name: getattr(self, name) for name in SHARED},
-        }
+        skipped = getattr(self, "_skip_agent_selection", None)
+        turn = {"agents": self.agents, "selected": self.agent_selection if self.agents else "", "skipped": skipped}
+        turn |= {"acted": acted} | {name: getattr(self, name) for name in SHARED}
         header = json.dumps(turn).encode()
         body = MAGIC + len(header).to_bytes(4, "little") + header + match
         return body + hashlib.sha256(body).digest()
 
     def _done(self) -> list[tuple[str, Any]]:
-        """Return the actions of this turn's agents that have acted."""
+        """Return agent and action of the agents that have acted in this turn."""
         ended = self.agents and self.terminations[self.agent_selection] | self.truncations[self.agent_selection]
         if ended or not self.agents:
             return []
@@ -83,10 +79,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
 
     @held
     def load(self, saved: bytes) -> None:
-        """Go on in the turn in which `save` of this or an equal env was called, also before a reset.
-
-        ValueError, and the running episode goes on, for anything else.
-        """
+        """Go on from a save of this or an equal env, also before a reset; ValueError, and no change, if it is wrong."""
         turn, match = self._opened(saved)
         self._observations, self.infos = self.env.load(match)
         self.possible_agents, self.agents = self.env.possible_agents, turn["agents"]
@@ -101,7 +94,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         self.new_agents, self.new_values = [], {}
 
     def _opened(self, saved: Any) -> tuple[dict[str, Any], bytes]:
-        """Return the turn that a save tells of, and its match; ValueError unless they fit this env."""
+        """Return the turn and the match of a save; ValueError unless they fit this env."""
         if not isinstance(saved, bytes):
             raise ValueError(f"a save is bytes, got {type(saved).__name__}")
         body, digest, start = saved[:-32], saved[-32:], len(MAGIC) + 4
@@ -118,7 +111,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         return turn, body[end:]
 
     def _check(self, turn: Any) -> None:
-        """Raise ValueError, TypeError or the like unless what a save says of the turn fits this env."""
+        """Raise ValueError, TypeError or the like unless the turn of a save fits this env."""
         known, agents = self.env.possible_agents, turn["agents"]
         selected, here = turn["selected"], set(agents)
         if not here <= set(known) or len(here) != len(agents) or (agents and selected not in here):
@@ -132,7 +125,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
                 raise ValueError(f"its {name} lack agents")
         over = any(turn[name][agent] for agent in agents for name in SHARED[:2])
         before = [] if over or not agents else known[: known.index(selected)]
-        if agents != known and not over and agents:  # they leave only at the end
+        if agents != known and not over and agents:  # agents leave only at the end
             raise ValueError("its agents differ")
         if list(turn["acted"]) != before or turn["skipped"] not in (None, *known):
             raise ValueError("other agents have acted")
@@ -155,7 +148,7 @@ class OrderedSoccer(OrderEnforcingWrapper[str, np.ndarray, Any]):
         return self.env._repr_png_()
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy is to be reset."""
+        """Copy by settings: the copy needs a reset."""
         return OrderedSoccer, (self.env,)
 
     @held
@@ -165,6 +158,6 @@ class OrderedSoccer(OrderEnforcingWrapper[str, np.ndarray, Any]):
 
     @held
     def load(self, saved: bytes) -> None:
-        """Go on in the turn in which `save` was called, see `TurnSoccer.load`; no reset is needed before it."""
+        """Go on from a save, see `TurnSoccer.load`; needs no reset before."""
         self.env.load(saved)
         self._has_reset = True

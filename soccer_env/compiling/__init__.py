@@ -1,10 +1,10 @@
-"""What stands behind `soccer_env.compiled`: how functions become machine code, and where that is kept.
+"""The parts behind `soccer_env.compiled`: functions become machine code, which is kept on disk.
 
-inner.py      functions that only compiled ones call become machine code inside those alone
-stops.py      where a signal may end compiling
-numba_parts.py  what we use of numba without its promise
-cache.py      machine code on disk
-sources.py    which source files that code depends on
-callback.py   functions of ours that C calls
-borrowing.py  arrays in compiled code without a count of references
+inner.py        functions that only kernels call are compiled inside their callers
+stops.py        points at which a signal may end compiling
+numba_parts.py  private parts of numba that we use
+cache.py        machine code on disk
+sources.py      the source files that a function depends on
+callback.py     our functions that C calls
+borrowing.py    arrays in compiled code without reference counts
 """

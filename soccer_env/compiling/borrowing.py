@@ -1,10 +1,9 @@
 """Arrays that a kernel borrows: numba then counts no references to them.
 
-An array of numba is counted wherever it is handed to a function that is not inlined, and so is
-every view of a row: two atomic additions a call, each as long as ten others. A step of a match
-makes hundreds of such calls; they took a fifth of its time. A borrowed array is the same one
-without an owner, so that nothing is counted. Somebody else has to keep it: the caller of a kernel
-keeps its arguments, and `keep` holds on to an array that the kernel itself has made.
+numba counts a reference for each array, and each view of a row, that is passed to a function that is not inlined: two
+atomic additions a call, each as slow as ten plain ones. A step of a match makes hundreds of such calls, which took a
+fifth of its time. A borrowed array has no owner, so nothing is counted, and another reference must keep it alive: the
+caller of a kernel keeps the arguments, and `keep` keeps an array that the kernel itself has made.
 """
 
 from typing import Any
@@ -17,13 +16,13 @@ from soccer_env.compiling.numba_parts import cgutils
 
 
 def borrowed(given):
-    """Return an array, or a tuple of arrays and numbers, without owners, inside a compiled function."""
+    """Return an array, or a tuple of arrays and numbers, without owners; in compiled functions."""
     return given
 
 
 @compiled
 def keep(given):
-    """Keep an array, or a tuple of them, that was borrowed up to here."""
+    """Keep a borrowed array, or a tuple of arrays, alive until here."""
 
 
 @overload(borrowed)
@@ -40,7 +39,7 @@ def _build_without_owner(context, builder, signature, arguments):
 
 
 def _strip(context, builder, kind, value):
-    """Return a value of a type with the owners of all arrays in it left out."""
+    """Return a value of a type, without the owners of its arrays."""
     if isinstance(kind, types.BaseTuple):
         kinds: Any = kind  # mypy does not know that it can be gone through
         parts = zip(kinds, cgutils.unpack_tuple(builder, value, len(kind)), strict=True)

@@ -1,12 +1,12 @@
-"""Keep machine code on disk: one file for each compiled version of a function, named by all that it depends on.
+"""Keep machine code on disk: one file for each compiled version of a function, named by a hash of its dependencies.
 
-It stands in for numba's cache, from which it differs in two ways. The key holds a hash of every file that the
-function's file imports, so that nothing stale runs and an edit recompiles only what it could have changed. And there
-is no index file: two processes that write numba's at once can leave one version's code under another's key. Here a
-file is written aside, moved into place, and holds its full key, which is compared when it is read.
+This cache replaces numba's, with two differences. The key holds a hash of every file that the function's file imports,
+so that stale code never runs and an edit recompiles only dependent functions. And there is no index file: two
+processes that write numba's index at once can store code under a wrong key. Here a file is written aside, moved into
+place, and holds its full key, which is compared on reading.
 
-What lies in it is executed. So each file begins with a hash of the rest, as flipped bits would end the process, and a
-folder that anybody may write to is not used; its owner's group is trusted.
+Code from the cache is executed. So each file begins with a hash of the rest, since flipped bits would end the process,
+and a folder that everybody may write to is not used; the owner's group is trusted.
 """
 
 import contextlib
@@ -36,18 +36,18 @@ from soccer_env.compiling.sources import PACKAGE, source_stamp
 from soccer_env.compiling.stops import stop_here
 
 DIGEST = hashlib.sha256().digest_size  # [bytes]
-STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of other versions is deleted at this age
-EVERY = 20.0  # [s] between two lines that say how far compiling is, at least
+STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of older sources is deleted at this age
+EVERY = 20.0  # [s] between two lines of progress, at least
 VERSIONS = (numba.__version__, llvmlite.__version__, np.__version__, sys.implementation.cache_tag)
-SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # of numba.config, those that change the code
+SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # settings of numba.config that change the code
 
 config: Any = numba.config
 
 
 def is_kept(function: Any) -> bool:
-    """Tell whether a compiled function, as its sources are now, is on disk for any types of arguments.
+    """Tell whether a function with its present sources is on disk, for any types of arguments.
 
-    True as well where it cannot be kept, as a source file has changed since this process read it.
+    Also True if it cannot be stored, because a source file has changed since this process read it.
     """
     identity = _identity(function.py_func)
     pattern = "" if identity is None else f"{function._cache.name}.{identity[0][:16]}.*"
@@ -55,21 +55,21 @@ def is_kept(function: Any) -> bool:
 
 
 class _Result(BaseResult):  # type: ignore[misc]
-    """Turn compile results into picklable objects and back, as numba does it, without a search for a cache folder."""
+    """Turn compile results into picklable objects and back, as numba does, without a search for a cache folder."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._lineno = function.__code__.co_firstlineno
         self._locator = SimpleNamespace(_py_file=function.__code__.co_filename)  # where warnings point
 
     def rebuild(self, target_context: Any, payload: Any) -> Any:
-        """Return the compile result of what was kept."""
+        """Return the compile result of a stored payload."""
         if payload[0][1] != INNER:
             return super().rebuild(target_context, payload)
         return super().rebuild(InnerTarget(target_context), payload)._replace(target_context=target_context)
 
 
 class SourceCache(Base):  # type: ignore[misc]
-    """The cache of one function; its methods are those that numba's Dispatcher calls."""
+    """The cache of one function, with the methods that numba's Dispatcher calls."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._function = function
@@ -81,15 +81,15 @@ class SourceCache(Base):  # type: ignore[misc]
 
     @property
     def cache_path(self) -> str:
-        """The first folder."""
+        """Return the first folder."""
         return str(folders()[0])
 
     def enable(self) -> None:
-        """Read and write files from now on."""
+        """Use the files from now on."""
         self._enabled = True
 
     def disable(self) -> None:
-        """Leave the files alone from now on."""
+        """Ignore the files from now on."""
         self._enabled = False
 
     def flush(self) -> None:
@@ -98,7 +98,7 @@ class SourceCache(Base):  # type: ignore[misc]
             _delete(folder.glob(f"{self.name}.*"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the compile result for these argument types, or None if there is none yet."""
+        """Return the stored compile result for these argument types, or None."""
         stop_here()
         target_context.refresh()
         for inner in (True, False) if for_another() else (False,):
@@ -113,7 +113,7 @@ class SourceCache(Base):  # type: ignore[misc]
         return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
-        """Keep a compile result, unless a source file has changed since this process read it."""
+        """Store a compile result, unless a source file has changed since this process read it."""
         _count()
         stamp, key = self._key(sig, data.codegen, is_inner(data))
         if key is None or not self._result.check_cachable(data):
@@ -129,8 +129,8 @@ class SourceCache(Base):  # type: ignore[misc]
                     return
 
     def _key(self, sig: Any, codegen: Any, inner: bool) -> tuple[str, Any]:
-        """Return the source hash and the full key, which is None where there is nothing to tell versions apart by."""
-        if not self._enabled or " at 0x" in str(sig):  # a function as an argument is another one in each process
+        """Return the source hash and the full key; key None: the result must not be stored."""
+        if not self._enabled or " at 0x" in str(sig):  # a function as an argument: its address changes
             return "", None
         identity = _identity(self._function)
         if identity is None:
@@ -148,7 +148,7 @@ class SourceCache(Base):  # type: ignore[misc]
 
 
 def _identity(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tuple[str, ...] | None:
-    """Return hashes of the sources, the byte code and the closure of a function, or None if one is not known."""
+    """Return hashes of the sources, the byte code and the closure of a function; None if a hash is unknown."""
     stamp = source_stamp(function.__module__, Path(function.__code__.co_filename).resolve())
     cells = tuple(_cell_identity(cell.cell_contents, (*outer, function)) for cell in function.__closure__ or ())
     if stamp is None or None in cells:
@@ -157,7 +157,7 @@ def _identity(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tupl
 
 
 def _code_identity(code: Any) -> str:
-    """Return a hash of what a code object does: byte code, constants and names, those of inner functions included."""
+    """Return a hash of byte code, constants and names of a code object and its inner functions."""
     constants = [_code_identity(one) if hasattr(one, "co_code") else repr(one) for one in code.co_consts]
     return _sha(repr((code.co_code, constants, code.co_names, code.co_varnames)).encode())
 
@@ -179,7 +179,7 @@ def _sha(content: bytes) -> str:
 
 @functools.cache
 def folders() -> tuple[Path, ...]:
-    """Return the folders of the cache: all are read, and the first that can be written to is written to."""
+    """Return the folders of the cache: all are read, and the first writable one is written to."""
     chosen = os.environ.get("SOCCER_ENV_CACHE")
     return (Path(chosen) if chosen else _user_folder(), *_temporary_folder())
 
@@ -193,14 +193,14 @@ def _user_folder() -> Path:
 
 
 def _temporary_folder() -> Iterator[Path]:
-    """Yield the folder in the temporary one, unless somebody has put a link in its place."""
+    """Yield a folder inside the temporary folder, unless its name is a link."""
     path = Path(tempfile.gettempdir()) / f"{PACKAGE}-{os.getuid() if hasattr(os, 'getuid') else 0}"
     if not path.is_symlink():
         yield path
 
 
 def _is_private(folder: Path) -> bool:
-    """Tell whether a folder is there that is the user's or the system's, and that not everybody can write to."""
+    """Tell whether a folder exists, belongs to the user or to the system, and is not writable by everybody."""
     try:
         status = folder.stat()
     except OSError:
@@ -215,7 +215,7 @@ def _is_private(folder: Path) -> bool:
 
 @functools.cache
 def _cannot_be_swapped(folder: Path) -> bool:
-    """Tell whether not anybody can put another folder in its place: where all may write, names are their owners'."""
+    """Tell whether other users cannot replace the folder: parents that all may write to must be sticky."""
     for above in {*folder.absolute().parents, *folder.resolve().parents}:
         status = above.stat()
         kept = status.st_mode & stat.S_ISVTX and status.st_uid in (os.getuid(), 0)
@@ -226,7 +226,7 @@ def _cannot_be_swapped(folder: Path) -> bool:
 
 @functools.cache
 def _warn(folder: Path) -> None:
-    """Say once that a folder is not used."""
+    """Print once that a folder is not used."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") in ("", "0"):
         why = "it is another user's, or anybody can write to it or above it, and compiled code in it would be executed"
         print(f"{PACKAGE}: the cache {folder} is not used: {why}", file=sys.stderr, flush=True)
@@ -237,14 +237,14 @@ def _load(path: Path, key: Any) -> Any:
         content = path.read_bytes()
         if hashlib.sha256(content[DIGEST:]).digest() != content[:DIGEST]:
             return None
-        found, payload = pickle.loads(content[DIGEST:])
-    except Exception:  # missing, unreadable or of another kind: it is compiled again and overwritten
+        stored_key, payload = pickle.loads(content[DIGEST:])
+    except Exception:  # missing, unreadable or foreign: the function is compiled again and the file overwritten
         return None
-    return payload if found == key else None
+    return payload if stored_key == key else None
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Write a file that other processes see whole or not at all."""
+    """Write a file that other processes see either whole or not at all."""
     aside = path.with_name(f"{path.name}.{uuid.uuid4().hex}")
     try:
         aside.write_bytes(hashlib.sha256(content).digest() + content)
@@ -262,7 +262,7 @@ def _delete(files: Iterable[Path]) -> None:
 
 @functools.cache
 def _announce() -> None:
-    """Say once per process that compiling takes a while."""
+    """Print once per process that compiling takes a while."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") not in ("", "0"):
         return
     filled = any(folder.is_dir() and any(folder.iterdir()) for folder in folders())
@@ -272,17 +272,17 @@ def _announce() -> None:
 
 
 class Compiled:
-    """What this process has compiled so far."""
+    """Progress of compiling in this process."""
 
-    functions = 0  # versions of functions, found on disk ones not among them
-    began = said = float("inf")  # [s] when compiling was announced, and when a line last said how far it is
+    functions = 0  # compiled versions of functions, without those from disk
+    began = said = float("inf")  # [s] time of the announcement, and of the last line of progress
 
 
 COMPILED = Compiled()
 
 
 def _count() -> None:
-    """Count a function that was compiled, and say now and then how many they are."""
+    """Count a compiled function, and print the progress now and then."""
     COMPILED.functions += 1
     now = time.monotonic()
     if now - COMPILED.said >= EVERY:

@@ -1,7 +1,7 @@
-"""Functions of ours that C calls: compiled like all others, and known by an address.
+"""Our functions that C calls: compiled like all kernels, and called by address.
 
-`@callback("void", "address", "float64")` makes one at its first use: `function.address` is what C is given. It runs
-without the interpreter lock. It must not raise: nobody above it could catch that.
+`@callback("void", "address", "float64")` compiles a function at its first use; C gets `function.address`. The function
+runs without the interpreter lock, and must not raise, since no caller could catch the error.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Callback:
     @property
     @held
     def address(self) -> int:
-        """The address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls the Python function."""
+        """Return the address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls Python."""
         with stoppable(), _lock:
             return self._address
 
@@ -54,7 +54,7 @@ class Callback:
         made: Any = CFunc(self._function, (signature.args, signature.return_type), locals={}, options=OPTIONS)
         made._cache = SourceCache(self._function)  # what enable_caching does with numba's own
         made.compile()
-        self._made = made  # as long as it lives, the machine code does
+        self._made = made  # keeps the machine code alive
         return int(made.address)
 
     def _stub(self) -> int:

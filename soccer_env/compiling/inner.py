@@ -1,9 +1,9 @@
-"""Make machine code of a compiled function once, with all that it calls, and not of each of the called ones before.
+"""Make machine code once for a function that Python calls, with all functions that it calls inside.
 
-numba makes machine code of every function that a compiled one calls, though it is called from Python by nobody: of the
-time that it takes to compile a match, that is a third. Here a function that is compiled because another one calls it
-stays LLVM's intermediate code, optimised. Should Python call it later, it is compiled again, as one that Python calls.
-(Optimising only the outermost saves another tenth of the time, and steps of matches become slower by as much.)
+numba also makes machine code of each called function, although Python never calls it; that takes a third of the time to
+compile a match. Here a function that is compiled for another function stays optimised intermediate code of LLVM. If
+Python calls it later, it is compiled again. (Optimising the outermost function alone saves another tenth of the time,
+and makes steps of matches a tenth slower.)
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from soccer_env.compiling.stops import beside, compiling, stop_here, stoppable
 from soccer_env.guards.turns import held
 
 INNER = "inner"  # kind of a library in the cache
-OBJECTS = 50_000  # that are made while compiling between two looks for garbage
+OBJECTS = 50_000  # new objects between two garbage collections while compiling
 
 
 def for_another() -> bool:
@@ -30,7 +30,7 @@ def for_another() -> bool:
 
 
 class KernelLibrary(Library):  # type: ignore[misc]
-    """The code of a function of ours; where LLVM works on it for long, signals may come."""
+    """The code of one of our functions; signals are delivered during long work of LLVM."""
 
     def _optimize_final_module(self) -> None:
         beside(super()._optimize_final_module)
@@ -44,11 +44,11 @@ class KernelLibrary(Library):  # type: ignore[misc]
 
 
 class InnerLibrary(KernelLibrary):
-    """The code of a function that only compiled ones call: ready to be linked, not to be run."""
+    """The code of a function that only compiled functions call: ready to be linked, not to be run."""
 
     @classmethod
     def of_bitcode(cls, codegen: Any, name: str, bitcode: bytes) -> InnerLibrary:
-        """Return the library that `serialize_using_object_code` described."""
+        """Return the library of a result of `serialize_using_object_code`."""
         library = cls(codegen, name)
         library._final_module = binding.parse_bitcode(bitcode)
         library._finalize_final_module()
@@ -56,18 +56,18 @@ class InnerLibrary(KernelLibrary):
 
     @property
     def codegen(self) -> Any:
-        """Whoever gives the environment of the function to the engine is to find nothing: see `set_env`."""
+        """Return this library, whose `set_env` does nothing."""
         return self
 
     def set_env(self, name: str, environment: Any) -> None:
-        """Do nothing: what this code reads is set as it runs inside another function."""
+        """Do nothing: the environment is set for the function in which this code runs."""
 
     def get_pointer_to_function(self, name: str) -> int:
-        """Return 0, as there is no machine code."""
+        """Return 0: there is no machine code."""
         return 0
 
     def serialize_using_object_code(self) -> tuple[str, str, bytes]:
-        """Return the library as the cache keeps it."""
+        """Return the library in the form of the cache."""
         return self.name, INNER, self._get_module_for_linking().as_bitcode()
 
     def _finalize_final_module(self) -> None:
@@ -76,14 +76,14 @@ class InnerLibrary(KernelLibrary):
 
 
 class InnerTarget:
-    """Stands in for the target of a compile result that is read from the cache, and rebuilds its library as inner."""
+    """Stands in for the target of a compile result from the cache, and rebuilds its library as an inner library."""
 
     def __init__(self, context: Any) -> None:
         self.context, self.typing_context = context, context.typing_context
         self.get_executable = context.get_executable
 
     def codegen(self) -> Any:
-        """Return what unpacks libraries."""
+        """Return this object, which unpacks libraries."""
         return self
 
     def unserialize_library(self, state: tuple[str, str, bytes]) -> InnerLibrary:
@@ -93,10 +93,10 @@ class InnerTarget:
 
 
 class KernelCompiler(Pipeline):  # type: ignore[misc]
-    """numba's compiler, which leaves the code of inner functions as it is."""
+    """numba's compiler, which makes no machine code of inner functions."""
 
     def define_pipelines(self) -> Any:
-        """Return numba's own."""
+        """Return numba's own pipelines."""
         kind = InnerLibrary if for_another() else KernelLibrary
         self.state.library = kind(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
         if for_another():
@@ -111,7 +111,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
 
     @held
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature, for whoever asks: Python, or the compiler for the sake of another function."""
+        """Compile for a signature: for Python, or as an inner function of another function."""
         with stoppable():
             compiling.depth += 1
             try:
@@ -133,7 +133,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
         return entry
 
     def add_overload(self, cres: Any) -> None:
-        """Take a compile result; one without machine code is for other compiled functions alone."""
+        """Store a compile result; Python cannot call a result without machine code."""
         if is_inner(cres):
             self.overloads[tuple(cres.signature.args)] = cres
         else:
@@ -142,7 +142,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
 
 @contextlib.contextmanager
 def few_collections() -> Iterator[None]:
-    """Let Python look for garbage less often: the compiler makes many objects that live on, and little garbage."""
+    """Let Python collect garbage less often: the compiler makes many objects that stay, and little garbage."""
     often = gc.get_threshold()
     gc.set_threshold(max(OBJECTS, often[0]), *often[1:])
     try:

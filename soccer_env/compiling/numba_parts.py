@@ -1,6 +1,6 @@
-"""All that we use of numba without its promise, in one place: another version may name or do it otherwise.
+"""The private parts of numba that we use, in one place: another version may rename or change them.
 
-pyproject.toml bounds the version; tests/repository/test_private_parts.py says what a new one lacks.
+pyproject.toml bounds the version; tests/repository/test_private_parts.py names the parts that a new version lacks.
 """
 
 from typing import Any

@@ -1,7 +1,7 @@
 """Find the source files that a function depends on, and hash them.
 
-The import statements of its file are parsed, not executed, and followed through the package. numba's own cache looks
-at the function's file alone, and runs old code after an edit in a file that it imports.
+Import statements are parsed, not executed, and followed through the package. numba's own cache looks at the function's
+file alone, and runs old code after an edit in an imported file.
 """
 
 import ast
@@ -16,17 +16,17 @@ from pathlib import Path
 PACKAGE = "soccer_env"
 ROOT = Path(__file__).resolve().parents[1]
 OUTSIDE_FOLDERS = ("baselines", "agents", "train")  # beside the package in a checkout, inside it once installed
-STARTED = time.time_ns()  # [ns] a file changed after this moment may not be what this process imported
+STARTED = time.time_ns()  # [ns] a file changed after this moment may differ from the imported module
 
 
 def source_stamp(module: str, path: Path) -> str | None:
-    """Return one hash over `path` and all files that it depends on, or None if one changed while this process runs."""
+    """Return one hash over `path` and all files that it depends on; None if a file changed since the process began."""
     try:
         hashes = sources(module, path)
         if any(_changed(file) for file in hashes):
             return None
     except (OSError, SyntaxError, ValueError):
-        return None  # deleted or half-written: what was imported is unknown
+        return None  # deleted or half-written: the imported source is unknown
     return hashlib.sha256("".join([hashes[path], *sorted(hashes.values())]).encode()).hexdigest()
 
 
@@ -45,7 +45,7 @@ def sources(module: str, path: Path) -> dict[Path, str]:
         if file in hashes:
             continue
         hashes[file], imports = _read(file, name)
-        waiting += [(target, found) for target in imports if (found := file_of(target, name))]
+        waiting += [(target, source) for target in imports if (source := file_of(target, name))]
     return hashes
 
 
@@ -59,7 +59,7 @@ def _read(path: Path, module: str) -> tuple[str, frozenset[str]]:
 
 
 class _Imports(ast.NodeVisitor):
-    """Collect the modules that a file imports, also inside functions, but not those for type checkers only."""
+    """Collect the modules that a file imports, also inside functions, but not for type checkers only."""
 
     def __init__(self, module: str, is_package: bool) -> None:
         self.module = module
@@ -67,13 +67,13 @@ class _Imports(ast.NodeVisitor):
         self.found: set[str] = set()
 
     def visit_If(self, node: ast.If) -> None:
-        """Leave out what stands under `if TYPE_CHECKING:`."""
+        """Leave out imports under `if TYPE_CHECKING:`."""
         unused = ast.unparse(node.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING")
         for child in node.orelse if unused else [*node.body, *node.orelse]:
             self.visit(child)
 
     def visit_Import(self, node: ast.Import) -> None:
-        """Take a module, and the packages around it if the statement makes them reachable: `import a.b.c`."""
+        """Take a module, and for `import a.b.c` its parent packages too."""
         for alias in node.names:
             self.found.add(alias.name)
             if alias.asname is None:
@@ -81,7 +81,7 @@ class _Imports(ast.NodeVisitor):
                 self.found.update(".".join(parts[:n]) for n in range(1, len(parts)))
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
-        """Take the submodule that a name stands for, or else the module that the name comes from."""
+        """Take the submodule of that name, or else the module that holds the name."""
         parents = self.package.split(".")
         base = parents[: len(parents) - node.level + 1] if node.level else []
         source = ".".join([*base, *([node.module] if node.module else [])])
@@ -92,9 +92,9 @@ class _Imports(ast.NodeVisitor):
 
 @functools.cache
 def file_of(module: str, importer: str) -> Path | None:
-    """Return the source file of a module that may change between two runs, without importing it; None for all others.
+    """Return the source file of a module that may change between two runs, without importing it; else None.
 
-    Those are the modules of this package and of the importer's package, and loaded modules that are not installed.
+    Modules of this package, of the importer's package, and loaded modules that are not installed may change.
     """
     if module.partition(".")[0] == PACKAGE:
         return _package_file(module)

@@ -1,9 +1,9 @@
-"""Where a signal may end compiling: between two steps of the compiler, nowhere else.
+"""The points at which a signal may end compiling: between two passes of the compiler, nowhere else.
 
-An interrupt that raises anywhere in numba or llvmlite is lost in a destructor, or leaves numba in the belief that it
-still compiles a function, which it then refuses as a recursion. So signals wait while something is compiled, and come
-between two passes of the compiler. Only LLVM's passes over a whole module take longer than a moment: they run in a
-thread of their own, which is left to its end if what a signal raises ends the compiling.
+An interrupt inside numba or llvmlite is lost in a destructor, or leaves the function marked as being compiled, and
+numba then refuses it as a recursion. So signals wait while a function is compiled, and are delivered between two passes
+of the compiler. LLVM's passes over a whole module take long: they run in another thread, which runs to its end even if
+a signal ends the compiling.
 """
 
 from __future__ import annotations
@@ -19,28 +19,28 @@ from typing import Any
 from soccer_env.compiling.numba_parts import Listener, numba_lock, register
 from soccer_env.guards.interrupts import is_held, let_come
 
-LOOK = 0.02  # [s] between two looks whether a signal has come, while another thread works
+LOOK = 0.02  # [s] between two checks for signals while another thread works
 PASS = "numba:run_pass"  # numba's event before and after each pass
 
 
 class Compiling(threading.local):
     """What this thread compiles."""
 
-    depth = 0  # functions of ours, each for the sake of the one before
+    depth = 0  # nested functions of ours that are being compiled
     stoppable = False
 
 
 compiling = Compiling()
-_left: list[threading.Thread] = []  # that clear away what nobody waits for any more
+_left: list[threading.Thread] = []  # threads that free the results of ended compiling
 
 
 class _StopError(BaseException):
-    """Carries what a signal raised through the compiler, which would take an ordinary error for one of its own."""
+    """Carries the error of a signal through the compiler, which would handle an ordinary error itself."""
 
     def __init__(self, error: BaseException) -> None:
         super().__init__()
         self.error = error
-        self.worker: threading.Thread | None = None  # that is still at work
+        self.worker: threading.Thread | None = None  # still at work
 
 
 class _Passes(Listener):  # type: ignore[misc]
@@ -48,7 +48,7 @@ class _Passes(Listener):  # type: ignore[misc]
         stop_here()
 
     def on_end(self, event: Any) -> None:
-        """Do nothing: it is told of passes that have failed, too."""
+        """Do nothing: numba also calls this after a pass that failed."""
 
 
 register(PASS, _Passes())
@@ -56,7 +56,7 @@ register(PASS, _Passes())
 
 @contextlib.contextmanager
 def stoppable() -> Iterator[None]:
-    """Compile in a `with`, while signals wait; what one raises at `stop_here` is raised at the end of the outermost."""
+    """Compile inside a `with` while signals wait; an error of `stop_here` is raised at the end of the outermost."""
     if compiling.stoppable:
         yield
         return
@@ -75,12 +75,12 @@ def stoppable() -> Iterator[None]:
     try:
         raise error
     finally:
-        error.__context__ = context  # not the way through the compiler
+        error.__context__ = context  # without the frames of the compiler
 
 
 @contextlib.contextmanager
 def _alone() -> Iterator[None]:
-    """Take the lock of numba's compiler; signals may come while another thread has it."""
+    """Take the lock of numba's compiler; signals are delivered while another thread has the lock."""
     while not numba_lock._lock.acquire(timeout=LOOK):
         stop_here()
     try:
@@ -90,7 +90,7 @@ def _alone() -> Iterator[None]:
 
 
 def stop_here() -> None:
-    """Let those signals come that have waited while this thread compiles."""
+    """Deliver the signals that have waited while this thread compiles."""
     if not compiling.stoppable:
         return
     depth, compiling.depth, compiling.stoppable = compiling.depth, 0, False  # a handler may compile
@@ -103,7 +103,7 @@ def stop_here() -> None:
 
 
 def beside(work: Callable[[], None]) -> None:
-    """Do work of LLVM that takes long, in another thread if signals wait: so they may come, and end the waiting."""
+    """Do long work of LLVM, in another thread if signals wait, so that a signal can end the waiting."""
     if not (compiling.stoppable and is_held()):
         work()
         return
@@ -129,7 +129,7 @@ def beside(work: Callable[[], None]) -> None:
 
 
 def _clear_away(stop: _StopError) -> None:
-    """Let another thread destroy what LLVM has made: here that would swallow the next interrupt, and wait for LLVM."""
+    """Free the objects of LLVM in another thread: this thread would wait for LLVM and swallow the next interrupt."""
 
     def clear() -> None:
         if stop.worker is not None:
@@ -143,7 +143,7 @@ def _clear_away(stop: _StopError) -> None:
 
 
 def _end_what_is_left() -> None:
-    """Wait for threads that hold LLVM's lock: in a forked process it would be held for ever."""
+    """Wait for threads that hold LLVM's lock, which would stay locked in a forked process."""
     while _left:
         _left.pop().join()
 

@@ -1,7 +1,7 @@
 """Data out of replays: tidy tables, the Common Data Format, tracking data of the German league, kloppy's datasets.
 
-collect.py      plays a replay and gathers where everything was     events.py       what happened, event by event
-tables.py       tidy tables, every column with unit and meaning     table_files.py  them as CSV and Parquet
+collect.py      plays a replay and collects places and events       events.py       events of a match, one by one
+tables.py       tidy tables, every column with unit and meaning     table_files.py  tables as CSV and Parquet
 standard.py     the Common Data Format                              sportec.py      XML of the German league (DFL)
 kloppy_data.py  datasets of kloppy
 """

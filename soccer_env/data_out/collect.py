@@ -1,4 +1,4 @@
-"""Play a replay and gather what data formats hold of its first match: where everything was, and what happened.
+"""Play a replay and collect places and events of its first match, for the data formats.
 
 Frame 0 is the start of the recording, frame n comes after control step n. Places are in the field frame: origin at
 the centre spot, x along the pitch, y to the left of it; home attacks +x where `direction` is +1.
@@ -18,7 +18,7 @@ from soccer_env.match import Match
 from soccer_env.types import AWAY, HOME, Phase
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.recorded import Recorded
+    from soccer_env.thoughts.thoughts import Recorded
 
 SHOOT_OUT = 5  # period, as kloppy and the Common Data Format number it
 SIDES = {HOME: "home", AWAY: "away"}
@@ -29,7 +29,7 @@ MATCH_FIELDS = ("half", "clock", "phase", "placing", "home_direction", "shoot_ou
 
 @dataclass(frozen=True)
 class Player:
-    """A robot: its row, `home_0` and the like, its side, the number within its team, and whether it keeps the goal."""
+    """A robot: its row, its name such as `home_0`, its side, its number in the team, and whether it is goalkeeper."""
 
     row: int
     name: str
@@ -68,11 +68,11 @@ class Collected:
     @property
     def in_play(self) -> np.ndarray:
         """Return whether the ball is in play in each frame (T,)."""
-        found: np.ndarray = (self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0)
-        return found
+        in_play: np.ndarray = (self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0)
+        return in_play
 
     def owners(self) -> np.ndarray:
-        """Return whose robots alone have the ball in each frame (T,): HOME, AWAY, or -1 for nobody or both."""
+        """Return the only team that has the ball in each frame (T,): HOME, AWAY, or -1 for neither or both."""
         home = np.array([player.side == "home" for player in self.players])
         has = self.robots["has_ball"] == 1
         ours, theirs = has[:, home].any(axis=1), has[:, ~home].any(axis=1)
@@ -80,9 +80,9 @@ class Collected:
 
 
 def collect(replay: Recorded, name: str = "match", note: Callable[[int], None] | None = None) -> Collected:
-    """Play the first match of a replay and return what happened; `note` is told of each control step.
+    """Play the first match of a replay and collect its data; `note` is called after each control step.
 
-    ValueError names the first step that differs from what was recorded.
+    ValueError names the first step that differs from the recording.
     """
     playing = replay.play()
     match = next(playing)
@@ -95,21 +95,14 @@ def collect(replay: Recorded, name: str = "match", note: Callable[[int], None] |
         if note is not None:
             note(1)
     robots, balls, matches, scores = (np.stack(column) for column in zip(*frames, strict=True))
-    return Collected(
-        name=name,
-        league=match.league,
-        teams=teams,
-        players=players,
-        robots={field: robots[field] for field in ROBOT_FIELDS},
-        ball=balls,
-        match={field: matches[field] for field in MATCH_FIELDS},
-        score=scores,
-        events=listener.told(),
-    )
+    robots_by_field = {field: robots[field] for field in ROBOT_FIELDS}
+    match_by_field = {field: matches[field] for field in MATCH_FIELDS}
+    events = listener.sorted_events()
+    return Collected(name, match.league, teams, players, robots_by_field, balls, match_by_field, scores, events)
 
 
 def shot_of(match: Match) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return copies of what is kept of a moment: robots (R,), the ball (4,), the match, the score (2,)."""
+    """Return copies of the present robots (R,), ball (4,), match and score (2,)."""
     ball, record = match.balls[0], match.matches[0]
     state = np.array([ball["x"], ball["y"], ball["vx"], ball["vy"]])
     return match.robots[list(ROBOT_FIELDS)][0].copy(), state, record[list(MATCH_FIELDS)].copy(), record["score"].copy()

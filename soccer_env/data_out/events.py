@@ -1,6 +1,6 @@
-"""What happened in the first match of a replay, event by event, as `soccer_env.statistics` counts it.
+"""The events of the first match of a replay, as `soccer_env.statistics` counts them.
 
-Passes, interceptions, shots and saves are read off the record of statistics, step by step: nothing is judged here.
+Passes, interceptions, shots and saves follow from changes in the record of statistics: nothing is judged here.
 """
 
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from soccer_env.statistics.records import FRESH, GoalKind, Outcome
 from soccer_env.types import NO_TEAM, Foul, Phase
 
 NOBODY = -1
-CALLS = {  # a field of EVENTS, what the row says
+CALLS = {  # field of EVENTS -> kind of the event
     "out": "ball_out", "in_play": "in_play", "separated": "separation", "annulled": "goal_annulled",
     "half_time": "half_time", "final_whistle": "final_whistle",
 }  # fmt: skip
@@ -23,7 +23,7 @@ TRAIL = ("player", "touched", "played_x", "played_y", "flight", "shot")
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happened; places [m] are in the field frame, where the ball was."""
+    """An event; places [m] are those of the ball, in the field frame."""
 
     frame: int
     kind: str  # kick, pass, interception, shot, save, goal, foul, restart, or one of CALLS
@@ -31,15 +31,15 @@ class Event:
     row: int = NOBODY  # of the robot that did it
     x: float = 0.0
     y: float = 0.0
-    outcome: str = ""  # in words: of passes, shots and goals what came of them, of fouls and restarts which
+    outcome: str = ""  # result of a pass, shot or goal; kind of a foul or restart
     end_frame: int = NOBODY  # of passes and shots
     end_x: float = float("nan")
     end_y: float = float("nan")
-    receiver: int = NOBODY  # row of the robot that a pass arrived at
+    receiver: int = NOBODY  # row of the robot that got a pass
 
 
 class Listener:
-    """Gathers the events of a match that is played step by step."""
+    """Collects the events of a match that is played step by step."""
 
     def __init__(self, match: Match) -> None:
         self._events: list[Event] = []
@@ -48,8 +48,8 @@ class Listener:
         self._keepers = {self._teams[row]: row for row in np.flatnonzero(match.robots["keeper"][0]).tolist()}
         self._begin(match)
 
-    def told(self) -> list[Event]:
-        """Return all events in the order of their frames; a save is told where a shot ends that was saved."""
+    def sorted_events(self) -> list[Event]:
+        """Return all events in the order of frames, with a save at the end of each saved shot."""
         saves = [self._save(shot) for shot in self._events if shot.outcome == OUTCOMES[Outcome.SAVED]]
         return sorted([*self._events, *saves], key=lambda event: event.frame)
 
@@ -59,7 +59,7 @@ class Listener:
         return Event(shot.end_frame, "save", team, self._keepers.get(team, NOBODY), shot.end_x, shot.end_y)
 
     def listen(self, match: Match, step: int) -> None:
-        """Note what happened in the first match in a control step."""
+        """Note the events of a control step in the first match."""
         if match.matches["step"][0] <= self._step:
             match.statistics[0] = FRESH  # another episode has begun, or an earlier moment was loaded
             self._begin(match)
@@ -77,25 +77,25 @@ class Listener:
         self._remember(now)
 
     def _begin(self, match: Match) -> None:
-        """Forget the statistics so far."""
+        """Start from the present statistics."""
         self._step = int(match.matches["step"][0])
         self._shot = NOBODY  # place in the list of the shot that is on its way
         self._remember(match.statistics[0])
 
     def _remember(self, now: Any) -> None:
-        """Keep what the next step is compared with."""
+        """Store the statistics for the comparison in the next step."""
         self._passes = now["maps"]["passes"].copy()
         self._tried = int(now["passes_tried"].sum())
         self._counts = {name: now[name].copy() for name in ("goals", "shots")}
         self._trail = {name: now["trail"][name].item() for name in TRAIL}
 
-    def _add(self, kind: str, team: int = NO_TEAM, row: int = NOBODY, **given: Any) -> None:
+    def _add(self, kind: str, team: int = NO_TEAM, row: int = NOBODY, **fields: Any) -> None:
         """Note an event of this step."""
         place = {"frame": self._frame, "x": self._x, "y": self._y}
-        self._events.append(Event(kind=kind, team=team, row=row, **(place | given)))
+        self._events.append(Event(kind=kind, team=team, row=row, **(place | fields)))
 
     def _listen_to_passes(self, now: Any) -> None:
-        """Note a pass when it arrives: at a mate, or at an opponent, who intercepts it."""
+        """Note a pass when a team-mate gets it or an opponent intercepts it."""
         if int(now["passes_tried"].sum()) == self._tried:
             return
         for row, receiver in np.argwhere(now["maps"]["passes"] > self._passes).tolist():
@@ -110,7 +110,7 @@ class Listener:
                 self._add("interception", arrived, receiver)
 
     def _listen_to_shots(self, now: Any) -> None:
-        """Note a shot when it is judged, and follow it until its flight is over."""
+        """Note a shot when it is counted, and follow it until its flight is over."""
         for team in np.flatnonzero(now["shots"] > self._counts["shots"]).tolist():
             row, trail = int(now["trail"]["flight"]), now["trail"]
             self._shot = len(self._events)
@@ -129,14 +129,14 @@ class Listener:
                 self._shot = NOBODY
 
     def _listen_to_goal(self, events: Any, now: Any) -> None:
-        """Note a goal, with the kind that was counted."""
+        """Note a goal with its counted kind."""
         team = int(events["goal"])
         kinds = np.flatnonzero(now["goals"][team] > self._counts["goals"][team])
         kind = GoalKind(int(kinds[0])).name.lower() if len(kinds) else ""
         self._add("goal", team, int(events["scorer"]), outcome=kind)
 
     def _listen_to_calls(self, match: Match, events: Any) -> None:
-        """Note what the referee called."""
+        """Note the calls of the referee."""
         fouls = match.robot_events["foul"][0]
         for row in np.flatnonzero(fouls).tolist():
             self._add("foul", self._teams[row], row, outcome=Foul(int(fouls[row])).name.lower())

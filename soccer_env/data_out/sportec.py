@@ -3,12 +3,11 @@
     from kloppy import sportec
     dataset = sportec.load_tracking(meta_data="match.xml", raw_data="match.xml")
 
-The file holds what theirs are two of: the match information and the positions. The format has 25 frames a second,
-numbered from 10,000 in the first half and from 100,000 in the second; each shows the control step nearest in time.
-Places are in metres from the centre spot, y to the left of x, not turned, speeds (S) in km/h; penalty shoot-outs have
-no place in it. It wants a date: a match begins at KICK_OFF, which is no date of anything. A robot that
-is sent off has no frames. BallPossession is 1 home, 2 guest, 0 nobody or both, which kloppy reads as guest: it knows
-no ball of nobody; `kloppy_tracking` does.
+The file holds match information and positions, which the league splits into two files. The format has 25 frames a
+second, numbered from 10,000 in the first half and from 100,000 in the second; each shows the control step nearest in
+time. Places are in metres from the centre spot, y to the left of x, not turned, speeds (S) in km/h. Penalty shoot-outs
+are left out. The format needs a date: every match begins at the arbitrary date KICK_OFF. A robot that is sent off has
+no frames. BallPossession is 1 home, 2 guest, 0 nobody or both; kloppy reads 0 as guest, `kloppy_tracking` does not.
 """
 
 from collections.abc import Iterator
@@ -27,46 +26,46 @@ from soccer_env.types import AWAY, HOME
 RATE = 25  # [1/s] frames, fixed by the format
 SECTIONS = {1: ("firstHalf", 10_000), 2: ("secondHalf", 100_000)}  # by period: name, and number of the first frame
 ROLES = {"home": "home", "away": "guest"}
-KEEPER, PLAYER = "TW", "ZO"  # positions: goalkeeper; there is none for "field player"
+KEEPER, PLAYER = "TW", "ZO"  # positions: goalkeeper, and all others: no code means "field player"
 OWNER = {HOME: 1, AWAY: 2, -1: 0}  # BallPossession
 KMH = 3.6  # the format's S is a speed in km/h
 
 
-def write_sportec(found: Collected, path: Path) -> Path:
+def write_sportec(recording: Collected, path: Path) -> Path:
     """Write a match as one XML file."""
-    write_whole(path, "\n".join(lines_of(found)) + "\n")
+    write_whole(path, "\n".join(lines_of(recording)) + "\n")
     return path
 
 
-def lines_of(found: Collected) -> Iterator[str]:
+def lines_of(recording: Collected) -> Iterator[str]:
     """Yield the file line by line."""
-    chosen = {period: frames_of(found, period) for period in SECTIONS}
+    chosen = {period: frames_of(recording, period) for period in SECTIONS}
     yield '<?xml version="1.0" encoding="UTF-8"?>'
     yield "<PutDataRequest>"
-    yield from information(found, chosen)
+    yield from information(recording, chosen)
     yield "<Positions>"
     for period, frames in chosen.items():
         if len(frames):
-            yield from ball_set(found, period, frames)
-            for player in found.players:
-                yield from player_set(found, period, frames, player)
+            yield from ball_set(recording, period, frames)
+            for player in recording.players:
+                yield from player_set(recording, period, frames, player)
     yield "</Positions>"
     yield "</PutDataRequest>"
 
 
-def frames_of(found: Collected, period: int) -> np.ndarray:
-    """Return which of the recording's frames the format shows of a period, 25 a second."""
-    inside = np.flatnonzero(found.periods == period)
+def frames_of(recording: Collected, period: int) -> np.ndarray:
+    """Return the frames of the recording that the format shows of a period, 25 a second."""
+    inside = np.flatnonzero(recording.periods == period)
     if not len(inside):
         return inside
-    rate = found.league.control_rate
+    rate = recording.league.control_rate
     count = (len(inside) - 1) * RATE // rate + 1
     shown: np.ndarray = np.rint(np.arange(count) * rate / RATE).astype(np.int64).clip(0, len(inside) - 1) + inside[0]
     return shown
 
 
 def element(name: str, closed: bool = True, **attributes: object) -> str:
-    """Return the start of an element with attributes, escaped, and its end if it is empty."""
+    """Return the opening tag of an element with escaped attributes; closed: an empty element."""
     written = "".join(f" {key}={quoteattr(printable(str(value)))}" for key, value in attributes.items())
     return f"<{name}{written}{'/' if closed else ''}>"
 
@@ -76,23 +75,23 @@ def printable(text: str) -> str:
     return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
-def information(found: Collected, chosen: dict[int, np.ndarray]) -> Iterator[str]:
-    """Yield who plays whom, where and how long."""
-    pitch, score = found.league.pitch, found.score[-1].tolist()
+def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator[str]:
+    """Yield teams, players, pitch and duration of the match."""
+    pitch, (home, away) = recording.league.pitch, recording.score[-1].tolist()
     yield "<MatchInformation>"
     yield element(
-        "General", MatchId=found.name, KickoffTime=KICK_OFF.isoformat(), MatchDay=1, Result=f"{score[0]}:{score[1]}",
-        HomeTeamName=found.teams[0], GuestTeamName=found.teams[1],
+        "General", MatchId=recording.name, KickoffTime=KICK_OFF.isoformat(), MatchDay=1, Result=f"{home}:{away}",
+        HomeTeamName=recording.teams[0], GuestTeamName=recording.teams[1],
     )  # fmt: skip
     yield element("Environment", PitchX=pitch.length, PitchY=pitch.width)
     lasted = {period: max(0, len(frames) - 1) * 1000 // RATE for period, frames in chosen.items()}  # [ms]
     yield element("OtherGameInformation", TotalTimeFirstHalf=lasted[1], TotalTimeSecondHalf=lasted[2])
     yield "<Teams>"
-    for side, team in zip(("home", "away"), found.teams, strict=True):
+    for side, team in zip(("home", "away"), recording.teams, strict=True):
         yield element("Team", closed=False, TeamId=side, TeamName=team, Role=ROLES[side], LineUp="")
         yield "<TrainerStaff/>"
         yield "<Players>"
-        for player in found.players:
+        for player in recording.players:
             if player.side == side:
                 yield element(
                     "Player", PersonId=player.name, ShirtNumber=player.number, Shortname=player.name,
@@ -105,41 +104,41 @@ def information(found: Collected, chosen: dict[int, np.ndarray]) -> Iterator[str
     yield "</MatchInformation>"
 
 
-def stamp(found: Collected, frame: int) -> str:
-    """Return when a frame of the recording is."""
-    return (KICK_OFF + timedelta(seconds=frame / found.league.control_rate)).isoformat(timespec="milliseconds")
+def stamp(recording: Collected, frame: int) -> str:
+    """Return the time of a frame of the recording."""
+    return (KICK_OFF + timedelta(seconds=frame / recording.league.control_rate)).isoformat(timespec="milliseconds")
 
 
-def ball_set(found: Collected, period: int, frames: np.ndarray) -> Iterator[str]:
-    """Yield where the ball is."""
+def ball_set(recording: Collected, period: int, frames: np.ndarray) -> Iterator[str]:
+    """Yield the frames of the ball."""
     section, first = SECTIONS[period]
-    in_play, owners, radius = found.in_play, found.owners(), found.league.ball.radius
-    yield element("FrameSet", closed=False, GameSection=section, MatchId=found.name, TeamId="BALL", PersonId="BALL")
+    in_play, owners, radius = recording.in_play, recording.owners(), recording.league.ball.radius
+    yield element("FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId="BALL", PersonId="BALL")
     for number, frame in enumerate(frames.tolist(), first):
         status, owner = int(in_play[frame]), OWNER[int(owners[frame])]
-        moved = moved_words(*found.ball[frame].tolist())
+        moved = moved_words(*recording.ball[frame].tolist())
         yield (
-            f'<Frame N="{number}" T="{stamp(found, frame)}" {moved} Z="{radius:g}" BallStatus="{status}" '
+            f'<Frame N="{number}" T="{stamp(recording, frame)}" {moved} Z="{radius:g}" BallStatus="{status}" '
             f'BallPossession="{owner}"/>'
         )
     yield "</FrameSet>"
 
 
-def player_set(found: Collected, period: int, frames: np.ndarray, player: Player) -> Iterator[str]:
-    """Yield where a robot is while it is on the pitch."""
+def player_set(recording: Collected, period: int, frames: np.ndarray, player: Player) -> Iterator[str]:
+    """Yield the frames of a robot while it is on the pitch."""
     section, first = SECTIONS[period]
-    robots, row = found.robots, player.row
+    robots, row = recording.robots, player.row
     yield element(
-        "FrameSet", closed=False, GameSection=section, MatchId=found.name, TeamId=player.side, PersonId=player.name
+        "FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId=player.side, PersonId=player.name
     )
     x, y, vx, vy, active = (robots[name][:, row].tolist() for name in ("x", "y", "vx", "vy", "active"))
     for number, frame in enumerate(frames.tolist(), first):
         if active[frame] == 1:
             moved = moved_words(x[frame], y[frame], vx[frame], vy[frame])
-            yield f'<Frame N="{number}" T="{stamp(found, frame)}" {moved}/>'
+            yield f'<Frame N="{number}" T="{stamp(recording, frame)}" {moved}/>'
     yield "</FrameSet>"
 
 
 def moved_words(x: float, y: float, vx: float, vy: float) -> str:
-    """Return the attributes of a place [m] and of a speed, from a velocity [m/s]."""
+    """Return the attributes of a place [m] and of the speed of a velocity [m/s]."""
     return f'X="{x:.4f}" Y="{y:.4f}" S="{KMH * hypot(vx, vy):.3f}"'

@@ -2,15 +2,15 @@
 
 | file | what it holds |
 |---|---|
-| meta.json | pitch, players, periods and who plays on which side |
+| meta.json | pitch, players, periods and sides |
 | match.json | the match sheet: result, players, goals, cards |
 | tracking.jsonl | a line for each frame: robots on the pitch and the ball [m] |
 | event.jsonl | a line for each pass, shot, interception, save, foul and whistle |
 
-The format wants one direction of play: home attacks +x in all periods, so places of the second half are turned by
-180 degrees (`left_team_id` says who truly plays on the left). It wants dates: a match begins at KICK_OFF, which is no
-date of anything. A goal without a shot (carried or bumped in) is a shot of its scorer's, which is how the format tells
-goals; so is an own goal.
+The format needs one direction of play: home attacks +x in all periods, so places of the second half are turned by
+180 degrees (`left_team_id` names the team that really plays on the left). It needs dates: every match begins at the
+arbitrary date KICK_OFF. The format has goals as shots, so a goal without a shot (carried or bumped in) becomes a shot
+of its scorer, and so does an own goal.
 """
 
 import json
@@ -37,12 +37,12 @@ WHISTLES = {"half_time": "half_time", "final_whistle": "final_whistle"}
 DIGITS = 4  # of a metre: tenths of a millimetre
 
 
-def write_standard(found: Collected, folder: Path) -> Path:
-    """Write a match as four files of a folder, which takes the place of an earlier one, whole or not at all.
+def write_standard(recording: Collected, folder: Path) -> Path:
+    """Write a match as four files of a folder, which replaces an earlier folder, whole or not at all.
 
-    In a folder that holds other files as well, files of the same names are replaced one by one.
+    In a folder with other files the four files are replaced one by one.
     """
-    match = Standard(found)
+    match = Standard(recording)
     sheets = (json.dumps(sheet, indent=2) + "\n" for sheet in (match.meta(), match.sheet()))
     contents = dict(zip(FILES, [*sheets, as_lines(match.tracking()), as_lines(match.events())], strict=True))
     shared = folder.exists() and not {file.name for file in folder.iterdir()} <= contents.keys()
@@ -60,15 +60,15 @@ def as_lines(records: Iterator[dict[str, Any]]) -> str:
 class Standard:
     """A match in the words of the Common Data Format."""
 
-    def __init__(self, found: Collected) -> None:
-        self.found = found
-        self.periods = found.periods
-        self.direction = found.match["home_direction"]
-        self.shot_in = {(event.end_frame, event.team) for event in found.events if event.outcome == "goal"}
+    def __init__(self, recording: Collected) -> None:
+        self.recording = recording
+        self.periods = recording.periods
+        self.direction = recording.match["home_direction"]
+        self.shot_in = {(event.end_frame, event.team) for event in recording.events if event.outcome == "goal"}
 
     def time(self, frame: int) -> str:
-        """Return when a frame is, as UTC."""
-        at = KICK_OFF + timedelta(seconds=frame / self.found.league.control_rate)
+        """Return the time of a frame as UTC."""
+        at = KICK_OFF + timedelta(seconds=frame / self.recording.league.control_rate)
         return at.isoformat(timespec="microseconds").replace("+00:00", "Z")
 
     def period(self, frame: int) -> str:
@@ -82,38 +82,38 @@ class Standard:
 
     def meta(self) -> dict[str, Any]:
         """Return meta.json."""
-        found, pitch = self.found, self.found.league.pitch
+        recording, pitch = self.recording, self.recording.league.pitch
         vendor = {"version": version(), "name": "soccer_env"}
         return {
             "competition": {"id": "soccer_env", "name": "soccer_env"},
             "season": {"id": "none"},
             "match": {
-                "id": found.name,
+                "id": recording.name,
                 "kickoff_time": self.time(0),
                 "periods": [self.about_period(period) for period in self.numbers()],
                 "whistles": list(self.whistles()),
             },
             "teams": {
                 side: {"id": side, "name": team, "players": [self.about(player) for player in self.of(side)]}
-                for side, team in zip(("home", "away"), found.teams, strict=True)
+                for side, team in zip(("home", "away"), recording.teams, strict=True)
             },
             "venue": {
-                "id": found.league.name, "pitch_length": float(pitch.length), "pitch_width": float(pitch.width),
+                "id": recording.league.name, "pitch_length": float(pitch.length), "pitch_width": float(pitch.width),
             },
             "meta": {
                 "video": None, "landmarks": None, "ball": None, "meta": vendor, "cdf": {"version": VERSION},
-                "tracking": {**vendor, "fps": found.league.control_rate, "collection_timing": "live"},
+                "tracking": {**vendor, "fps": recording.league.control_rate, "collection_timing": "live"},
                 "event": {**vendor, "collection_timing": "post_match"},
             },
         }  # fmt: skip
 
     def numbers(self) -> list[int]:
-        """Return the periods that the recording has frames of."""
-        found: list[int] = np.unique(self.periods).tolist()
-        return found
+        """Return the numbers of the recorded periods."""
+        periods: list[int] = np.unique(self.periods).tolist()
+        return periods
 
     def about_period(self, period: int) -> dict[str, Any]:
-        """Return what meta.json says of a period."""
+        """Return the entry of a period in meta.json."""
         frames = np.flatnonzero(self.periods == period)
         first, last = int(frames[0]), int(frames[-1])
         left, right = ("home", "away") if self.direction[last] > 0.0 else ("away", "home")
@@ -131,11 +131,11 @@ class Standard:
 
     def of(self, side: str) -> list[Player]:
         """Return the robots of a side."""
-        return [player for player in self.found.players if player.side == side]
+        return [player for player in self.recording.players if player.side == side]
 
     def about(self, player: Player) -> dict[str, Any]:
-        """Return what meta.json says of a robot."""
-        starter = bool(self.found.robots["active"][0, player.row] == 1)
+        """Return the entry of a robot in meta.json."""
+        starter = bool(self.recording.robots["active"][0, player.row] == 1)
         return {
             "id": player.name, "team_id": player.side, "jersey_number": player.number, "is_starter": starter,
             "first_name": player.side, "last_name": str(player.number),
@@ -143,14 +143,14 @@ class Standard:
 
     def sheet(self) -> dict[str, Any]:
         """Return match.json."""
-        found = self.found
-        home, away = (int(goals) for goals in found.score[-1])
-        first = found.score[self.periods == 1]
+        recording = self.recording
+        home, away = (int(goals) for goals in recording.score[-1])
+        first = recording.score[self.periods == 1]
         half = first[-1].tolist() if len(first) else [0, 0]
-        played = (found.robots["active"] == 1).any(axis=0)
+        played = (recording.robots["active"] == 1).any(axis=0)
         return {
             "match": {
-                "id": found.name,
+                "id": recording.name,
                 "status": {"is_neutral": True, "has_extratime": False, "has_shootout": False},
                 "result": {
                     "final": {
@@ -177,60 +177,60 @@ class Standard:
 
     def goals(self) -> Iterator[dict[str, Any]]:
         """Yield the goals of the match sheet; who scored without a touch is "unknown"."""
-        for goal in self.found.events:
+        for goal in self.recording.events:
             if goal.kind == "goal":
                 yield {
                     "time": self.time(goal.frame), "period": self.period(goal.frame), "team_id": SIDES[goal.team],
                     "player_id": self.name(goal.row), "assist_id": None, "is_penalty": False,
                     "is_own_goal": goal.outcome == "own_goal",
-                    "score": dict(zip(("home", "away"), self.found.score[goal.frame].tolist(), strict=True)),
+                    "score": dict(zip(("home", "away"), self.recording.score[goal.frame].tolist(), strict=True)),
                 }  # fmt: skip
 
     def name(self, row: int) -> str:
         """Return the id of a robot."""
-        return self.found.players[row].name if row != NOBODY else "unknown"
+        return self.recording.players[row].name if row != NOBODY else "unknown"
 
     def tracking(self) -> Iterator[dict[str, Any]]:
         """Yield the lines of tracking.jsonl."""
-        found, in_play = self.found, self.found.in_play
+        recording, in_play = self.recording, self.recording.in_play
         sides = [(side, self.of(side)) for side in ("home", "away")]
-        speeds = np.hypot(found.robots["vx"], found.robots["vy"])
-        for frame in range(len(found)):
-            x, y = self.place(frame, found.ball[frame, 0], found.ball[frame, 1])
+        speeds = np.hypot(recording.robots["vx"], recording.robots["vy"])
+        for frame in range(len(recording)):
+            x, y = self.place(frame, recording.ball[frame, 0], recording.ball[frame, 1])
             yield {
                 "frame_id": frame, "timestamp": self.time(frame), "period": self.period(frame),
-                "match": {"id": found.name},
+                "match": {"id": recording.name},
                 "teams": {
                     side: {"id": side, "players": [self.tracked(frame, player, speeds) for player in players
-                                                   if found.robots["active"][frame, player.row] == 1]}
+                                                   if recording.robots["active"][frame, player.row] == 1]}
                     for side, players in sides
                 },
-                "ball": {"x": x, "y": y, "z": found.league.ball.radius, "status": bool(in_play[frame])},
+                "ball": {"x": x, "y": y, "z": recording.league.ball.radius, "status": bool(in_play[frame])},
             }  # fmt: skip
 
     def tracked(self, frame: int, player: Player, speeds: np.ndarray) -> dict[str, Any]:
-        """Return where a robot is in a frame."""
-        robots, row = self.found.robots, player.row
+        """Return the place of a robot in a frame."""
+        robots, row = self.recording.robots, player.row
         x, y = self.place(frame, robots["x"][frame, row], robots["y"][frame, row])
         return {"id": player.name, "x": x, "y": y, "vel": round(float(speeds[frame, row]), DIGITS)}
 
     def events(self) -> Iterator[dict[str, Any]]:
         """Yield the lines of event.jsonl."""
         number = 0
-        for event in self.found.events:
-            told = self.told(event)
-            if told is None:
+        for event in self.recording.events:
+            fields = self.event_fields(event)
+            if fields is None:
                 continue
             number += 1
             yield {
-                "match": {"id": self.found.name},
+                "match": {"id": self.recording.name},
                 "meta": {"is_synced": True},
-                "event": {"id": f"event_{number}", **told},
+                "event": {"id": f"event_{number}", **fields},
                 "tracking": {"frame_id": event.frame},
             }
 
-    def told(self, event: Event) -> dict[str, Any] | None:
-        """Return an event in the words of the format; None for one that it has none for."""
+    def event_fields(self, event: Event) -> dict[str, Any] | None:
+        """Return the fields of an event in the format; None for an event that the format does not have."""
         if event.kind == "pass":
             return self.played(event, "pass", None, event.outcome, event.outcome == "successful")
         if event.kind == "shot":
@@ -249,7 +249,7 @@ class Standard:
         return None
 
     def common(self, event: Event) -> dict[str, Any]:
-        """Return what every event has."""
+        """Return the fields that all events have."""
         x, y = self.place(event.frame, event.x, event.y)
         return {
             "time": self.time(event.frame), "period": self.period(event.frame), "x": x, "y": y,
@@ -258,26 +258,26 @@ class Standard:
         }  # fmt: skip
 
     def called(self, event: Event, sub_type: str, outcome: str) -> dict[str, Any]:
-        """Return a call of the referee's."""
+        """Return the fields of a call of the referee."""
         return {
             **self.common(event), "type": "referee", "sub_type": sub_type, "outcome_type": outcome,
             "is_successful": True, "official_id": REFEREE,
         }  # fmt: skip
 
     def played(self, event: Event, kind: str, sub_type: str | None, outcome: str, good: bool) -> dict[str, Any]:
-        """Return what a robot did."""
-        told = {
+        """Return the fields of a robot's event."""
+        fields = {
             **self.common(event), "type": kind, "sub_type": sub_type, "outcome_type": outcome, "is_successful": good,
             "player_id": self.name(event.row), "team_id": SIDES[event.team],
         }  # fmt: skip
         if kind in ("pass", "shot"):
             end = event.end_frame if event.end_frame != NOBODY else event.frame
             x, y = (event.end_x, event.end_y) if event.end_frame != NOBODY else (event.x, event.y)
-            told["x_end"], told["y_end"] = self.place(end, x, y)
-            told["body_part"] = "other"
+            fields["x_end"], fields["y_end"] = self.place(end, x, y)
+            fields["body_part"] = "other"
         if event.receiver != NOBODY:
-            told |= {
+            fields |= {
                 "receiver_id": self.name(event.receiver), "receiver_time": self.time(event.end_frame),
-                "receiver_team_id": self.found.players[event.receiver].side,
+                "receiver_team_id": self.recording.players[event.receiver].side,
             }  # fmt: skip
-        return told
+        return fields

@@ -1,7 +1,7 @@
-"""Tables as files: CSV, or Parquet by pyarrow (extra `data`). Two files: NAME.csv tracks, NAME_events.csv tells events.
+"""Tables as files: CSV, or Parquet by pyarrow (extra `data`). NAME.csv holds tracking, NAME_events.csv holds events.
 
-Matches are written one after another, so that a folder of many takes no more memory than its longest match. Files
-appear whole or not at all.
+Matches are written one after another, so that many matches take no more memory than the longest. Files appear whole or
+not at all.
 """
 
 import csv
@@ -24,7 +24,7 @@ def paths_of(path: Path) -> dict[str, Path]:
 
 
 def require(kind: str) -> None:
-    """Raise ImportError, which says what to install, if files of that ending cannot be written."""
+    """Raise ImportError, which says what to install, if files with this ending cannot be written."""
     if kind == ".parquet":
         try:
             import pyarrow.parquet  # noqa: F401
@@ -33,9 +33,9 @@ def require(kind: str) -> None:
 
 
 def write_tables(matches: Iterable[dict[str, Table]], path: Path) -> dict[str, Path]:
-    """Write the tables of matches as CSV or Parquet, by the path's ending; return the files by the table's name.
+    """Write the tables of matches as CSV or Parquet, by the path's ending; return the path of each table.
 
-    ImportError if pyarrow is missing. Files that exist are replaced once all is written.
+    ImportError if pyarrow is missing. Existing files are replaced after all matches are written.
     """
     kind: type[CsvFile] | type[ParquetFile] = CsvFile if path.suffix.lower() == ".csv" else ParquetFile
     paths = paths_of(path)
@@ -69,19 +69,19 @@ class CsvFile:
 
 
 def as_text(values: np.ndarray, column: Column) -> list[Any]:
-    """Return a column as text: numbers to a micrometre, what is missing empty."""
+    """Return a column as text: numbers with six decimals, missing numbers empty."""
     if column.kind == "flag":
         return ["true" if value else "false" for value in values.tolist()]
     if column.kind == "number":
         return [round(value, 6) if value == value else "" for value in values.tolist()]
     if column.kind == "text":
         return [plain_cell(value) for value in values.tolist()]
-    found: list[Any] = values.tolist()
-    return found
+    plain: list[Any] = values.tolist()
+    return plain
 
 
 def plain_cell(text: str) -> str:
-    """Return a word that no spreadsheet takes for a formula: names of matches come from files of strangers."""
+    """Return a word that no spreadsheet takes for a formula: names of matches come from untrusted files."""
     return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
 
 
@@ -93,19 +93,13 @@ class ParquetFile:
         import pyarrow
         from pyarrow import parquet
 
-        kinds = {
-            "text": pyarrow.string(),
-            "whole": pyarrow.int64(),
-            "number": pyarrow.float64(),
-            "flag": pyarrow.bool_(),
-        }
-        self._table = pyarrow.table
-        self._schema = pyarrow.schema(
-            [
-                pyarrow.field(column.name, kinds[column.kind], metadata={"unit": column.unit, "text": column.text})
-                for column in columns
-            ]
-        )
+        string, whole, number, flag = pyarrow.string(), pyarrow.int64(), pyarrow.float64(), pyarrow.bool_()
+        kinds = {"text": string, "whole": whole, "number": number, "flag": flag}
+        fields = [
+            pyarrow.field(column.name, kinds[column.kind], metadata={"unit": column.unit, "text": column.text})
+            for column in columns
+        ]
+        self._table, self._schema = pyarrow.table, pyarrow.schema(fields)
         self._writer = parquet.ParquetWriter(path, self._schema)
 
     def add(self, table: Table) -> None:

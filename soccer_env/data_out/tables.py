@@ -1,7 +1,7 @@
 """Tidy tables: one row for each frame and object, and one for each event, with a unit and a meaning for each column.
 
-Places are in the field frame, in metres: origin at the centre spot, x along the pitch, y to the left of it. They are
-not turned: teams change sides at half-time, and `home_direction` says where home attacks.
+Places are in the field frame, in metres: origin at the centre spot, x along the pitch, y to the left of x. They are
+not turned: teams change sides at half-time, and `home_direction` says in which direction home attacks.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ BALL = "ball"
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table: numbers have a unit, "" for those without; kind: "text", "whole", "number" or "flag"."""
+    """A column of a table; kind: "text", "whole", "number" or "flag"; unit: of numbers, "" for none."""
 
     name: str
     kind: str
@@ -27,7 +27,7 @@ class Column:
 
 
 def number(name: str, unit: str, text: str) -> Column:
-    """Return a column of numbers; what does not apply is missing (NaN)."""
+    """Return a column of numbers; NaN where the number does not apply."""
     return Column(name, "number", unit, text)
 
 
@@ -37,7 +37,7 @@ def whole(name: str, text: str) -> Column:
 
 
 def word(name: str, text: str) -> Column:
-    """Return a column of words; what does not apply is empty."""
+    """Return a column of words; empty where the word does not apply."""
     return Column(name, "text", "", text)
 
 
@@ -85,37 +85,37 @@ EVENTS = (
 TABLES = {"tracking": TRACKING, "events": EVENTS}
 
 
-def tracking_table(found: Collected) -> Table:
-    """Return a row for each frame and object: all of one frame after another, the ball first."""
-    frames, robots = found.robots["x"].shape
+def tracking_table(recording: Collected) -> Table:
+    """Return a row for each frame and object, frame by frame, the ball first."""
+    frames, robots = recording.robots["x"].shape
     objects = robots + 1
     every = np.repeat(np.arange(frames), objects)
-    names = np.array([BALL, *(player.name for player in found.players)], object)
-    sides = np.array(["", *(player.side for player in found.players)], object)
-    numbers = np.array([-1, *(player.number for player in found.players)])
-    table: Table = {name: values[every] for name, values in moments(found).items()}
+    names = np.array([BALL, *(player.name for player in recording.players)], object)
+    sides = np.array(["", *(player.side for player in recording.players)], object)
+    numbers = np.array([-1, *(player.number for player in recording.players)])
+    table: Table = {name: values[every] for name, values in moments(recording).items()}
     table["object"], table["team"] = np.tile(names, frames), np.tile(sides, frames)
     table["number"] = np.tile(numbers, frames)
     for at, name in enumerate(("x", "y", "vx", "vy")):
-        table[name] = beside(found.ball[:, at], found.robots[name])
-    table["heading"] = beside(np.full(frames, np.nan), found.robots["heading"])
-    table["on_pitch"] = beside(np.ones(frames, bool), found.robots["active"] == 1)
-    table["has_ball"] = beside(np.zeros(frames, bool), found.robots["has_ball"] == 1)
+        table[name] = beside(recording.ball[:, at], recording.robots[name])
+    table["heading"] = beside(np.full(frames, np.nan), recording.robots["heading"])
+    table["on_pitch"] = beside(np.ones(frames, bool), recording.robots["active"] == 1)
+    table["has_ball"] = beside(np.zeros(frames, bool), recording.robots["has_ball"] == 1)
     return {column.name: table[column.name] for column in TRACKING}
 
 
-def moments(found: Collected) -> Table:
-    """Return what a table says of each frame (T,)."""
+def moments(recording: Collected) -> Table:
+    """Return the columns (T,) that describe each frame."""
     phases = np.array([PHASES[phase] for phase in range(max(PHASES) + 1)], object)
     return {
-        "match": np.full(len(found), found.name, object),
-        "frame": np.arange(len(found)),
-        "time": found.time,
-        "period": found.periods,
-        "clock": found.match["clock"],
-        "phase": phases[found.match["phase"]],
-        "in_play": found.in_play,
-        "home_direction": found.match["home_direction"].astype(np.int64),
+        "match": np.full(len(recording), recording.name, object),
+        "frame": np.arange(len(recording)),
+        "time": recording.time,
+        "period": recording.periods,
+        "clock": recording.match["clock"],
+        "phase": phases[recording.match["phase"]],
+        "in_play": recording.in_play,
+        "home_direction": recording.match["home_direction"].astype(np.int64),
     }
 
 
@@ -124,11 +124,11 @@ def beside(ball: np.ndarray, robots: np.ndarray) -> np.ndarray:
     return np.concatenate([ball[:, None], robots], axis=1).ravel()
 
 
-def event_table(found: Collected) -> Table:
+def event_table(recording: Collected) -> Table:
     """Return a row for each event, in the order of frames."""
-    events, when = found.events, moments(found)
+    events, when = recording.events, moments(recording)
     frames = np.array([event.frame for event in events], np.int64)
-    names = {NOBODY: "", **{player.row: player.name for player in found.players}}
+    names = {NOBODY: "", **{player.row: player.name for player in recording.players}}
     table: Table = {column.name: when[column.name][frames] for column in WHEN}
     table |= {
         "event": words([event.kind for event in events]),
@@ -141,19 +141,19 @@ def event_table(found: Collected) -> Table:
         "end_x": np.array([event.end_x for event in events], np.float64),
         "end_y": np.array([event.end_y for event in events], np.float64),
         "receiver": words([names.get(event.receiver, "") for event in events]),
-        "home_score": found.score[frames, 0],
-        "away_score": found.score[frames, 1],
+        "home_score": recording.score[frames, 0],
+        "away_score": recording.score[frames, 1],
     }
     return {column.name: table[column.name] for column in EVENTS}
 
 
 def words(values: list[Any]) -> np.ndarray:
     """Return words as a column."""
-    found = np.empty(len(values), object)
-    found[:] = values
-    return found
+    column = np.empty(len(values), object)
+    column[:] = values
+    return column
 
 
-def tables_of(found: Collected) -> dict[str, Table]:
+def tables_of(recording: Collected) -> dict[str, Table]:
     """Return both tables of a match by name."""
-    return {"tracking": tracking_table(found), "events": event_table(found)}
+    return {"tracking": tracking_table(recording), "events": event_table(recording)}

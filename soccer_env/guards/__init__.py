@@ -1,10 +1,10 @@
-"""What comes from outside is checked, and a match stays whole where signals, threads, forks or errors come in.
+"""Guards: input is checked, and signals, threads, forks and errors leave no match half stepped.
 
-interrupts.py   hold Ctrl-C back while something is done that must not be left half done
-checking.py     checks of what somebody gives, with one kind of message
-names.py        names imported when they are used, and what to say of unknown ones
-ranges.py       what the fields of records may hold, and the check of it
+interrupts.py   hold signals such as Ctrl-C back during work that must not be interrupted
+checking.py     checks of settings, numbers and names, with one kind of message
+names.py        names that are imported on first use, and messages for unknown names
+ranges.py       the allowed range of each field of a record, and the check of records
 whole_files.py  files that are written whole or not at all
-turns.py        one thread at a time, and what it does whole or not at all
-workers.py      threads that share out a task; none of them runs on when the task has failed, none is lost in a fork
+turns.py        methods for one thread at a time, done whole or not at all
+workers.py      threads that share the parts of a task
 """

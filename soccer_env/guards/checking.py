@@ -1,10 +1,10 @@
-"""Check what somebody gives: every setting, number and name, with one kind of message.
+"""Check settings, numbers and names, with one kind of message.
 
-    <what> must be <what is allowed>, got <value>
-    unknown <what> <name>, did you mean <one like it>? known: <all of them>
+    <setting> must be <allowed values>, got <value>
+    unknown <kind> <name>, did you mean <similar name>? known: <all names>
 
-A settings record is a frozen dataclass that inherits from `Checked`: its annotations and a few tables beside them say
-what each field may hold, and `allowed` says the same in words.
+A settings record is a frozen dataclass that inherits from `Checked`: its annotations and a few tables beside them give
+the allowed values of each field.
 """
 
 import operator
@@ -24,16 +24,16 @@ from soccer_env.guards.names import unknown
 
 BRIEF = Repr()
 BRIEF.maxstring = BRIEF.maxother = 80
-BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more than")}  # and what the larger one is
+BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more than")}  # comparison, inverse words
 
 
 class Range(NamedTuple):
-    """The numbers that are allowed, always finite."""
+    """A range of allowed numbers, which are always finite."""
 
     low: float = -inf
     high: float = inf
-    above: bool = False  # True: not the lower end itself
-    below: bool = False  # True: not the upper end itself
+    above: bool = False  # True: without the lower end itself
+    below: bool = False  # True: without the upper end itself
 
     def holds(self, value: float) -> bool:
         """Tell whether a number lies in the range."""
@@ -64,7 +64,7 @@ def span(low: float, high: float) -> str:
 
 
 def in_words(allowed: Range, whole: bool, value: Any) -> str:
-    """Return what numbers are allowed, and that they are whole ones where the value is in range or no number at all."""
+    """Return the allowed numbers in words; "a whole number, ..." if the value is in range or no number."""
     text = allowed.text(whole)
     not_whole = whole and not text.startswith("a ") and (not is_number(value) or allowed.holds(value))
     return f"a whole number, {text}" if not_whole else text
@@ -76,14 +76,14 @@ def refuse(what: str, allowed: str, value: Any) -> NoReturn:
 
 
 def brief(value: object) -> str:
-    """Return a value as one short line, whatever a stranger's file says."""
+    """Return a value as one short line, safe for untrusted files."""
     return BRIEF.repr(value)
 
 
 def check_names(
     what: str, given: Iterable[Any], known: Iterable[str], error: type[Exception] = ValueError, more: str = ""
 ) -> None:
-    """Raise an error for the first name that is not known; it says which are, and the nearest of them."""
+    """Raise an error for the first unknown name; the message lists the known names and the most similar one."""
     known = list(known)
     for name in given:
         if not isinstance(name, str) or name not in known:
@@ -91,7 +91,7 @@ def check_names(
 
 
 def one_of(what: str, value: Any, choices: Iterable[Any]) -> Any:
-    """Return one of the choices; ValueError names them."""
+    """Return the value if it is one of the choices; ValueError names the choices."""
     choices = list(choices)
     if not any(isinstance(value, type(choice)) and value == choice for choice in choices):
         refuse(what, f"one of {', '.join(map(str, choices))}", value)
@@ -99,7 +99,7 @@ def one_of(what: str, value: Any, choices: Iterable[Any]) -> Any:
 
 
 def whole_number(what: str, value: Any, low: float = -inf, high: float = inf) -> int:
-    """Return a whole number in a range; ValueError names it and the range."""
+    """Return the value if it is a whole number in a range; ValueError names value and range."""
     allowed = Range(low, high)
     if not (is_number(value, whole=True) and allowed.holds(value)):
         refuse(what, in_words(allowed, True, value), value)
@@ -107,27 +107,27 @@ def whole_number(what: str, value: Any, low: float = -inf, high: float = inf) ->
 
 
 def number(what: str, value: Any, allowed: Range = ANY) -> float:
-    """Return a finite number in a range; ValueError names it and the range."""
+    """Return the value if it is a finite number in a range; ValueError names value and range."""
     if not (is_number(value) and allowed.holds(value)):
         refuse(what, allowed.text(), value)
     return float(value)
 
 
 def is_number(value: Any, whole: bool = False) -> bool:
-    """Tell whether a value is a number, Python's or numpy's, and a whole one if it has to be; switches are none."""
+    """Tell whether a value is a number of Python or numpy, not a bool; `whole`: a whole number."""
     if isinstance(value, (int, np.integer)):
         return not isinstance(value, bool)
     return not whole and isinstance(value, (float, np.floating))
 
 
 class Checked:
-    """A frozen dataclass whose fields are checked as it is made; a field of a kind not listed here may hold anything.
+    """A frozen dataclass that checks its fields.
 
-    bool, int, float, str, Path, Literal, None and their unions are checked by their annotation. Tables add to those of
-    parents; `bounds` in a field's metadata does what BOUNDS does.
+    bool, int, float, str, Path, Literal, None and their unions are checked by annotation; fields of other types may
+    hold anything. Tables add to those of parents; `bounds` in a field's metadata replaces BOUNDS.
     """
 
-    NAMES: ClassVar[Mapping[str, Iterable[str]]] = {}  # the names that a field may take
+    NAMES: ClassVar[Mapping[str, Iterable[str]]] = {}  # the allowed names of a field
     BOUNDS: ClassVar[Mapping[str, tuple[Any, ...]]] = {}  # of numbers: Range, or (least, greatest); else NUMBER
     NUMBER: ClassVar[Range] = ANY
     ORDER: ClassVar[tuple[tuple[str, str, str], ...]] = ()  # (one field, "at most" or "less than", another)
@@ -142,23 +142,23 @@ class Checked:
 
     @classmethod
     def where(cls, name: str) -> str:
-        """Return what messages call a field."""
+        """Return the name of a field in messages."""
         return f"{cls.__name__}.{name}" if cls.TITLED else name
 
     def _checked(self, name: str, kinds: tuple[Any, ...], value: Any) -> Any:
-        """Return a field's value as Python's own; ValueError says what is allowed."""
+        """Return a field's value as a value of Python; ValueError names the allowed values."""
         if name in self.NAMES:
             return one_of(self.where(name), value, self.NAMES[name])
         for kind in kinds:
-            fits, found = as_kind(kind, value, self.bounds(name))
+            fits, checked = as_kind(kind, value, self.bounds(name))
             if fits:
                 if name in self.EVEN and value is not None and value % 2 != 0:
                     refuse(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
-                return found
+                return checked
         refuse(self.where(name), self._words(name, kinds, value), value)
 
     def _check_order(self) -> None:
-        """Raise ValueError for the first two values that are not in the order that ORDER asks for."""
+        """Raise ValueError for the first two values that break ORDER."""
         for one, relation, other in self.ORDER:
             value, bound = getattr(self, one), getattr(self, other)
             if not BELOW[relation][0](value, bound):
@@ -166,24 +166,24 @@ class Checked:
 
     @classmethod
     def bounds(cls, name: str) -> Range:
-        """Return the numbers that a field may hold."""
+        """Return the range of numbers that a field may hold."""
         metadata = cls.__dataclass_fields__[name].metadata  # type: ignore[attr-defined]
         tables = (kind.BOUNDS[name] for kind in cls.__mro__ if issubclass(kind, Checked) and name in kind.BOUNDS)
         return Range(*metadata["bounds"]) if "bounds" in metadata else Range(*next(tables, cls.NUMBER))
 
     @classmethod
     def _words(cls, name: str, kinds: tuple[Any, ...], value: Any) -> str:
-        """Return in words what a field of some kinds may hold instead of a value, but for the None of its default."""
+        """Return the allowed values of a field in words, without the None of its default."""
         words = {bool: "True or False", str: "a text", Path: "a path"}
         numbers = in_words(cls.bounds(name), float not in kinds, value)
         words |= dict.fromkeys((int, float), numbers)
         choices = [str(choice) for kind in kinds for choice in get_args(kind)]
-        found = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
-        return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *found]))
+        options = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
+        return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *options]))
 
 
 def as_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
-    """Return whether a value is of a kind, numbers within bounds, and the value as Python's own."""
+    """Return whether a value is of a kind, with numbers within bounds, and the value as a value of Python."""
     if get_origin(kind) is Literal:
         return any(isinstance(value, type(choice)) and value == choice for choice in get_args(kind)), value
     if kind is bool:
@@ -198,19 +198,19 @@ def as_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
 
 @cache
 def kinds_of_fields(record: type) -> dict[str, tuple[Any, ...]]:
-    """Return the kinds that each field of a settings record may have, of those fields that can be checked."""
+    """Return the allowed kinds of each field of a settings record that can be checked."""
     annotations: dict[str, Any] = {}
     for parent in reversed(record.__mro__):
         names = vars(sys.modules[parent.__module__])
         annotations |= {
             name: evaluated(kind, names) for name, kind in parent.__dict__.get("__annotations__", {}).items()
         }
-    found = {field.name: parts_of(annotations[field.name]) for field in fields(record)}
-    return {name: kinds for name, kinds in found.items() if all(map(can_be_checked, kinds))}
+    kinds_by_field = {field.name: parts_of(annotations[field.name]) for field in fields(record)}
+    return {name: kinds for name, kinds in kinds_by_field.items() if all(map(can_be_checked, kinds))}
 
 
 def evaluated(annotation: Any, names: dict[str, Any]) -> Any:
-    """Return what an annotation means, Any if it names what only type checkers import."""
+    """Return the type of an annotation; Any if it names something that only type checkers import."""
     try:
         return eval(annotation, names) if isinstance(annotation, str) else annotation
     except NameError:
@@ -218,17 +218,17 @@ def evaluated(annotation: Any, names: dict[str, Any]) -> Any:
 
 
 def parts_of(kind: Any) -> tuple[Any, ...]:
-    """Return the members of a union, or the one kind."""
+    """Return the members of a union, or the kind itself."""
     if get_origin(kind) is Annotated:
         kind = get_args(kind)[0]
     return get_args(kind) if get_origin(kind) in (Union, UnionType) else (kind,)
 
 
 def type_of(field: Field[Any]) -> str:
-    """Return the name of a field's type, as "float": modules that evaluate their annotations have the type itself."""
+    """Return the name of a field's type, such as "float"; without `from __future__` the field has the type itself."""
     return field.type if isinstance(field.type, str) else field.type.__name__
 
 
 def can_be_checked(kind: Any) -> bool:
-    """Tell whether values can be compared with a kind."""
+    """Tell whether values of a kind can be checked."""
     return get_origin(kind) is Literal or kind in (bool, int, float, str, Path, NoneType)

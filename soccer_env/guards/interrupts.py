@@ -1,11 +1,11 @@
-"""Hold signals back while something is done that must be done or not done, never half.
+"""Hold signals back during work that must be done whole or not at all.
 
-A signal with a handler in Python, such as Ctrl-C, raises between two instructions of the main thread, whatever runs
-there: a match would be left in the middle of a step. In the functions by which pymunk frees a Space it is swallowed,
-and half of the Space stays behind. Blocking signals does not help: the system then hands them to another thread, and
-Python runs the handler in the main one.
+A signal with a handler in Python, such as Ctrl-C, raises between two instructions of the main thread and can leave a
+match in the middle of a step. In the functions by which pymunk frees a Space the error is swallowed, and half of the
+Space stays in memory. Blocking signals does not help: the system delivers them to another thread, and Python runs the
+handler in the main thread.
 
-`HeldBack` is the usual way. `hold` and `release` are the same for a control step, which they cost a microsecond.
+`HeldBack` is the usual way. `hold` and `release` do the same for a control step, at a cost of a microsecond.
 """
 
 from __future__ import annotations
@@ -21,88 +21,86 @@ from threading import get_ident
 from types import FrameType
 from typing import Any
 
-MOST = 1000  # signals that come while another is raised
+MOST = 1000  # attempts to hold signals again while others arrive
 NAMES = ("INT", "TERM", "HUP", "QUIT", "ALRM", "VTALRM", "PROF", "USR1", "USR2", "CHLD", "CONT", "WINCH", "BREAK")
 SIGNALS = tuple(int(getattr(signal, f"SIG{name}")) for name in NAMES if hasattr(signal, f"SIG{name}"))
-SOON = 0.001  # [s] between two looks whether a destructor that has held signals back has ended
-Handlers = tuple[tuple[int, Any], ...]  # number of a signal, and what is called for it
+SOON = 0.001  # [s] between two checks whether a destructor that held signals back has ended
+Handlers = tuple[tuple[int, Any], ...]  # number and handler of each signal
 
 _raw: Any = _signal
 _get, _set = _raw.getsignal, _raw.signal
 
 
 class _Held:
-    """The signals of this process, whose handlers run in the main thread alone."""
+    """The state of held signals in this process; Python runs their handlers in the main thread only."""
 
-    __slots__ = "came", "found", "holds", "main", "ours", "theirs"
+    __slots__ = "arrived", "handlers", "holds", "main", "python_handlers", "stand_ins"
 
     def __init__(self) -> None:
         self.main = threading.main_thread().ident
         self.holds = False  # whether signals wait now
-        self.came: tuple[int, ...] = ()
-        self.found: tuple[Any, ...] = ()  # the handlers of all SIGNALS, as they were when signals last began to wait
-        self.theirs: Handlers = ()  # those of them that run Python
-        self.ours: Handlers = ()  # what stands for them while signals wait
+        self.arrived: tuple[int, ...] = ()
+        self.handlers: tuple[Any, ...] = ()  # of all SIGNALS, when signals last began to wait
+        self.python_handlers: Handlers = ()  # the handlers among them that are Python functions
+        self.stand_ins: Handlers = ()  # their replacements while signals wait
 
-    def take(self, found: tuple[Any, ...]) -> None:
-        """Take note of the handlers that are to be held back; one of ours that was left behind stands for its own."""
-        known = [(n, one.handler if isinstance(one, _Waiting) else one) for n, one in zip(SIGNALS, found, strict=True)]
-        self.theirs = tuple((number, handler) for number, handler in known if callable(handler))
-        self.ours = tuple((number, _Waiting(handler)) for number, handler in self.theirs)
-        self.found = found  # at the end: if this is interrupted, they are taken anew
+    def take(self, handlers: tuple[Any, ...]) -> None:
+        """Store the handlers to hold back; a stand-in that was left in place counts as its own handler."""
+        originals = [handler.handler if isinstance(handler, _Waiting) else handler for handler in handlers]
+        known = zip(SIGNALS, originals, strict=True)
+        self.python_handlers = tuple((number, handler) for number, handler in known if callable(handler))
+        self.stand_ins = tuple((number, _Waiting(handler)) for number, handler in self.python_handlers)
+        self.handlers = handlers  # last of all: after an interrupt `hold` calls `take` again
 
 
 _HELD = _Held()
 
 
 class _Waiting:
-    """A handler that stands for another: while signals wait it notes that one came, else it calls the other."""
+    """Stands in for a handler: notes the signal while signals wait, else calls the handler."""
 
     def __init__(self, handler: Any) -> None:
         self.handler = handler
 
     def __call__(self, number: int, frame: FrameType | None) -> None:
         if _HELD.holds:
-            _HELD.came += (number,)
+            _HELD.arrived += (number,)
         else:
             self.handler(number, frame)
 
 
 def hold() -> bool:
-    """Let signals wait from now on; return whether they began to: whoever gets True has to call `release`.
-
-    In other threads than the main one nothing can come.
-    """
+    """Let signals wait from now on, in the main thread; return True if the caller must call `release`."""
     held = _HELD
     if held.holds or get_ident() != held.main:
         return False
-    found = tuple(map(_get, SIGNALS))
-    if found != held.found:
-        held.take(found)
+    handlers = tuple(map(_get, SIGNALS))
+    if handlers != held.handlers:
+        held.take(handlers)
     try:
         held.holds = True
-        for number, handler in held.ours:
+        for number, handler in held.stand_ins:
             _set(number, handler)
-    except BaseException:  # one that was not yet held
+    except BaseException:  # raised by a signal that was not yet held
         release()
         raise
     return True
 
 
 def release(later: bool = False) -> None:
-    """Let those signals come that have waited; later: once no destructor runs."""
+    """Deliver the signals that have waited; later: once no destructor runs."""
     held = _HELD
-    held.holds = False  # first of all, as whatever left it true would keep all signals away for ever
+    held.holds = False  # first of all: if it stayed true, no signal would ever be delivered again
     try:
-        for number, handler in held.theirs:
+        for number, handler in held.python_handlers:
             _set(number, handler)
-    except BaseException:  # of one that came through ours, before its own was back
-        for number, handler in held.theirs:
+    except BaseException:  # raised through a stand-in whose handler was not yet restored
+        for number, handler in held.python_handlers:
             _set(number, handler)
         raise
     finally:
-        if held.came:
-            came, held.came = dict.fromkeys(held.came), ()
+        if held.arrived:
+            came, held.arrived = dict.fromkeys(held.arrived), ()
             if later:
                 deliver_soon([*came])
             else:
@@ -110,14 +108,14 @@ def release(later: bool = False) -> None:
 
 
 def let_go() -> None:
-    """Let signals come, until `hold`, in the middle of what they wait for: a user's code begins."""
+    """Deliver signals again, until `hold`: a user's code begins."""
     if _HELD.holds and get_ident() == _HELD.main:
         release()
 
 
 def let_come() -> None:
-    """Let those signals come that have waited until now; the next ones wait again, also if one of these raises."""
-    if not (_HELD.came and is_held()):
+    """Deliver the signals that have waited; later signals wait again, even if a handler raises."""
+    if not (_HELD.arrived and is_held()):
         return
     try:
         release()
@@ -128,7 +126,7 @@ def let_come() -> None:
 
 
 def hold_again() -> None:
-    """Let signals wait, whatever comes meanwhile: another one is being raised already."""
+    """Let signals wait again while an error is raised; errors of handlers that run meanwhile are dropped."""
     for _ in range(MOST):
         with contextlib.suppress(BaseException):
             hold()
@@ -141,9 +139,9 @@ def is_held() -> bool:
 
 
 class HeldBack:
-    """Let the signals that come in a `with` wait until its end, or until that of an outer one.
+    """Let signals wait until the end of the outermost `with`.
 
-    later: they come soon after the end, for a destructor, where Python would print and forget what they raise.
+    later: deliver them soon after, not inside a destructor, where Python would print and forget their errors.
     """
 
     def __init__(self, later: bool = False) -> None:
@@ -159,7 +157,7 @@ class HeldBack:
 
 
 def deliver(numbers: list[int]) -> None:
-    """Send this process some signals; each comes, also when the handler of the one before raises."""
+    """Send signals to this process, each of them even if the handler of the signal before raises."""
     if numbers:
         try:
             signal.raise_signal(numbers[0])
@@ -168,7 +166,7 @@ def deliver(numbers: list[int]) -> None:
 
 
 def deliver_soon(numbers: list[int]) -> None:
-    """Send this process some signals from another thread, once the main one is in no destructor."""
+    """Send signals to this process from another thread, once the main thread is in no destructor."""
 
     def wait() -> None:
         while _in_destructor():
@@ -187,10 +185,10 @@ def _in_destructor() -> bool:
 
 
 def _after_fork() -> None:
-    """Take the thread that forked for the main one of the child, in which nothing waits."""
+    """Make the thread that forked the main thread of the child, and drop signals that waited."""
     _HELD.main = get_ident()
     if _HELD.holds:
-        _HELD.came = ()
+        _HELD.arrived = ()
         release()
 
 

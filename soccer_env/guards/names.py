@@ -1,4 +1,4 @@
-"""Names that callers use: imported when first asked for, found again by a copy, and what to say of unknown ones."""
+"""Public names: imported on first use, found again by copies, and messages for unknown names."""
 
 import re
 import sys
@@ -12,20 +12,19 @@ from os import getcwd
 from pathlib import Path
 from typing import Any, NamedTuple
 
-MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  # MODULE:NAME, of a user's own
-MOST_NAMED, FIRST_NAMED = 32, 8  # names that a message lists; of more than so many the first
-LISTS = {  # what a message calls a thing, and what `soccer list` does
+MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  # MODULE:NAME in a user's module
+MOST_NAMED, FIRST_NAMED = 32, 8  # a message lists up to 32 names; of more names the first 8
+LISTS = {  # word in a message -> word of `soccer list`
     "team": "teams", "scene": "scenes", "league": "leagues", "rule": "rules", "reward term": "rewards",
     "claim": "claims",
 }  # fmt: skip
-Made = tuple[Callable[..., Any], tuple[Any, ...]]  # what __reduce__ returns
+Made = tuple[Callable[..., Any], tuple[Any, ...]]  # result of __reduce__
 
 
 def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return `__getattr__` and `__dir__` for a package whose public names lie in the given modules.
+    """Return `__getattr__` and `__dir__` for a package whose public names lie in the given modules, or are modules.
 
-    A name that is a module itself is given as that module. In the package, say the same imports to type checkers under
-    `if TYPE_CHECKING:`.
+    Repeat the imports for type checkers under `if TYPE_CHECKING:`.
     """
 
     def find(name: str) -> Any:
@@ -41,10 +40,9 @@ def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str]
 
 
 class FoldersBeside(MetaPathFinder):
-    """Find packages that a checkout has beside the folder of the package that an installation puts them into.
+    """Find subpackages whose folders a checkout has beside the package, and an installation inside it.
 
-    An editable install does the same. Without it Python, begun in a checkout, takes the package from there even where
-    it is installed elsewhere, and would miss these.
+    An editable install has its own finder. This one serves Python that is started in a checkout without an install.
     """
 
     def __init__(self, package: str, file: str, names: Iterable[str]) -> None:
@@ -52,7 +50,7 @@ class FoldersBeside(MetaPathFinder):
         self._files = {f"{package}.{name}": root / name / "__init__.py" for name in names}
 
     def find_spec(self, fullname: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Return how a package is imported, or None if it is none of these or this is no checkout."""
+        """Return the spec of one of these subpackages; None for other modules, or outside a checkout."""
         file = self._files.get(fullname)
         if file is None or not all(one.is_file() for one in self._files.values()):
             return None
@@ -60,9 +58,9 @@ class FoldersBeside(MetaPathFinder):
 
 
 def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", where: str = "", listed: str = "") -> str:
-    """Return the message for an unknown name: what is like it, and what is known; `more`: what else could be given.
+    """Return the message for an unknown name, with similar and known names; `more`: other allowed values.
 
-    Of many names only the first are listed, and the `soccer list` that names all: `listed`, or that of LISTS.
+    Of many names the first are listed, with the `soccer list` command that names all: `listed`, or that of LISTS.
 
     >>> unknown("team", "chasr", ["still", "chaser"])
     "unknown team 'chasr', did you mean 'chaser'? known: still, chaser"
@@ -72,7 +70,7 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
     'unknown scene 7; known: 10, 11, 12, 13, 14, 15, 16, 17 and 32 more; `soccer list scenes` names all 40'
     """
     names = list(known)
-    bare = {one.lstrip("-"): one for one in names}  # the dashes of options say nothing about likeness
+    bare = {one.lstrip("-"): one for one in names}  # dashes of options do not count for similarity
     likest = 3 if len(names) > MOST_NAMED else 1
     near = [bare[one] for one in get_close_matches(name.lstrip("-"), bare, likest)] if isinstance(name, str) else []
     question = f", did you mean {' or '.join(map(repr, near))}? " if near else "; "
@@ -85,9 +83,9 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
 
 
 def of_module(what: str, text: object, kind: type, near: str = "") -> Any:
-    """Return what MODULE:NAME names if that is of a kind; None for what is not written so; ValueError for another.
+    """Return the object that MODULE:NAME names; None for text of another form; ValueError if it is no `kind`.
 
-    The module is imported, and so runs: from where Python looks for modules, or else from the working folder.
+    The module is imported, and so runs, from the places where Python looks for modules or from the working folder.
 
     >>> of_module("league", "legged-2001", type)
     """
@@ -105,11 +103,11 @@ def of_module(what: str, text: object, kind: type, near: str = "") -> Any:
 
 
 def user_module(what: str, module: str) -> Any:
-    """Return a module of a user's own; ValueError says why it cannot be imported, or that it is one of Python's."""
+    """Return a user's module; ValueError if it cannot be imported, or is one of Python's own."""
     if module.partition(".")[0] in sys.stdlib_module_names:
         raise ValueError(f"{what} must stand in a module of your own, {module!r} is one of Python's")
     if getcwd() not in sys.path and "" not in sys.path:
-        sys.path.append(getcwd())  # the command `soccer` is not run from there as `python -m` is
+        sys.path.append(getcwd())  # unlike `python -m`, the command `soccer` does not have it there
     try:
         return import_module(module)
     except ImportError as error:
@@ -117,24 +115,26 @@ def user_module(what: str, module: str) -> Any:
 
 
 def by_names(made: Any, values: dict[str, Any]) -> Made:
-    """Return what to pickle of something made of values: those that stand in a module by the names they have there.
+    """Return the pickle of an object made of values; functions of modules are stored by name.
 
-    Compiled functions are found again so, where a copy of them would be compiled anew.
+    A compiled function is found again by its name, where a copy would have to be compiled again.
     """
     return found_again, (type(made), {name: place_of(value) for name, value in values.items()})
 
 
 class Place(NamedTuple):
-    """Where something stands that is not copied."""
+    """Module and name of a function that is not copied."""
 
     module: str
     name: str
 
 
 def place_of(value: Any) -> Any:
-    """Return where a function stands in a loaded module, or the value itself."""
+    """Return the place of a function in a loaded module, or the value itself."""
     if callable(value):
-        for module, names in [(name, vars(found)) for name, found in sys.modules.items() if hasattr(found, "__dict__")]:
+        for module, names in [
+            (name, vars(loaded)) for name, loaded in sys.modules.items() if hasattr(loaded, "__dict__")
+        ]:
             for name, there in list(names.items()):
                 if there is value and module != "__main__":
                     return Place(module, name)
@@ -142,10 +142,6 @@ def place_of(value: Any) -> Any:
 
 
 def found_again(kind: Callable[..., Any], values: dict[str, Any]) -> Any:
-    """Return what was pickled `by_names`."""
-    return kind(
-        **{
-            name: getattr(import_module(value.module), value.name) if isinstance(value, Place) else value
-            for name, value in values.items()
-        }
-    )
+    """Return the object that was pickled by `by_names`."""
+    places = {name: value for name, value in values.items() if isinstance(value, Place)}
+    return kind(**values | {name: getattr(import_module(at.module), at.name) for name, at in places.items()})

@@ -1,8 +1,8 @@
-"""What the fields of records may hold: a range stands beside each field, and one table answers for all records.
+"""The allowed range of each field of a record, declared beside the field and kept in one table.
 
-Kernels trust what lies in records: they index by it and divide by it. Whatever brings records in from outside (a save,
-a replay, a pickle) compares them with these ranges first, by `outside`. A record that declares none, such as the memory
-of a team of one's own, is left alone: what its author's code bears, its author knows.
+Kernels trust the numbers in records: they index and divide by them. Records from outside (a save, a replay, a pickle)
+are compared with these ranges first, by `outside`. A record without ranges, such as the memory of a user's team, is
+not checked.
 """
 
 import functools
@@ -14,21 +14,21 @@ import numpy as np
 
 
 class Range(NamedTuple):
-    """The least and the greatest number that a field may hold; NaN lies in no range but ANY."""
+    """The least and the greatest number that a field may hold; NaN lies only in the range ANY."""
 
     low: float
     high: float
-    robots: bool = False  # True: `high` is counted on from the number of robots of the match
-    ends: bool = False  # True: only the two ends themselves
+    robots: bool = False  # True: `high` is added to the number of robots in the match
+    ends: bool = False  # True: only the two ends themselves are allowed
 
 
 FAR = 1e6  # no quantity of a match is larger; sums over a long match are
 LONG = 1 << 30  # [steps] two years of play: more than any match lasts, and sums of two fit into 32 bits
 
-ANY = Range(-inf, inf)  # all bits, NaN too: seeds, states of generators, what a user's own code keeps
+ANY = Range(-inf, inf)  # all bits, NaN too: seeds, states of generators, memory of users' code
 NUMBER = Range(-FAR, FAR)  # places, speeds, angles that are not wrapped, clocks that run down below 0
 AMOUNT = Range(0.0, FAR)
-SUM = Range(-1e12, 1e12)  # what adds up over a match
+SUM = Range(-1e12, 1e12)  # sums over a match
 ENDLESS = Range(0.0, inf)
 SHARE = Range(0.0, 1.0)
 UNIT = Range(-1.0, 1.0)
@@ -39,26 +39,26 @@ FLAG = Range(0, 1)
 COUNT = Range(0, LONG)
 STEP = Range(0, LONG)
 LATELY = Range(-LONG, LONG)  # a step, or LONG_AGO
-ROW = Range(0, -1, robots=True)  # of a robot
+ROW = Range(0, -1, robots=True)  # row of a robot
 ROW_OR_NONE = Range(-1, -1, robots=True)
 ROW_FROM_ONE = Range(0, 0, robots=True)  # 1 + row, 0 for none
 
-RANGES: dict[np.dtype, dict[str, Range]] = {}  # of the fields of each record; one that is a record has its own entry
+RANGES: dict[np.dtype, dict[str, Range]] = {}  # by record and field; a nested record has its own entry
 
 
 def record(rows: list[tuple[Any, ...]]) -> np.dtype:
-    """Return the dtype of fields (name, type, range) or (name, type, range, shape), and note their ranges.
+    """Return the dtype of fields (name, type, range) or (name, type, range, shape), and store their ranges.
 
-    A field that is a record gets none, as its own fields have theirs: (name, RECORD) or (name, RECORD, shape).
+    A nested record has ranges of its own: (name, RECORD) or (name, RECORD, shape).
     """
     ranges = {row[0]: row[2] for row in rows if len(row) > 2 and isinstance(row[2], Range)}
     for name, kind, *_ in rows:
         if name not in ranges and kind not in RANGES:
             raise TypeError(f"field {name!r} of a record has no range")
-    made = np.dtype([(row[0], row[1], *row[3:]) if row[0] in ranges else row for row in rows])
-    if RANGES.setdefault(made, ranges) != ranges:
-        raise TypeError(f"another record has the same fields as {made}, and other ranges")
-    return made
+    dtype = np.dtype([(row[0], row[1], *row[3:]) if row[0] in ranges else row for row in rows])
+    if RANGES.setdefault(dtype, ranges) != ranges:
+        raise TypeError(f"another record has the same fields as {dtype}, and other ranges")
+    return dtype
 
 
 class Place(NamedTuple):
@@ -66,12 +66,12 @@ class Place(NamedTuple):
 
     path: str  # "command.pan"
     kind: np.dtype
-    start: int  # [bytes] from the record's first
-    range: Range | None  # None: it was declared without
+    start: int  # [bytes] from the start of the record
+    range: Range | None  # None: declared without a range
 
 
 def places(dtype: np.dtype, path: str = "", start: int = 0) -> Iterator[Place]:
-    """Yield all numbers of a record, those of its records and arrays too."""
+    """Yield all numbers of a record, including nested records and arrays."""
     ranges = RANGES.get(dtype, {})
     for name, (field, offset, *_) in (dtype.fields or {}).items():
         for at in range(start + offset, start + offset + field.itemsize, field.base.itemsize or 1):
@@ -82,29 +82,29 @@ def places(dtype: np.dtype, path: str = "", start: int = 0) -> Iterator[Place]:
 
 
 class Columns(NamedTuple):
-    """All numbers of one type that a record holds, and the ranges of each."""
+    """All numbers of one type in a record, with their ranges."""
 
     kind: np.dtype
-    word: np.dtype  # as which a record is cut into pieces of equal size
-    pieces: np.ndarray  # those that the numbers consist of, in a row
+    word: np.dtype  # unsigned type that cuts a record into pieces of equal size
+    pieces: np.ndarray  # indices of the pieces that make up the numbers, in order
     low: np.ndarray
     high: np.ndarray
-    ends: np.ndarray  # which numbers are only one of the two
+    ends: np.ndarray  # indices of numbers that must equal `low` or `high`
     paths: list[str]
 
 
 @functools.lru_cache(maxsize=256)
 def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
-    """Return the numbers of a record that have ranges, by type, for a match of so many robots."""
-    found: dict[np.dtype, list[Place]] = {}
+    """Return the numbers of a record that have ranges, by type, for a match of `robots` robots."""
+    by_type: dict[np.dtype, list[Place]] = {}
     for place in places(dtype):
         if place.range is not None and place.range != ANY:
-            found.setdefault(place.kind, []).append(place)
-    return [columns(dtype, kind, numbers, robots) for kind, numbers in found.items()]
+            by_type.setdefault(place.kind, []).append(place)
+    return [columns(dtype, kind, numbers, robots) for kind, numbers in by_type.items()]
 
 
 def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) -> Columns:
-    """Return numbers of one type with their ranges, as arrays to compare with."""
+    """Return the numbers of one type with their ranges as arrays."""
     size = gcd(kind.itemsize, dtype.itemsize, *(place.start for place in numbers))
     starts = np.array([place.start for place in numbers]) // size
     pieces = (starts[:, None] + np.arange(kind.itemsize // size)).ravel()
@@ -119,7 +119,7 @@ def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) 
 
 
 def outside(records: np.ndarray, robots: int) -> str:
-    """Return the first field of records, of a match of so many robots, that is out of its range; "" if none is."""
+    """Return the first field of records that is out of its range, in a match of `robots` robots; "" if none is."""
     if records.dtype == bool:
         return "" if (records.view(np.uint8) <= 1).all() else "a flag"
     if not records.size:

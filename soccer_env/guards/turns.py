@@ -1,4 +1,4 @@
-"""Methods that one thread may be in at a time, and that happen whole or not at all."""
+"""Methods for one thread at a time, done whole or not at all."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from soccer_env.guards.interrupts import hold, hold_again, let_go, release
 T = TypeVar("T")
 F = TypeVar("F", bound=Callable[..., Any])
 GoBack = Callable[[], None]
-MENDS = ("reset", "load")  # what may be called of an object that an error has left half changed
+MENDS = ("reset", "load")  # methods that repair an object which an error has left half changed
 
 
 def in_turn(
     kind: type[T], names: Iterable[str], undone: Callable[[T], bool], note: Callable[[T, str], GoBack | None]
 ) -> type[T]:
-    """Guard some methods of a class; RuntimeError if another thread is in one of them, which goes on undisturbed.
+    """Guard some methods of a class; RuntimeError if another thread is inside one of them.
 
-    Signals wait until a method ends: it is done or not done, and what they raise comes then. Where that may take long
-    they come at once, and what they raise, as every error, is undone: in all methods of an object for which
-    undone(object) is true, asked once, and at the first call of each, which may compile. note(object, method's name),
-    asked before each of those runs, returns what undoes it, or None. A method may call another, of the same thread: the
-    outermost is undone. An error elsewhere leaves `started` False, and only what MENDS names may be called.
+    Signals wait until a method ends. In methods that may take long, signals are delivered at once, and a method that
+    raises is undone: all methods of an object if undone(object) is true (called once), else the first call of each
+    method, which may compile. note(object, name of the method) is called before, and returns a function that undoes
+    the method, or None. A guarded method may call another in the same thread: the outermost is undone. After any other
+    error `started` is False, and only the methods in MENDS may be called.
     """
     for name in names:
         setattr(kind, name, _guarded(getattr(kind, name), name, undone, note))
@@ -54,10 +54,10 @@ def _guarded(
                     raise RuntimeError(f"{name}: an error has cut short what was done before: call reset")
                 if name in turn.sure:
                     return method(self, *args, **kwargs)
-                made = _undone_on_error(method, note(self, name), self, *args, **kwargs)
+                result = _undone_on_error(method, note(self, name), self, *args, **kwargs)
                 if not turn.undoes:
                     turn.sure.add(name)
-                return made
+                return result
             finally:
                 turn.owner = 0
                 turn.release()
@@ -69,21 +69,21 @@ def _guarded(
 
 
 def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
-    """Call a method into which signals may come; what comes before its end is undone, what comes after waits."""
+    """Call a method while signals are delivered; an error undoes the method, signals after its end wait."""
     try:
         let_go()
-        made = method(*args, **kwargs)
+        result = method(*args, **kwargs)
         hold()
     except BaseException:
         hold_again()
         if go_back is not None:
             go_back()
         raise
-    return made
+    return result
 
 
 def held(method: F) -> F:
-    """Let signals wait until a method ends, but where what it calls lets them come."""
+    """Let signals wait until a method ends, unless a function that it calls delivers them."""
 
     @functools.wraps(method)
     def waiting(*args: Any, **kwargs: Any) -> Any:
@@ -98,13 +98,13 @@ def held(method: F) -> F:
 
 
 class Turn:
-    """Whose turn it is with an object, and which of its methods need not be undone, as signals wait for their end."""
+    """The thread that uses an object, and the methods that need no undoing because signals wait for their end."""
 
     __slots__ = "acquire", "owner", "release", "sure", "undoes"
 
     def __init__(self, undoes: bool) -> None:
         lock = threading.Lock()
         self.acquire, self.release = lock.acquire, lock.release
-        self.owner = 0  # the thread that is in a method
+        self.owner = 0  # id of the thread that is in a method
         self.undoes = undoes
         self.sure: set[str] = set()

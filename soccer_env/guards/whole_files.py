@@ -1,4 +1,4 @@
-"""Files and folders that are written whole or not at all; files of strangers, of which no more is read than agreed."""
+"""Files and folders that are written whole or not at all; reading of untrusted files up to a size limit."""
 
 import os
 import shutil
@@ -12,10 +12,7 @@ from soccer_env.guards.interrupts import HeldBack
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that readers see the old or the new content and nothing between, also after a power failure.
-
-    OSError names the file, also where the disk is full.
-    """
+    """Write a file so that readers see the old or the new content, even after a power failure; OSError names it."""
     data = content.encode() if isinstance(content, str) else content
     with written_aside(path) as aside, aside.open("xb") as file:
         file.write(data)
@@ -26,9 +23,9 @@ def write_whole(path: Path, content: str | bytes) -> None:
 
 @contextmanager
 def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
-    """Give the path of a new file beside another one, which it replaces at the end; whatever is raised removes it.
+    """Give a new path in the same folder, and move that file to `path` at the end; an error removes the new file.
 
-    Its name cannot be guessed: nobody can put a link there, and each thread has a file of its own.
+    The name is random: nobody can place a link there, and each thread has its own file.
     """
     aside = path.with_name(f".{path.name}.{token_hex(8)}{ending}")
     try:
@@ -44,9 +41,9 @@ def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
 
 @contextmanager
 def folder_aside(folder: Path) -> Iterator[Path]:
-    """Give a new folder beside another one, which it replaces at the end; whatever is raised removes it.
+    """Give a new folder that replaces `folder` at the end; an error removes the new folder.
 
-    A process that is killed leaves the old folder or the new one, or neither if that comes between two renames.
+    A killed process leaves the old folder or the new folder, or neither if it is killed between two renames.
     """
     aside, old = (folder.with_name(f".{folder.name}.{token_hex(8)}.{end}") for end in ("tmp", "old"))
     aside.mkdir(parents=True)
@@ -67,7 +64,7 @@ def folder_aside(folder: Path) -> Iterator[Path]:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Write a rename in a folder to the disk; where folders cannot be opened (Windows) there is nothing to do."""
+    """Write a rename in a folder to the disk; do nothing on Windows, which cannot open folders."""
     if os.name != "posix":
         return
     handle = os.open(folder, os.O_RDONLY)
@@ -80,15 +77,15 @@ def _sync_folder(folder: Path) -> None:
 def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
     """Return the content of a regular file of at most `limit` bytes; ValueError or OSError for anything else.
 
-    Folders, pipes, sockets and devices are refused before they are opened, and once more after, in case they changed.
+    Folders, pipes, sockets and devices are refused before and after opening, in case the path changed in between.
     """
-    path = os.fspath(path)  # no number: that would be an open file
+    path = os.fspath(path)  # refuses numbers, which `open` takes for open files
     check_regular(os.stat(path), limit)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
     with open(os.open(path, flags), "rb") as file:
         check_regular(os.fstat(file.fileno()), limit)
         data = file.read(limit + 1)
-    if len(data) > limit:  # grew, or a file of /proc
+    if len(data) > limit:  # the file grew, or lies in /proc
         raise ValueError(f"has more than {limit} bytes")
     return data
 

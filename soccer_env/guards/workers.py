@@ -1,7 +1,7 @@
-"""Threads that share out the parts of a task.
+"""Threads that share the parts of a task.
 
-Nobody returns while a part still runs: parts work on records and Spaces that the caller may change next. The threads
-begin with the first task of a process, so that a process that was forked has its own.
+`map` returns after all parts have ended, because parts work on records and Spaces that the caller may change next. The
+threads start with the first task of a process, so that a forked process has its own threads.
 """
 
 from __future__ import annotations
@@ -17,34 +17,34 @@ T = TypeVar("T")
 
 
 class Workers:
-    """Up to `threads` threads; with one, the caller's own does everything."""
+    """Up to `threads` threads; with one thread the caller's own thread does all the work."""
 
     def __init__(self, threads: int) -> None:
         self.threads = threads
         self._executor: ThreadPoolExecutor | None = None
-        self._process = 0  # whose threads these are
+        self._process = 0  # id of the process that started the threads
 
     def map(self, function: Callable[..., T], *parts: Iterable[Any]) -> list[T]:
-        """Return function(*part) of all parts, in order; what one of them raises comes once the others are done."""
+        """Return function(*part) for all parts, in order; an error is raised after all parts have ended."""
         if self.threads == 1:
             return [function(*part) for part in zip(*parts, strict=True)]
         executor = self._started()
         try:
             jobs = [executor.submit(function, *part) for part in zip(*parts, strict=True)]
             return [job.result() for job in jobs]
-        except BaseException:  # Ctrl-C too: parts may run that no job here stands for
+        except BaseException:  # Ctrl-C too: parts may run whose job was not stored
             self.shutdown()
             raise
 
     def shutdown(self) -> None:
-        """Wait for what runs, and end the threads; the next task begins new ones."""
+        """Wait for running parts and end the threads; the next task starts new threads."""
         with HeldBack():
             executor, self._executor = self._executor, None
             if executor is not None and self._process == os.getpid():
                 executor.shutdown(wait=True)
 
     def _started(self) -> ThreadPoolExecutor:
-        """Return threads of this process."""
+        """Return the executor of this process, started if need be."""
         if self._executor is None or self._process != os.getpid():
             self._executor, self._process = ThreadPoolExecutor(self.threads), os.getpid()
         return self._executor

@@ -1,13 +1,13 @@
 """`Match`: many matches at once, as arrays, and how one control step of them is played.
 
 match.py         `Match` itself                       batch.py     the records of M matches, and how a slice is stepped
-arguments.py     its settings, each declared once     settings.py  the same, every name resolved
+arguments.py     each setting, declared once          settings.py  the settings with every name resolved
 step.py          one control step, from commands to observations
-episodes.py      how an episode begins                squads.py    who plays which robot
-senses.py        what robots perceive and believe     views.py     beliefs, states and words, to be read
+episodes.py      how an episode begins                squads.py    which team plays which robot
+senses.py        percepts and beliefs of the robots   views.py     read-only methods: beliefs, state, repr
 truth_state.py   the whole truth as one vector, for centralised critics
-user_code.py     checks of what a user's own functions return
-staging.py       robots and ball put somewhere, for experiments
+user_code.py     calls to a user's own functions, with checks of their results
+staging.py       placing robots and ball by hand, for experiments
 saving/          save, load, branch, hash
 """
 
@@ -19,4 +19,4 @@ if TYPE_CHECKING:
     from soccer_env.match.match import Match
 
 __all__ = ["Match"]
-__getattr__, __dir__ = lazy_names(__name__, {"Match": "soccer_env.match.match"})  # its parts are imported by its parts
+__getattr__, __dir__ = lazy_names(__name__, {"Match": "soccer_env.match.match"})  # lazy: match.py imports this package

@@ -1,13 +1,13 @@
-"""The settings of a match, each declared once; signatures, checks, help and errors of all APIs follow from here.
+"""The settings of a match, each declared once: signatures, checks, help and errors of all APIs are made from them.
 
     MatchSettings      how a match is played
-      MatchSetup       and who plays
+      MatchSetup       and which teams play
         MatchArguments     soccer_env.Match
         EnvArguments       soccer_v0.parallel_env, env and raw_env
         SoloArguments      gymnasium.make
         VectorArguments    gymnasium.make_vec
 
-`takes` gives a function the signature and the help of such a declaration, for people and for type checkers.
+`takes` gives a function the signature and the help of such a class, for people and for type checkers.
 """
 
 from __future__ import annotations
@@ -56,8 +56,8 @@ def setting(
 ) -> Any:
     """Return a field with a default and one line of help.
 
-    free: the match's future does not depend on it. replayed: a replay needs it. part: of which other setting it
-    becomes a part as soon as that is found. bounds: of a number.
+    free: the match's future does not depend on the setting. replayed: a replay needs the setting. part: the resolved
+    setting that takes this one in. bounds: the allowed numbers.
     """
     facts = {"text": text, "free": free, "replayed": replayed, "part": part}
     return field(default=default, metadata={**facts, **({} if bounds is None else {"bounds": bounds})})
@@ -73,7 +73,7 @@ class MatchSettings(Checked):
     home: int | None = setting(None, "robots at home; None: the league's own number", TEAM_SIZE, replayed=True)
     away: int | None = setting(None, "robots away; None: the league's own number", TEAM_SIZE, replayed=True)
     max_players: int | None = setting(
-        None, "room for robots a side, those too many are inactive; None: as many as play", TEAM_SIZE, replayed=True
+        None, "rows for robots a side, spare rows are inactive; None: as many as play", TEAM_SIZE, replayed=True
     )
     observe: Literal["truth", "percepts", "belief"] | Observation = setting(
         "truth",
@@ -84,17 +84,17 @@ class MatchSettings(Checked):
         "sensors", 'what fills beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
     )
     pose: Pose = setting(
-        "percept", 'how robots that use their sensors know where they are: a noisy pose is given, or by "particles"'
+        "percept", 'pose of robots that use their sensors: "percept", a noisy pose, or "particles", a particle filter'
     )
     sensors: Mapping[str, Any] | Options | None = setting(
-        None, "{name: value} that differ from the league's sensors, or an object of that kind", part="league"
+        None, "{name: value} to change in the league's sensors, or an object of their class", part="league"
     )
     memory: Mapping[str, Any] | Options | None = setting(
-        None, "{name: value} that differ from the memory behind them, or an object of that kind", part="league"
+        None, "{name: value} to change in the league's memory of percepts, or an object of its class", part="league"
     )
     state_side: StateSide = setting(
         "field",
-        'whose `state()` it is: "home" or "away", always playing towards +x, or in the frame of the "field"',
+        'side of `state()`: "home" or "away", always playing towards +x, or in the frame of the "field"',
         free=True,
     )
     actions: Literal["box", "full", "discrete"] | ActionKind = setting(
@@ -106,13 +106,13 @@ class MatchSettings(Checked):
     )
     rules: str | Rules | None = setting(
         None,
-        '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or what a drill says',
+        '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or the rules of the drill',
         part="league",
     )
     rewards: Literal["default", "sparse", "training"] | Rewards = setting(
         "default", "a name of `soccer list rewards`, or Rewards", free=True
     )
-    placement: Placement = setting("instant", "how robots reach their places at a restart", replayed=True)
+    placement: Placement = setting("instant", 'at a restart robots are placed ("instant") or "drive"', replayed=True)
     keeper: int = setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
     minutes: float | None = setting(
         None, "of play, both halves together; None: the league's own", MINUTES, replayed=True
@@ -123,25 +123,25 @@ class MatchSettings(Checked):
 
 @dataclass(frozen=True, kw_only=True)
 class MatchSetup(MatchSettings):
-    """How a match is played, and by whom."""
+    """How a match is played, and by which teams."""
 
-    opponents: Any = setting(None, "the team that plays away: then only home robots are left for learners")
-    teammates: Any = setting(None, "the team that plays home but for its last robot")
+    opponents: Any = setting(None, "the team that plays away; learners then play home robots only")
+    teammates: Any = setting(None, "the team that plays all home robots but the last")
     controllers: Mapping[str, Any] | None = setting(None, "{agent or side: team} for any subset")
 
 
 @dataclass(frozen=True, kw_only=True)
 class MatchArguments(MatchSetup):
-    """What a Match is made from."""
+    """The arguments of Match."""
 
     league: str | League = field(
         default="legged-2001", metadata=MatchSettings.__dataclass_fields__["league"].metadata, kw_only=False
     )
-    matches: int = setting(1, "how many are played side by side", SIDE_BY_SIDE)
-    threads: int = setting(1, "that step them; nothing depends on them", THREADS)
-    seed: int | None = setting(None, "from which all seeds follow; None: the system's")
+    matches: int = setting(1, "number of matches side by side", SIDE_BY_SIDE)
+    threads: int = setting(1, "threads that step the matches; results do not depend on them", THREADS)
+    seed: int | None = setting(None, "seed of all matches; None: drawn from the system")
     seeds: Any = setting(None, "(M,) instead of seed: one for each match")
-    autoreset: Literal["next_step", "same_step", "off"] = setting("off", "when a match that ended begins anew")
+    autoreset: Literal["next_step", "same_step", "off"] = setting("off", "when an ended match begins a new episode")
     backend: Literal["c", "batch"] | None = setting(
         None, 'of the physics: "c" (compiled) or "batch"; None: the faster one'
     )
@@ -149,7 +149,7 @@ class MatchArguments(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class EnvArguments(MatchSetup):
-    """What a PettingZoo env is made from."""
+    """The arguments of a PettingZoo env."""
 
     render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
     infos: InfoKind | bool = setting("flat", INFOS)
@@ -158,7 +158,7 @@ class EnvArguments(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class LearnerSetup(MatchSetup):
-    """How a match of one learner is played, and by whom."""
+    """How a match of one learner is played, and by which teams."""
 
     opponents: Any = setting("chaser", "the team that plays away")
     teammates: Any = setting("chaser", "the team that plays the other home robots")
@@ -169,34 +169,29 @@ class LearnerSetup(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class SoloArguments(LearnerSetup):
-    """What a Gymnasium Env is made from."""
+    """The arguments of a Gymnasium Env."""
 
     overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
 
 
 @dataclass(frozen=True, kw_only=True)
 class VectorArguments(LearnerSetup):
-    """What a Gymnasium VectorEnv is made from."""
+    """The arguments of a Gymnasium VectorEnv."""
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
-    max_episode_steps: int | None = setting(None, "Gymnasium's word for max_cycles; the fewer of the two count", STEPS)
+    max_episode_steps: int | None = setting(None, "Gymnasium's word for max_cycles; the lower limit counts", STEPS)
     autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = setting(
         "NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode'
     )
-    threads: int = setting(1, "that step the matches", THREADS)
+    threads: int = setting(1, "threads that step the matches", THREADS)
 
 
-def names_with(fact: str) -> tuple[str, ...]:
-    """Return the match settings of which a fact is true."""
-    return tuple(item.name for item in fields(MatchSettings) if item.metadata[fact])
-
-
-FREE = names_with("free")  # what a match's future does not depend on
-REPLAYED = names_with("replayed")  # what a replay needs
+FREE = tuple(item.name for item in fields(MatchSettings) if item.metadata["free"])
+REPLAYED = tuple(item.name for item in fields(MatchSettings) if item.metadata["replayed"])
 
 
 def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
-    """Return those of some arguments that another declaration has as well, by name."""
+    """Return the arguments that are fields of another class of arguments, by name."""
     return {item.name: getattr(arguments, item.name) for item in fields(kind)}
 
 
@@ -204,7 +199,7 @@ def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, An
 
 
 def takes(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
-    """Let a function of one declaration be called with its fields; TypeError for a name that it does not have."""
+    """Let callers give the fields of `kind` to a function that takes one `kind`; TypeError for an unknown name."""
 
     def decorate(function: Callable[[A], T]) -> Callable[P, T]:
         @functools.wraps(function)
@@ -232,13 +227,13 @@ def made_from(kind: Callable[P, A]) -> Callable[[Callable[[Any, A], None]], Call
 
 
 def gathered(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
-    """Return the declaration filled with what a caller gave."""
+    """Return the arguments of a caller as an instance of `kind`."""
     check_names("setting", named, [item.name for item in fields(kind)], TypeError)
     return kind(*values, **named)
 
 
 def documented(call: Any, kind: Any, *first: inspect.Parameter) -> None:
-    """Give a function the signature of a declaration, and a line of help for each of its fields."""
+    """Give a function the signature of `kind`, and a line of help for each field."""
     parameters = inspect.signature(kind).parameters.values()
     returned = call.__annotations__.get("return")
     call.__signature__ = inspect.Signature([*first, *parameters], return_annotation=returned)
@@ -252,16 +247,16 @@ def help_of(item: Field[Any]) -> list[str]:
     return textwrap.wrap(text, 100, subsequent_indent="    ")
 
 
-# Copies: an env is copied by its settings alone, as by Gymnasium's EzPickle; it is to be reset, and draws its own seed
+# Copies by settings alone, as by Gymnasium's EzPickle: the copy needs a reset and draws a new seed
 
 
 def by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return what to pickle of something that `make` makes from settings."""
+    """Return the pickle of an object that `make` makes from settings."""
     return made_again, (version(), make, settings)
 
 
 def made_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
-    """Return what was pickled; ValueError says which version did, if that is why it cannot be made any more."""
+    """Return the pickled object; ValueError names the version that pickled it if this version cannot make it."""
     try:
         return make(**settings)
     except (TypeError, ValueError) as error:

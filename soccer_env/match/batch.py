@@ -1,13 +1,13 @@
-"""MatchBatch: the records of M matches with the Spaces under them, and the verbs by which a slice of them is stepped.
+"""MatchBatch: the records of M matches with their Spaces, and the stages of a step for a slice of matches.
 
     act -> sense -> tell -> believe -> observe
 
-It knows nothing of who plays: commands lie in the robots' records before a step, and what happened lies in the arrays
-after it. What a robot believes is one row of `beliefs` and `tracks`, which its own provider fills:
+MatchBatch knows nothing of teams: commands lie in the robots' records before a step, events and rewards in the arrays
+after it. The beliefs of a robot are one row of `beliefs` and `tracks`, filled by the robot's provider:
 
-    senses="ideal"      the truth, when somebody reads the row (`read`)
-    senses="sensors"    percepts and memory, after every step (`senses.py`), if anybody uses them
-    nobody              rows that nobody reads stay empty
+    senses="ideal"      the truth, when the row is read (`read`)
+    senses="sensors"    percepts and memory, after every step (`senses.py`), if a team or learner uses them
+    unused              rows that are never read stay empty
 """
 
 from collections.abc import Callable, Iterable
@@ -42,7 +42,7 @@ from soccer_env.scenes import Draw
 from soccer_env.statistics.records import FRESH
 from soccer_env.types import QUIET, ROBOT_EVENTS
 
-Advance = Callable[[float, np.ndarray, int, int], None]  # moves the Spaces on: dt [s], substeps (M,), first, last
+Advance = Callable[[float, np.ndarray, int, int], None]  # steps the Spaces: dt [s], substeps (M,), first, last
 
 
 class MatchBatch:
@@ -56,14 +56,14 @@ class MatchBatch:
         league = settings.league
         self.beliefs = np.zeros((matches, robots), BELIEF)
         self.tracks = np.zeros((matches, robots, league.slots.teammates + league.slots.opponents), TRACK)
-        self.ideal = np.repeat([senses == "ideal" for senses in settings.senses], settings.rows)  # (R,) by whom filled
+        self.ideal = np.repeat([senses == "ideal" for senses in settings.senses], settings.rows)  # (R,) flags
         self.senses: Senses | None = None  # where a team or a learner uses its sensors
         self.physics = SpaceBatch(matches, robots + 1, backend)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
         self._make_outcome(observed)
 
     def _make_outcome(self, observed: int) -> None:
-        """Make the arrays that learners get, and bundle what a step works on."""
+        """Make the arrays for learners, and bundle the arrays of a step."""
         count, robots = self.robots.shape
         terms = COUNT + len(self.settings.rewards.extra)  # a user's own terms come after ours
         self.rewards, self.terms = np.zeros((count, robots)), np.zeros((count, robots, terms))
@@ -74,7 +74,7 @@ class MatchBatch:
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
         outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
         numbers = Numbers(self.constants, self.weights, self.settings.limit)
-        self._discounts: bool | None = None  # whether the coming control step does
+        self._discounts: bool | None = None  # whether the next control step discounts
         physics = Physics(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)
         self._step = self._truth, tuple(physics), tuple(outcome), tuple(numbers)
@@ -86,10 +86,10 @@ class MatchBatch:
     # Starting
 
     def discount(self, last: bool) -> None:
-        """Let the shaping of the coming control step discount, as the last one of an action does, or not."""
+        """Set whether shaping discounts in the next control step: it does in the last control step of an action."""
         if last != self._discounts:
             self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
-            self._discounts = last  # behind it: an error in between changes nothing
+            self._discounts = last  # last of all: an error before this line changes nothing
 
     def start(self, m: int, seed: int, episode: int) -> None:
         """Begin an episode in match m, in a Space of its own."""
@@ -104,7 +104,7 @@ class MatchBatch:
         self.terminated[m] = self.truncated[m] = False
 
     def look_first(self, m: int) -> None:
-        """Let the robots of a match that has just begun sense, believe and observe."""
+        """Let the robots of a new episode sense, believe and observe."""
         record, ball = self.matches[m], self.balls[m].copy()
         shows = self.settings.scene.of_episode(int(record["seed"]), int(record["episode"])).shows
         if shows is not None:
@@ -115,7 +115,7 @@ class MatchBatch:
         self.observe_anew(m, m + 1)
 
     def build_spaces(self, rows: Iterable[int]) -> None:
-        """Rebuild the Spaces of some matches from their records: the first of a match is made, then it is put back."""
+        """Rebuild the Spaces of some matches from their records; a Space is built once, and reset after that."""
         used, league = [], self.settings.league
         for m in rows:
             if self.physics.reusable(m):
@@ -132,7 +132,7 @@ class MatchBatch:
     # One control step of a slice of matches
 
     def act(self, first: int, last: int) -> None:
-        """Let the commands be carried out: drive, physics, referee, restarts, rewards."""
+        """Carry out the commands: drive, physics, referee, restarts, rewards."""
         if self.senses is not None:
             self.senses.asleep[first:last] = self.matches["over"][first:last]
         if self.physics.backend == "c":
@@ -141,7 +141,7 @@ class MatchBatch:
             self.act_in_stages(first, last, self.physics.step_slice)
 
     def act_in_stages(self, first: int, last: int, advance: Advance) -> None:
-        """Do what `act` does with the physics left to `advance`, between two compiled halves."""
+        """Do the same as `act`, but call `advance` for the physics between two compiled halves."""
         count = len(self.matches)
         before, substeps = np.zeros((count, *POTENTIALS)), np.zeros(count, np.int64)
         begin_slice(*self._step, before, substeps, first, last)
@@ -153,7 +153,7 @@ class MatchBatch:
         self._check(int(np.argmax(results == BROKEN)) if (results == BROKEN).any() else -1)
 
     def _check(self, broken: int) -> None:
-        """Raise RuntimeError if the physics of a match gave numbers that are not finite: a bug in this package."""
+        """Raise RuntimeError if the physics of a match gave numbers that are not finite, a bug of this package."""
         if broken >= 0:
             step = self.matches["step"][broken]
             raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")
@@ -164,42 +164,42 @@ class MatchBatch:
             self.senses.sense(first, last)
 
     def tell(self, first: int, last: int) -> None:
-        """Tell the same robots how the match stands."""
+        """Tell the robots that use their sensors phase, score and clock."""
         if self.senses is not None:
             self.senses.tell(first, last)
 
     def believe(self, first: int, last: int) -> None:
-        """Let them bring their beliefs up to what they perceived."""
+        """Update the beliefs of the robots that use their sensors."""
         if self.senses is not None:
             self.senses.believe(first, last)
 
     def observe(self, first: int, last: int) -> None:
-        """Write what learners observe, unless they see the truth, which `act` has written."""
+        """Write the observations of learners, unless they observe the truth, which `act` has written."""
         if not self._sees_truth:
             self.observe_anew(first, last)
 
     # Reading
 
     def read(self, rows: np.ndarray, first: int, last: int) -> None:
-        """Fill the beliefs of those of some robots that have ideal senses; those by sensors are filled already."""
+        """Fill the beliefs of the robots among `rows` that have ideal senses; the others are filled already."""
         ideal = rows[self.ideal[rows]]
         if len(ideal):
             believe_truth_slice(self._truth, self.beliefs, self.tracks, self.constants, ideal, first, last)
 
     def read_all(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return beliefs (M, R) and tracks (M, R, slots) of all robots; ValueError if nobody uses any."""
+        """Return beliefs (M, R) and tracks (M, R, slots) of all robots; ValueError if no robot has beliefs."""
         if self.senses is None and not self.ideal.any():
             raise ValueError(UNUSED)
         self.read(self.everyone, 0, len(self.matches))
         return self.beliefs, self.tracks
 
     def observe_anew(self, first: int, last: int) -> None:
-        """Write the observations of a slice anew."""
+        """Write the observations of a slice."""
         if self.observations.shape[2]:
             self.write_observations(self.observations, self.settings.observe, self.everyone, first, last)
 
     def write_observations(self, out: np.ndarray, observe: Any, rows: np.ndarray, first: int, last: int) -> None:
-        """Write observations of a slice into out (M, R, n): of the truth for all robots, else for `rows` alone."""
+        """Write observations of a slice into out (M, R, n): for all robots if of the truth, else only for `rows`."""
         if observe == "truth":
             observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)
             return
@@ -215,12 +215,12 @@ class MatchBatch:
 
     @property
     def believing(self) -> np.ndarray:
-        """Return which robots (R,) believe something: somebody fills their rows."""
+        """Return flags (R,) of the robots that have beliefs."""
         return self.ideal if self.senses is None else self.ideal | self.senses.believes
 
 
 class Sums:
-    """Rewards and events of the control steps for which an action is kept, added up."""
+    """The rewards and events of the control steps of one action, added up."""
 
     def __init__(self, batch: MatchBatch) -> None:
         self._rewards = batch.rewards, batch.terms
@@ -229,7 +229,7 @@ class Sums:
         self._latest: list[np.ndarray] = []
 
     def add(self) -> None:
-        """Add the control step that has just been made."""
+        """Add the last control step."""
         if not self._sums:
             self._sums = [values.copy() for values in self._rewards]
             self._latest = [events.copy() for events, _ in self._events]
@@ -240,7 +240,7 @@ class Sums:
             keep_latest(latest, events, quiet)
 
     def hand_over(self) -> None:
-        """Put the sums in the place of the last control step's rewards and events."""
+        """Replace the rewards and events of the last control step by the sums."""
         for total, values in zip(self._sums, self._rewards, strict=True):
             values[:] = total
         for latest, (events, _) in zip(self._latest, self._events, strict=True):
@@ -248,7 +248,7 @@ class Sums:
 
 
 def keep_latest(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
-    """Write into `kept` the events of `new` that happened."""
+    """Copy the events that happened in `new` into `kept`."""
     for name in new.dtype.names or ():
         happened = new[name] != quiet[name]
         kept[name][happened] = new[name][happened]

@@ -1,8 +1,8 @@
 """How an episode of one match begins: empty records, noise streams, the kick-off formation, then the scene.
 
-The seed chooses which side kicks off first, and the other one kicks off the second half. In a drill home does, whose
-last robot has to do it. Two matches of one seed with the teams' sides swapped begin with a kick-off by the same side,
-so that each team kicks off first in one of the two.
+The seed chooses the side that kicks off first; the other side kicks off the second half. In a drill home kicks off.
+Two matches of one seed with swapped teams begin with a kick-off by the same side, so that each team kicks off first
+in one of the two.
 
 `k`: the league's constants.
 """
@@ -54,7 +54,7 @@ def note_possession(ball, robots, k):
 
 
 def line_up(settings: Settings, robots: np.ndarray) -> None:
-    """Set who is who in the robots (R,) of one match: teams, numbers, goalkeepers; park the padding."""
+    """Set team, number and goalkeeper of the robots (R,) of one match; park the rows without a player."""
     home_rows = settings.rows[HOME]
     for r in range(len(robots)):
         team, number = (HOME, r) if r < home_rows else (AWAY, r - home_rows)
@@ -90,7 +90,7 @@ def start_match(
 
 
 def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
-    """Raise ValueError if a scene of a user's own left a number that is not finite, or changed who is who."""
+    """Raise ValueError if a user's scene left a number that is not finite, or changed team, number or goalkeeper."""
     lined_up = np.zeros(robots.shape[1], robots.dtype)
     line_up(settings, lined_up)
     for who, record in (("the ball", ball[0]), *zip(settings.agents, robots[0], strict=True)):
@@ -98,16 +98,15 @@ def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) 
             if record.dtype[name].kind == "f" and not np.isfinite(record[name]).all():
                 raise ValueError(f"{scene} must leave finite numbers, got {name} {record[name]} of {who}")
     for name in ("team", "number", "keeper"):
-        for agent, found, wanted in zip(settings.agents, robots[0][name], lined_up[name], strict=True):
-            if found != wanted:
-                raise ValueError(f"{scene} must leave {name} of {agent} {wanted}, got {found}")
+        for agent, actual, expected in zip(settings.agents, robots[0][name], lined_up[name], strict=True):
+            if actual != expected:
+                raise ValueError(f"{scene} must leave {name} of {agent} {expected}, got {actual}")
 
 
 def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
-    """Raise ValueError if a scene of a user's own put something beyond what stands round the pitch, or two into one.
+    """Raise ValueError if a user's scene put a body outside the boards, or one robot into another.
 
-    Bodies may overlap a little, physics pushes them apart: centres of robots have to be half their reach from each
-    other.
+    Robots may overlap a little, since physics separates them: their centres must be half their reach apart.
     """
     pitch, apart = settings.league.pitch, 0.5 * settings.league.body.reach
     room = {"x": 0.5 * pitch.length + max(pitch.band_end, pitch.goal_depth), "y": 0.5 * pitch.width + pitch.band_side}
@@ -118,7 +117,7 @@ def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) ->
         for axis, most in room.items():
             if abs(body[axis]) > most:
                 raise ValueError(f"{scene} must put {who} at {axis} = {-most:g} to {most:g} m, got {body[axis]:g}")
-        for other, near in there[1:number]:  # the ball apart: a robot may stand over it
+        for other, near in there[1:number]:  # without the ball: a robot may stand over it
             gap = hypot(body["x"] - near["x"], body["y"] - near["y"])
             if gap < apart:
                 raise ValueError(f"{scene} must put {who} at least {apart:.2g} m from {other}, got {gap:.2g}")
@@ -126,11 +125,11 @@ def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) ->
 
 @compiled
 def begin_episode_of(matches, balls, robots, constants, seed, episode, half_length, drill):
-    """Call `begin_episode` for the one match of (1,) arrays."""
+    """Call `begin_episode` for a single match, given as (1,) arrays."""
     begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length, drill)
 
 
 @compiled
 def note_possession_of(balls, robots, constants):
-    """Call `note_possession` for the one match of (1,) arrays."""
+    """Call `note_possession` for a single match, given as (1,) arrays."""
     note_possession(balls[0], robots[0], constants[0])

@@ -43,51 +43,53 @@ FINAL = (  # kept of ended episodes
 class Match(Views, Branching):
     """M matches of one league, stepped together.
 
-    Its settings are the fields of `MatchArguments`, `help(Match.__init__)` explains them; ValueError names a setting
-    that is wrong, and what is allowed. M matches, R robots (home first), n numbers of an observation:
+    `help(Match.__init__)` explains the settings, which are the fields of `MatchArguments`; ValueError names the wrong
+    setting and the allowed values. M matches, R robots (home first), n numbers in an observation:
 
     | attribute | shape | what it holds |
     |---|---|---|
-    | `observations` | (M, R, n) | what learners observe, named by `observation_names`; of your own as they are made |
-    | `rewards`, `terms` | (M, R), (M, R, terms) | of the last step, and the share of each of `term_names` |
+    | `observations` | (M, R, n) | what learners observe, named by `observation_names`; or your own observations |
+    | `rewards`, `terms` | (M, R), (M, R, terms) | rewards of the last step, and the share of each of `term_names` |
     | `terminated`, `truncated` | (M,), (M,) | how episodes have ended; with "same_step" `step` returns it |
     | `ended` | (E,) | with "same_step": rows that began anew in the last step, in order; else empty |
-    | `final` | by name | how they ended: "observations" (E, R, n), "state", records; row i: match `ended[i]` |
+    | `final` | by name | end of those episodes: "observations" (E, R, n), "state", records; row i: match `ended[i]` |
     | `matches`, `balls`, `robots` | (M,), (M,), (M, R) | the truth; and `percepts`, `beliefs`, `tracks` |
     | `events`, `robot_events` | (M,), (M, R) | what happened in the last control step |
     | `statistics` | (M,) | counts of play since the episode began; `soccer list statistics` defines the figures |
-    | `agents` | R names | "home_0" and so on: whose row is which |
-    | `learns` | (R,) | 1: actions steer the robot; 0: a team plays it, and its row of actions is ignored |
+    | `agents` | R names | the robot of each row: "home_0" and so on |
+    | `learns` | (R,) | 1: actions steer the robot; 0: a team plays the robot, and its row of actions is ignored |
     | `seeds` | (M,) | seed of each match: `Match(seeds=[match.seeds[17]])` is match 17 alone |
     | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
     """
 
     @made_from(MatchArguments)
-    def __init__(self, asked: MatchArguments) -> None:
-        self.asked = asked
-        self.count, self.threads, self.autoreset = asked.matches, asked.threads, asked.autoreset
-        self.settings = make_settings(asked)
+    def __init__(self, arguments: MatchArguments) -> None:
+        self.arguments = arguments
+        self.count, self.threads, self.autoreset = arguments.matches, arguments.threads, arguments.autoreset
+        self.settings = make_settings(arguments)
         self.league = self.settings.league
         self.agents = self.settings.agents
         self.state_names = [entry.name for entry in self.state_entries()]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
         self.seen, self._own_terms = Seen(self.settings, self.count), OwnTerms(self.settings.rewards)
         entries = {group.side: layout(self.league, group.observe) for group in self.seen.groups}
-        names = {side: [entry.name for entry in told] for side, told in entries.items()}
+        names = {side: [entry.name for entry in side_entries] for side, side_entries in entries.items()}
         self.observation_entries: Any = entries if self.seen.by_side else entries[""]
         self.observation_names: Any = names if self.seen.by_side else names[""]  # by "home" and "away" if they differ
-        self._make_arrays(asked.backend)
-        self._make_squads(assign(self.agents, self.settings.home, asked.opponents, asked.teammates, asked.controllers))
+        self._make_arrays(arguments.backend)
+        self._make_squads(
+            assign(self.agents, self.settings.home, arguments.opponents, arguments.teammates, arguments.controllers)
+        )
         self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
         self.ended, self.final = NOBODY, truth_state.Final(self.settings)  # see _restart_same_step
-        self.started = self._stepped = False  # whether it stands as a reset or step leaves it; whether one was made
-        self.reset(seed=asked.seed, seeds=asked.seeds)
-        self.batch.build_spaces([0])  # as good as new: later resets find their kernels compiled
+        self.started = self._stepped = False  # the last reset or step was completed; a first step was made
+        self.reset(seed=arguments.seed, seeds=arguments.seeds)
+        self.batch.build_spaces([0])  # changes nothing, but compiles the kernels that later resets need
 
     def _make_arrays(self, backend: Backend | None) -> None:
-        """Make the arrays and show them as attributes; those for a user's own observations are separate."""
+        """Make the arrays and set them as attributes; a user's own observations have arrays of their own."""
         observed = 0 if self.seen.own else len(self.observation_names)
         self.batch = batch = MatchBatch(self.settings, self.count, len(self.agents), observed, backend)
         self.matches, self.balls, self.robots = batch.matches, batch.balls, batch.robots
@@ -98,7 +100,7 @@ class Match(Views, Branching):
         self.observations: Any = self.seen.arrays if self.seen.own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:
-        """Make the teams that play inside, with their memories, and the senses that somebody uses."""
+        """Make the teams that play inside, with their memories, and the senses of the sides that use them."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads if squad.reads_beliefs for r in squad.players], np.int64)
@@ -115,16 +117,18 @@ class Match(Views, Branching):
     def reset(self, seed: int | None = None, seeds: Any = None) -> np.ndarray:
         """Begin new episodes in all matches; return observations (M, R, n).
 
-        With a seed (or seeds (M,)) the matches start their streams anew; without, each goes on to its next episode.
-        The very first reset without a seed draws one from the system.
+        A seed, or seeds (M,), restarts the random streams of the matches; without, each match goes on to its next
+        episode. The very first reset without a seed draws a seed from the system.
         """
         if seed is not None and seeds is not None:
             raise ValueError("give seed or seeds, not both")
         fresh = seed is not None or seeds is not None or not self.started
-        found = check_seeds(seeds, self.count) if seeds is not None else seeds_for(seed, self.count) if fresh else None
+        new_seeds = (
+            check_seeds(seeds, self.count) if seeds is not None else seeds_for(seed, self.count) if fresh else None
+        )
         self.started = False
-        if found is not None:
-            self.seeds[:] = found
+        if new_seeds is not None:
+            self.seeds[:] = new_seeds
         self._begin(range(self.count), np.zeros(self.count, np.int64) if fresh else self.matches["episode"] + 1)
         self.rewards[:] = 0.0
         self.terms[:] = 0.0
@@ -150,19 +154,19 @@ class Match(Views, Branching):
         """Advance all matches by `action_repeat` control steps.
 
         actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R) integers,
-        or None if teams play them all. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
+        or None if teams play all robots. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
         truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong shape or
-        that are not finite. With autoreset "off" a match that ended stands still, and one that was truncated goes on.
-        last=False: the action goes on in the next call; the shaping discounts once, in the call that ends the action.
+        with numbers that are not finite. With autoreset "off" a terminated match stands still, a truncated match goes
+        on. last=False: the action goes on in the next call; shaping discounts once, in the call that ends the action.
         """
         numbers = self._check_actions(actions)
         self.started = False  # until the end
-        made = self._advance(numbers, last)
+        transition = self._advance(numbers, last)
         self.started = self._stepped = True
-        return made
+        return transition
 
     def _advance(self, numbers: np.ndarray, last: bool) -> Transition:
-        """Play the control steps of one action, and begin anew what has ended."""
+        """Play the control steps of one action, and begin new episodes where one has ended."""
         mode, repeat = self.autoreset, self.settings.action_repeat
         ended: Any = ()
         if mode == "next_step" and self._has_ended():
@@ -180,7 +184,7 @@ class Match(Views, Branching):
         if len(ended):
             self._restart_next_step(ended)
         elif np.count_nonzero(self.terminated):
-            for m in np.flatnonzero(self.terminated).tolist():  # who stands still shows what was asked of it, too
+            for m in np.flatnonzero(self.terminated).tolist():  # observations of a match at rest hold its commands too
                 self.batch.observe_anew(m, m + 1)
         return self.observations, self.rewards, self.terminated, self.truncated
 
@@ -194,13 +198,13 @@ class Match(Views, Branching):
         return self._no_actions
 
     def _control_step(self, numbers: np.ndarray) -> None:
-        """Run one control step: compiled in slices of matches, users' own Python for all of them before and after."""
+        """Run one control step: users' Python for all matches before and after, compiled slices of matches between."""
         self._own_terms.begin(self)
         self._decide_in_python()
-        if self.recorder is not None:  # it notes all commands before anybody moves
+        if self.recorder is not None:  # the recorder notes all commands before any robot moves
             self._decide(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
-        if self._pool is None or not self._stepped:  # the first step may compile, which no interrupt ends in a thread
+        if self._pool is None or not self._stepped:  # the first step may compile: threads cannot be interrupted then
             self._step_slice(numbers, 0, self.count)
         else:
             edges = [self.count * i // self.threads for i in range(self.threads + 1)]
@@ -221,7 +225,7 @@ class Match(Views, Branching):
             batch.sense(start, stop)  # percepts
             batch.tell(start, stop)  # how the match stands
             batch.believe(start, stop)  # beliefs and tracks
-            batch.observe(start, stop)  # what learners get
+            batch.observe(start, stop)  # observations of the learners
 
     def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Fill the commands of a slice: learners' actions, and compiled teams."""
@@ -229,7 +233,7 @@ class Match(Views, Branching):
         self._decide_compiled(first, last)
 
     def _decide_compiled(self, first: int, last: int) -> None:
-        """Fill the commands that the compiled teams of a slice give."""
+        """Fill the commands of the compiled teams in a slice."""
         if len(self._readers):
             self.batch.read(self._readers, first, last)
         for squad in self.squads:
@@ -237,9 +241,9 @@ class Match(Views, Branching):
                 run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
 
     def decide(self) -> np.ndarray:
-        """Let the compiled teams decide from the records as they stand, without a step; return commands (M, R).
+        """Let the compiled teams decide from the current records, without a step; return commands (M, R).
 
-        Robots that no team plays keep the command that they had.
+        Robots that no team plays keep their last command.
         """
         self._decide_compiled(0, self.count)
         commands: np.ndarray = self.robots["command"]
@@ -254,20 +258,20 @@ class Match(Views, Branching):
                     run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
 
     def _observe_own(self) -> None:
-        """Fill the observations that a user's own code makes."""
+        """Fill the observations that users' own code makes."""
         if self.seen.own:
             self.seen.fill(self)
 
     # Starting again
 
     def _restart_next_step(self, ended: np.ndarray) -> None:
-        """Begin new episodes in the matches that had ended before this step, which earns them no reward."""
+        """Begin new episodes in the matches that had ended before this step; this step gives them no reward."""
         self._begin(ended, self.matches["episode"] + 1)
         self.rewards[ended] = 0.0
         self.terms[ended] = 0.0
 
     def _restart_same_step(self) -> Transition:
-        """Begin new episodes at once where one ended: `ended` (rows); `final` has their last records, and "state"."""
+        """Begin new episodes where one ended; set `ended` to their rows, and `final` to the last records and state."""
         if not self._has_ended():
             self.ended = NOBODY
             return self.observations, self.rewards, self.terminated, self.truncated

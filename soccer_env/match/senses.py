@@ -1,10 +1,10 @@
-"""Senses: what the robots of M matches perceive and believe by the chain of sensors and memory of their kind.
+"""Senses: percepts and beliefs of the robots of M matches, by the sensors and the memory of their kind.
 
     world -> sense -> percepts -> believe -> beliefs, tracks, gazes
-    world -> tell  -> the situation in beliefs: how the match stands
+    world -> tell  -> the situation in beliefs: phase, score, clock
 
-The belief half gets percepts and its own memory alone, nothing true and nothing that the sensors remember; a test that
-poisons both between the halves holds it to that.
+The belief half reads percepts and its own memory, never the truth nor the memory of the sensors; a test poisons both
+between the halves.
 """
 
 from typing import Any
@@ -26,11 +26,11 @@ UNUSED = (
 
 
 def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], learns: np.ndarray) -> tuple[int, ...]:
-    """Return the teams (HOME, AWAY) whose sensors somebody uses: a team that plays them, or what learners observe.
+    """Return the sides (HOME, AWAY) whose sensors a team or an observation of learners uses.
 
-    `squads` are teams with the rows (P,) that each plays; `learns` (R,) marks the rows played from outside.
+    `squads` are teams with the rows (P,) that each plays; `learns` (R,) marks the rows of learners.
     """
-    home, found = settings.rows[HOME], []
+    home, used = settings.rows[HOME], []
     for side, rows in ((HOME, range(home)), (AWAY, range(home, len(learns)))):
         teams = [team for team, players in squads if players[0] in rows]
         played = not all(getattr(team, "blind", False) for team in teams)
@@ -40,27 +40,21 @@ def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], lear
         )
         watched = tells != "truth" and any(learns[r] == 1 for r in rows)
         if (settings.senses[side] == "sensors" and (played or watched)) or (watched and tells == "percepts"):
-            found.append(side)
-    return tuple(found)
+            used.append(side)
+    return tuple(used)
 
 
 class Senses:
-    """The provider of beliefs by sensors: percepts (M, R), what lies behind them, and the memory that makes beliefs.
+    """The provider of beliefs by sensors: percepts (M, R), states of the sensors, and the memory that makes beliefs.
 
-    `sides` are the teams (HOME, AWAY) whose sensors somebody uses. Their robots sense; those whose senses are not ideal
-    also believe what they sense, in their rows of beliefs (M, R) and tracks (M, R, slots). Nothing is computed for the
-    others.
+    The robots of `sides` (HOME, AWAY) sense. Unless their senses are ideal they also fill their rows of beliefs (M, R)
+    and tracks (M, R, slots). Nothing is computed for the other side.
     """
 
     def __init__(
-        self,
-        settings: Settings,
-        world: World,
-        constants: np.ndarray,
-        beliefs: np.ndarray,
-        tracks: np.ndarray,
+        self, settings: Settings, world: World, constants: np.ndarray, beliefs: np.ndarray, tracks: np.ndarray,
         sides: tuple[int, ...],
-    ) -> None:
+    ) -> None:  # fmt: skip
         league, (matches, robots) = settings.league, beliefs.shape
         self.settings = settings
         self.world = world
@@ -73,7 +67,7 @@ class Senses:
         everyone = np.arange(robots)
         self.sensing, self.rows = everyone[self._sensing], everyone[self._believing]
         self.senses, self.believes = (np.isin(everyone, rows) for rows in (self.sensing, self.rows))
-        self.asleep = np.zeros(matches, bool)  # over before this step: a match that stands still draws no noise
+        self.asleep = np.zeros(matches, bool)  # over before this step: an ended match draws no noise
         self._make_arrays(beliefs, tracks)
         self.sensors, self.memory_settings = league.sensors.record(), league.memory.record()
         self.tables = self.kind.tables(league)
@@ -101,13 +95,13 @@ class Senses:
 
     @property
     def parts(self) -> dict[str, np.ndarray]:
-        """Return the arrays that the future of a match depends on, by name: views of the rows that are filled."""
+        """Return the arrays that the future of a match depends on, by name, as views of the filled rows."""
         sensed = {name: getattr(self, name)[:, self._sensing] for name in ("percepts", "sensor_states", "pending")}
         names = ("beliefs", "tracks", "memories", "messages", "particles")
         return {**sensed, **{name: getattr(self, name)[:, self._believing] for name in names}}
 
     def start(self, m: int) -> None:
-        """Forget everything about match m; from now on its robots go by their sensors."""
+        """Clear the records of match m; from now on its robots use their sensors."""
         for array in self.parts.values():
             array[m] = np.zeros((), array.dtype)
         self.world.robots["senses"][m, self.rows] = 1
@@ -125,18 +119,18 @@ class Senses:
         self.kind.sense(self._truth, self._perception, numbers, self.asleep, self.sensing, first, last)
 
     def tell(self, first: int, last: int) -> None:
-        """Tell robots how the match stands."""
+        """Write phase, score and clock of the match into the beliefs."""
         if len(self.rows):
             tell_slice(self._truth, self.beliefs, self.asleep, self.rows, first, last)
 
     def believe(self, first: int, last: int) -> None:
-        """Bring the beliefs up to the percepts; of the world belief gets the robots' noise and gazes alone."""
+        """Update the beliefs from the percepts; of the world, belief reads noise and gazes of the robots alone."""
         if len(self.rows):
             numbers = self._memory_numbers
             self.kind.believe(self.percepts, self._minds, numbers, self.asleep, self.rows, first, last)
 
     def observe_percepts(self, out: np.ndarray, rows: np.ndarray, first: int, last: int) -> None:
-        """Write what those of `rows` that use their sensors observe of their percepts into out (M, R, n)."""
+        """Write observations of percepts into out (M, R, n), for the robots of `rows` that use their sensors."""
         self.kind.observe(
             self.percepts, self.beliefs, self.world.robots, out, self.constants, self.sensors,
             self.settings.half_length, rows[self.senses[rows]], first, last,
@@ -144,7 +138,7 @@ class Senses:
 
 
 def rows_of(sides: tuple[int, ...], sizes: tuple[int, int]) -> slice:
-    """Return the rows of some teams, which stand one after the other."""
+    """Return the rows of some sides; `sizes` are the rows of home and of away."""
     if not sides:
         return slice(0, 0)
     return slice(0 if HOME in sides else sizes[HOME], sum(sizes) if AWAY in sides else sizes[HOME])

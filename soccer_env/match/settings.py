@@ -26,9 +26,9 @@ SENSES = get_args(Senses)
 
 @dataclass(frozen=True, kw_only=True)
 class Settings(MatchSettings):
-    """What a Match follows from, beside its seeds and actions: its settings, every name resolved."""
+    """The settings of a Match with every name resolved: with seeds and actions they determine the match."""
 
-    if TYPE_CHECKING:  # what they are once they are found
+    if TYPE_CHECKING:  # the types of resolved settings
         league: League
         home: int
         away: int
@@ -37,23 +37,22 @@ class Settings(MatchSettings):
         actions: ActionKind
         scene: Scene
         rewards: Rewards
-    padded: bool  # True: both teams have max_players rows, those too many inactive
+    padded: bool  # True: both teams have max_players rows, and the spare rows are inactive
 
     @property
     def rows(self) -> tuple[int, int]:
-        """Return how many rows the robots of home and of away take."""
+        """Return the number of rows for the robots of home and of away."""
         return (self.max_players, self.max_players) if self.padded else (self.home, self.away)
 
     @property
     def agents(self) -> list[str]:
-        """Return the names of the robots, a row each, home first."""
+        """Return the names of the robots, row by row, home first."""
         return [f"{side}_{i}" for side, size in zip(("home", "away"), self.rows, strict=True) for i in range(size)]
 
     @property
     def observes(self) -> tuple[Any, Any]:
-        """Return what home and away observe."""
-        found = self.observe
-        return (found.home, found.away) if isinstance(found, Sides) else (found, found)
+        """Return the observations of home and of away."""
+        return (self.observe.home, self.observe.away) if isinstance(self.observe, Sides) else (self.observe,) * 2
 
     @property
     def half_length(self) -> float:
@@ -69,7 +68,7 @@ class Settings(MatchSettings):
 
     @property
     def episode_limit(self) -> int | None:
-        """Return the steps (of `action_repeat` control steps) that an episode lasts at most; None: it has no end."""
+        """Return the longest possible episode, in steps of `action_repeat` control steps; None: no limit."""
         rate = self.league.control_rate
         limits = [float(self.limit)] if self.max_cycles is not None else []
         if self.episode == "drill":
@@ -80,11 +79,11 @@ class Settings(MatchSettings):
         return ceil(least / self.action_repeat) if isfinite(least) else None
 
     def constants(self) -> np.ndarray:
-        """Return the (1,) record of numbers for compiled code."""
+        """Return the constants (1,) for compiled code."""
         record = constants_of(self.league)
         record["placement_by_driving"] = self.placement == "drive"
         record["end_at_goal"] = self.episode == "goal"
-        if self.episode == "drill" and isinstance(self.scene.success, str):  # a function is asked in `user_code`
+        if self.episode == "drill" and isinstance(self.scene.success, str):  # `user_code` calls success functions
             record["drill"], record["drill_time"] = SUCCESS[self.scene.success], self.scene.time_limit
         return record
 
@@ -112,7 +111,7 @@ def plain(value: Any) -> Any:
 
 
 def check_senses(senses: Any) -> tuple[str, str]:
-    """Return how the beliefs of home and of away are filled; in a mapping by team, what is left out is "sensors"."""
+    """Return the senses of home and of away; a team that a mapping leaves out has "sensors"."""
     if isinstance(senses, Mapping):
         if not set(senses) <= {"home", "away"}:
             raise ValueError(f"senses by team must have the keys home and away, got {sorted(map(str, senses))}")
@@ -125,7 +124,7 @@ def check_senses(senses: Any) -> tuple[str, str]:
 
 
 def check_options(name: str, value: Any, base: Any) -> Any:
-    """Return sensor or memory settings: the league's own, changed by a mapping of names, or an object of that kind."""
+    """Return sensor or memory settings: `base` with the changes of a mapping, or the given object of the same class."""
     if value is None:
         return base
     if isinstance(value, Mapping):
@@ -137,18 +136,15 @@ def check_options(name: str, value: Any, base: Any) -> Any:
 
 
 def with_sensors(league: League, sensors: Any, memory: Any) -> League:
-    """Return the league with the sensors and the memory asked for."""
+    """Return the league with these sensor and memory settings."""
     if sensors is None and memory is None:
         return league
-    return replace(
-        league,
-        sensors=check_options("sensors", sensors, league.sensors),
-        memory=check_options("memory", memory, league.memory),
-    )
+    sensors = check_options("sensors", sensors, league.sensors)
+    return replace(league, sensors=sensors, memory=check_options("memory", memory, league.memory))
 
 
 def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League:
-    """Return the league with the rule set asked for; nothing asked: that of the drill, or the league's own."""
+    """Return the league with these rules; None: the rules of the drill, or the league's own."""
     if isinstance(rules, Rules):
         return replace(league, rules=rules)
     if rules is None:
@@ -157,44 +153,46 @@ def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League
 
 
 def check_keeper(keeper: Any, home: int, away: int) -> int:
-    """Return the goalkeeper's number; a team of one has none, every other team must have that number."""
+    """Return the goalkeeper's number; ValueError if a team of two or more has no such number."""
     sizes = [size for size in (home, away) if size >= 2]
     return whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
 
 
-def make_settings(asked: MatchSettings) -> Settings:
-    """Return the settings with every name resolved; ValueError names the setting, the value and what is allowed."""
-    scene = find_scene(asked.scene)
-    league = find_rules(find_league(asked.league), asked.rules, scene, asked.episode)
-    league = with_sensors(league, asked.sensors, asked.memory)
-    home = league.team_size if asked.home is None else asked.home
-    away = league.team_size if asked.away is None else asked.away
+def make_settings(arguments: MatchSettings) -> Settings:
+    """Return the settings with every name resolved; ValueError names the setting, the value and the allowed values."""
+    scene = find_scene(arguments.scene)
+    league = find_rules(find_league(arguments.league), arguments.rules, scene, arguments.episode)
+    league = with_sensors(league, arguments.sensors, arguments.memory)
+    home = league.team_size if arguments.home is None else arguments.home
+    away = league.team_size if arguments.away is None else arguments.away
     largest = max(home, away)
-    most = largest if asked.max_players is None else asked.max_players
-    found: dict[str, Any] = {
+    most = largest if arguments.max_players is None else arguments.max_players
+    resolved: dict[str, Any] = {
         "league": league,
         "home": home,
         "away": away,
         "max_players": whole_number("max_players", most, largest, MAX_TEAM),
-        "padded": asked.max_players is not None,
-        "observe": check_observe(asked.observe),
-        "senses": check_senses(asked.senses),
-        "actions": asked.actions if isinstance(asked.actions, ActionKind) else ActionKind(asked.actions),
+        "padded": arguments.max_players is not None,
+        "observe": check_observe(arguments.observe),
+        "senses": check_senses(arguments.senses),
+        "actions": arguments.actions if isinstance(arguments.actions, ActionKind) else ActionKind(arguments.actions),
         "scene": scene,
-        "rewards": find_rewards(asked.rewards),
-        "keeper": check_keeper(asked.keeper, home, away),
+        "rewards": find_rewards(arguments.rewards),
+        "keeper": check_keeper(arguments.keeper, home, away),
     }
     scene.check(league, home, away)
-    check_drill(asked, scene)
-    return Settings(**{**part_of(asked, MatchSettings), **found})
+    check_drill(arguments, scene)
+    return Settings(**{**part_of(arguments, MatchSettings), **resolved})
 
 
-def check_drill(asked: MatchSettings, scene: Scene) -> None:
-    """Raise ValueError for a drill that cannot be judged, or that has two limits of time."""
-    if asked.episode == "drill" and scene.success == "none":
+def check_drill(arguments: MatchSettings, scene: Scene) -> None:
+    """Raise ValueError for a drill without a success test or with two time limits."""
+    if arguments.episode == "drill" and scene.success == "none":
         raise ValueError(f"episode 'drill' needs a scene with a success test, and {scene.name!r} has none")
-    if asked.episode == "drill" and asked.minutes is not None:
-        raise ValueError(f"minutes must be None in a drill, whose scene has its own time limit, got {asked.minutes!r}")
+    if arguments.episode == "drill" and arguments.minutes is not None:
+        raise ValueError(
+            f"minutes must be None in a drill, whose scene has its own time limit, got {arguments.minutes!r}"
+        )
 
 
 __all__ = ["SENSES", "Settings", "make_settings"]

@@ -20,11 +20,11 @@ from soccer_env.types import AWAY, COMMAND, HOME
 
 LONG = 4096  # characters of a team's settings in a save; longer ones are hashed
 WriteObservations = Callable[[np.ndarray, str, np.ndarray, int, int], None]  # into (M, R, n), of what, rows, slice
-NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by what a team observes
+NEEDED_SENSES = {"truth": "ideal", "percepts": "sensors"}  # by a team's observation
 
 
 class TeamArrays(NamedTuple):
-    """The arrays of whole matches that compiled teams read, and the commands that they write."""
+    """The arrays that compiled teams read, and the commands that they write."""
 
     beliefs: np.ndarray  # (M, R) BELIEF
     tracks: np.ndarray  # (M, R, slots) TRACK
@@ -35,26 +35,26 @@ class TeamArrays(NamedTuple):
 
 @dataclass
 class Squad:
-    """A team and the robots of one side that it plays, with its memory (M, P)."""
+    """A team, the robots of one side that it plays, and its memory (M, P)."""
 
     team: Team
     players: np.ndarray  # (P,) rows
     memory: np.ndarray
-    observations: np.ndarray  # (M, R, n) of a team that decides from them, else (M, R, 0)
-    name: str  # what a lineup calls it, else what results do, see `teams.registry.called`
+    observations: np.ndarray  # (M, R, n) of a team that decides from observations, else (M, R, 0)
+    name: str  # in the lineup, else in results, see `teams.registry.called`
     settings: np.ndarray | None = None  # of a compiled team, in this league
-    lineup: Lineup | None = None  # that it is a part of
-    place: int = 0  # in the lineup
-    plays: np.ndarray | None = None  # (M,) of a team of a lineup: in which matches it plays now
+    lineup: Lineup | None = None  # of which the team is a part
+    place: int = 0  # of the team in the lineup
+    plays: np.ndarray | None = None  # (M,) flags of a team in a lineup: it plays this match now
     _runs: dict[tuple[int, int], tuple[bytes, list[tuple[int, int]]]] = dataclasses.field(default_factory=dict)
 
     def describe(self) -> list[Any]:
-        """Return who plays which robots: what a save has to agree with."""
+        """Return name, settings and rows of the team, which a save must agree with."""
         settings = getattr(self.team, "settings", None)
-        given = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
-        if len(given) > LONG:
-            given = hashlib.sha256(given.encode()).hexdigest()
-        return [self.name, given, self.players.tolist()]
+        text = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
+        if len(text) > LONG:
+            text = hashlib.sha256(text.encode()).hexdigest()
+        return [self.name, text, self.players.tolist()]
 
     @property
     def compiled(self) -> bool:
@@ -63,26 +63,23 @@ class Squad:
 
     @property
     def reads_beliefs(self) -> bool:
-        """Tell whether its kernel reads beliefs: others are blind, or decide from observations."""
+        """Tell whether the team's kernel reads beliefs; other kernels are blind, or read observations."""
         team = self.team
         return isinstance(team, CompiledTeam) and not (team.blind or isinstance(team, ObservingTeam))
 
     def runs(self, first: int, last: int) -> list[tuple[int, int]]:
-        """Return the slices of a slice of matches in which the team plays."""
+        """Return the parts (first, last) of a slice of matches in which the team plays."""
         if self.plays is None:
             return [(first, last)]
         plays = self.plays[first:last].tobytes()
-        if self._runs.get((first, last), (b"",))[0] != plays:  # who plays changes when an episode begins
+        if self._runs.get((first, last), (b"",))[0] != plays:  # the playing team may change with each episode
             steps = np.flatnonzero(np.diff(self.plays[first:last], prepend=False, append=False)) + first
             self._runs[first, last] = plays, list(zip(steps[::2].tolist(), steps[1::2].tolist(), strict=True))
         return self._runs[first, last][1]
 
 
 def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
-    """Return agent id -> team for the agents that a team plays; team-mates leave home's last robot that plays.
-
-    `controllers` maps agent ids, or "home" and "away", to teams.
-    """
+    """Return agent id -> team; team-mates play all home robots but the last, controllers map agent ids or sides."""
     who: dict[str, Any] = {}
     sides = {side: [agent for agent in agents if agent.startswith(side)] for side in ("home", "away")}
     if opponents is not None:
@@ -103,22 +100,22 @@ def assign(agents: list[str], home: int, opponents: Any, teammates: Any, control
 def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matches: int) -> list[Squad]:
     """Return the squads: one for each distinct team on each side, or one for each team of a lineup."""
     squads: list[Squad] = []
-    made: dict[tuple[str, Any], list[int]] = {}
+    rows_by_team: dict[tuple[str, Any], list[int]] = {}
     for row, agent in enumerate(agents):
         if agent in who:
             team = who[agent]
             key = (agent.split("_")[0], team if isinstance(team, str) else id(team))
-            made.setdefault(key, []).append(row)
-    for rows in made.values():
-        given, players = who[agents[rows[0]]], np.array(rows, np.int64)
-        if not isinstance(given, Lineup):
-            squads.append(make_squad(make_team(given), players, settings, matches, len(agents)))
-            squads[-1].name = called(given, squads[-1].team)
+            rows_by_team.setdefault(key, []).append(row)
+    for rows in rows_by_team.values():
+        chosen, players = who[agents[rows[0]]], np.array(rows, np.int64)
+        if not isinstance(chosen, Lineup):
+            squads.append(make_squad(make_team(chosen), players, settings, matches, len(agents)))
+            squads[-1].name = called(chosen, squads[-1].team)
             continue
-        for place, team in enumerate(given.teams):
+        for place, team in enumerate(chosen.teams):
             squad = make_squad(team, players, settings, matches, len(agents))
-            squad.name = given.names[place]
-            squad.lineup = given
+            squad.name = chosen.names[place]
+            squad.lineup = chosen
             squad.place = place
             squad.plays = np.zeros(matches, bool)
             squads.append(squad)
@@ -126,7 +123,7 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
 
 
 def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
-    """Return a team on its rows (P,); ValueError if it does not play the league, or cannot play with these senses."""
+    """Return the squad of a team and its rows (P,); ValueError if the team cannot play this league or these senses."""
     check = getattr(team, "check_league", None)
     if check is not None:
         check(settings.league)
@@ -146,7 +143,7 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
 
 
 def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
-    """Let the teams that lineups choose play the coming episode of match m; home's are the first `home` rows."""
+    """Choose the teams of lineups for the next episode of match m; home has the first `home` rows."""
     for squad in squads:
         if squad.lineup is not None and squad.plays is not None:
             side = AWAY if squad.players[0] >= home else HOME
@@ -182,7 +179,7 @@ def clip_commands(commands, players, first, last):
 
 
 def uncompiled(team: CompiledTeam, error: Exception) -> str:
-    """Return in one line why a team's kernel cannot be compiled, with the field that a record lacks."""
+    """Return a one-line message why a team's kernel cannot be compiled; it names the field that a record lacks."""
     if isinstance(error, KeyError):
         why = f"it reads {error} of a record that has no such field; skills read the numbers of skills.skill_settings()"
     else:
@@ -192,7 +189,7 @@ def uncompiled(team: CompiledTeam, error: Exception) -> str:
 
 
 def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, first: int, last: int) -> None:
-    """Let a compiled team decide in a slice of matches; ValueError if a command is not finite."""
+    """Let a compiled team decide in a slice of matches; ValueError for a command that is not finite."""
     team: Any = squad.team
     runs = squad.runs(first, last)
     if not runs:
@@ -219,7 +216,7 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
 
 
 def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:
-    """Let a Python team decide where it plays; ValueError, and nothing changed, if it returns nonsense."""
+    """Let a Python team decide in its matches; ValueError, and no change, for invalid commands or memory."""
     matches = np.arange(len(robots)) if squad.plays is None else np.flatnonzero(squad.plays)
     if not len(matches):
         return
@@ -238,7 +235,7 @@ def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.nda
 
 
 def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.ndarray:
-    """Return what a Python team commands (M, P, 4 or 7), clipped; ValueError for nonsense."""
+    """Return the commands (M, P, 4 or 7) of a Python team, clipped; ValueError for a wrong shape or number."""
     commands = np.asarray(returned, np.float64)
     if commands.shape not in ((*shape, 4), (*shape, 7)):
         raise ValueError(f"team {name!r} returned commands of shape {commands.shape}, not {shape} x 4 or 7")
@@ -248,7 +245,7 @@ def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.nda
 
 
 def who_plays(squads: list[Squad], row: int, matches: int) -> np.ndarray:
-    """Return what the team is called that plays a robot (row) now, (M,) objects; "" for a learner."""
+    """Return the name of the team that plays a robot (row) now, (M,) objects; "" for a learner."""
     names = np.full(matches, "", object)
     for squad in squads:
         if row in squad.players:

@@ -1,10 +1,10 @@
-"""Stage running matches for experiments: put robots and ball somewhere, and reach what the parts of a match keep.
+"""Stage running matches for experiments: place robots and ball, and reach the internal records of a match.
 
-    put(match, 0, x=0.0, y=0.0); put_ball(match, 0.5, 0.0)      records are set directly
-    begin(match)                                                bodies and senses then follow from them
+    put(match, 0, x=0.0, y=0.0); put_ball(match, 0.5, 0.0)      set records directly
+    begin(match)                                                update bodies and senses from the records
 
-Claims (`train/papers/staging.py`) and tests (`tests/scenes/staging.py`) build on it. Whoever stages a match reaches
-inside it through this file alone: what robots, players and sensors keep may move.
+Claims (`train/papers/staging.py`) and tests (`tests/scenes/staging.py`) build on this file and reach the internals of
+a match through it alone, so that the internals may move.
 """
 
 from collections.abc import Iterable
@@ -24,13 +24,13 @@ from soccer_env.types import NO_TEAM
 
 
 def patient(league: str | League) -> League:
-    """Return the league with a referee who never calls a stuck ball, whistles for nothing and pulls nobody apart."""
-    found = find_league(league)
-    return replace(found, rules=rule_set(found.rules, PATIENT))
+    """Return the league with a referee who calls no stuck ball and no foul, and never separates robots."""
+    preset = find_league(league)
+    return replace(preset, rules=rule_set(preset.rules, PATIENT))
 
 
 def set_phase(match: Match, phase: int) -> None:
-    """Set the phase of play, nobody to take a restart."""
+    """Set the phase of play, with no team to take a restart."""
     match.matches["phase"], match.matches["restart_team"] = phase, NO_TEAM
     match.matches["phase_clock"] = 0.0
 
@@ -66,9 +66,9 @@ def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: 
 
 
 def begin(match: Match, placed: bool = False) -> None:
-    """Let a staged scene begin: bodies where the records say, and robots that have seen nothing yet.
+    """Begin a staged scene: move the bodies to their records, and clear what robots have seen.
 
-    `placed`: robots know where they were put, as after a restart, and take their first look.
+    `placed`: robots know where they stand, as after a restart, and take their first look.
     """
     match.rebuild()
     if match.batch.senses is not None:
@@ -80,11 +80,11 @@ def begin(match: Match, placed: bool = False) -> None:
             match.batch.look_first(m)
 
 
-# What the parts of a match keep: views, to be read and changed
+# Internal records of a match, as views: to be read and changed
 
 
 def squad_of(match: Match, r: int) -> Squad:
-    """Return the squad that plays robot r; ValueError for a robot that is played from outside."""
+    """Return the squad that plays robot r; ValueError if no team plays robot r."""
     for squad in match.squads:
         if r in squad.players:
             return squad
@@ -92,37 +92,37 @@ def squad_of(match: Match, r: int) -> Squad:
 
 
 def memory_of(match: Match, r: int = 0) -> np.ndarray:
-    """Return what the player of robot r remembers (M,), its team's own record."""
+    """Return the memory (M,) that the team of robot r keeps for it, a record of the team's own dtype."""
     squad = squad_of(match, r)
     memory: np.ndarray = squad.memory[:, int(np.flatnonzero(squad.players == r)[0])]
     return memory
 
 
 def team_settings_of(match: Match, r: int = 0) -> np.ndarray:
-    """Return the records (rows,) of settings that the compiled team of robot r reads."""
+    """Return the settings (rows,) that the compiled team of robot r reads."""
     settings: np.ndarray = squad_of(match, r).settings  # type: ignore[assignment]  # of compiled teams alone
     return settings
 
 
 def sensors_of(match: Match) -> np.ndarray:
-    """Return the record (1,) of the sensor settings that the running match reads."""
+    """Return the sensor settings (1,) that the running match reads."""
     settings: np.ndarray = _senses_of(match).sensors
     return settings
 
 
 def memory_settings_of(match: Match) -> np.ndarray:
-    """Return the record (1,) of the memory settings, of sensors and beliefs, that the running match reads."""
+    """Return the memory settings (1,), of sensors and beliefs, that the running match reads."""
     settings: np.ndarray = _senses_of(match).memory_settings
     return settings
 
 
 def constants_of(match: Match) -> np.ndarray:
-    """Return the record (1,) of the league's constants that the running match reads."""
+    """Return the league's constants (1,) that the running match reads."""
     return match.batch.constants
 
 
 def set_mass(match: Match, rows: Iterable[int], mass: float, moment: float) -> None:
-    """Give robots another mass [kg] and moment of inertia [kg m2], until their Space is rebuilt."""
+    """Set mass [kg] and moment of inertia [kg m2] of robots, until their Space is rebuilt."""
     match.batch.physics.forget()
     for space in match.batch.physics.spaces:
         bodies = [] if space is None else list(space.bodies)
@@ -132,7 +132,7 @@ def set_mass(match: Match, rows: Iterable[int], mass: float, moment: float) -> N
 
 
 def _senses_of(match: Match) -> Any:
-    """Return the senses of a match; ValueError if nobody uses its sensors."""
+    """Return the senses of a match; ValueError if no robot uses its sensors."""
     if match.batch.senses is None:
         raise ValueError("nobody in this match uses its sensors")
     return match.batch.senses

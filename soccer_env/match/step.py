@@ -3,9 +3,9 @@
     commands -> drive -> physics -> referee -> restart -> statistics -> rewards -> observe
                 begin_match         finish_match
 
-Between the two `physics.engine.chipmunk` moves the Spaces on, in the same compiled loop, or Python does it for a whole
-slice. Rewards come after the restart: goals are read from the events, and shaping looks at the state that the next
-observation shows.
+Between the two halves `physics.engine.chipmunk` steps the Spaces in the same compiled loop, or Python steps the Spaces
+of a whole slice. Rewards come after the restart: goals are read from the events, and shaping uses the state that the
+next observation shows.
 
 `k`: the league's constants.
 """
@@ -42,11 +42,11 @@ from soccer_env.statistics.records import OFTEN
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
-GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # how a match stands after a step; above 0: substeps that it waits for
+GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # result of a match's step; above 0: substeps still to be made
 
 
 class Physics(NamedTuple):
-    """Rows of numbers that the physics gives back and is given, see `physics.engine.chipmunk`; of M matches."""
+    """Rows that are exchanged with the physics of M matches, see `physics.engine.chipmunk`."""
 
     bodies: np.ndarray  # (M, rows, 6)
     velocities: np.ndarray  # (M, rows, 3)
@@ -54,18 +54,18 @@ class Physics(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What a step means to those who learn from it, for M matches of R robots."""
+    """What learners get from a step, for M matches of R robots."""
 
     rewards: np.ndarray  # (M, R)
     terms: np.ndarray  # (M, R, terms)
-    observations: np.ndarray  # (M, R, n) of the truth; n is 0 if somebody else writes them
+    observations: np.ndarray  # (M, R, n) of the truth; n is 0 if `MatchBatch.observe` writes them
     terminated: np.ndarray  # (M,)
     truncated: np.ndarray  # (M,)
     statistics: np.ndarray  # (M,) STATISTICS
 
 
 class Numbers(NamedTuple):
-    """What the settings say to a step."""
+    """The settings that a step needs, as numbers."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     weights: np.ndarray  # (1,) WEIGHTS
@@ -111,7 +111,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
 
 @compiled
 def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
-    """Do the part of a step before the physics, for physics that Python steps: `before` (M, *POTENTIALS)."""
+    """Do the part of a step before the physics, where Python steps the physics; `before` is (M, *POTENTIALS)."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     before = borrowed(before)
     for m in range(first, last):
@@ -124,7 +124,7 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
 
 @compiled
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
-    """Do the part after the physics; `results` (M,) are substeps before and what `finish_match` says afterwards."""
+    """Do the part after the physics; `results` (M,) hold substeps at first, then the results of `finish_match`."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     k, before = numbers.constants[0], borrowed(before)
     owned = make_scratch(world.robots.shape[1])
@@ -145,19 +145,19 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
 
 @compiled
 def named(world, physics, outcome, numbers):
-    """Return the bundles with names, borrowed, given as plain tuples."""
+    """Return bundles of arrays, given as plain tuples, as borrowed named tuples."""
     world, physics, outcome, numbers = borrowed(world), borrowed(physics), borrowed(outcome), borrowed(numbers)
     return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
 
 
-# Below this line a match is its own records and rows.
+# Below this line every function works on one match.
 
 
 @compiled
 def begin_match(
     match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
 ):  # fmt: skip
-    """Do what comes before the physics; return the number of substeps, 0 if the match is over and stands still."""
+    """Do the part before the physics; return the number of substeps, 0 if the match is over and stands still."""
     clear_events(events, robot_events)
     terms[:] = 0.0
     if match.over == 1:
@@ -172,7 +172,7 @@ def finish_match(
     match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
     before, scratch, terms, rewards, observations, tally,
 ):  # fmt: skip
-    """Do what comes after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
+    """Do the part after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
     after, axes, rows, squares, touching = scratch
@@ -209,12 +209,12 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
 
 @compiled
 def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally):
-    """Read back what the physics did, and let the referee judge it; return whether bodies were put elsewhere."""
+    """Read the results of the physics and let the referee judge them; return whether any body was moved by hand."""
     read_records(ball, robots, bodies, solver)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)
     limit_speed(ball, k)
-    dead = match.placing == 1  # a ball that is held cannot be touched
+    dead = match.placing == 1  # a held ball cannot be touched
     toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y, match.handedness)
     find_collisions(robots, robot_events, touching, k)
     watch_contacts(robots, robot_events, touching, k)
@@ -253,17 +253,14 @@ def note_possession(ball, robot, events, k):
 
 @compiled
 def make_scratch(robots):
-    """Return arrays to work in: potentials before a step, and what `finish_match` needs.
-
-    That is potentials, axes of the robots (R, 2), rows and squared distances of players, and who touches whom (R,).
-    """
+    """Return working arrays: potentials before a step, and the scratch arrays that `finish_match` unpacks."""
     rows, squares, touching = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM), np.empty(robots, np.int64)
     return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares, touching)
 
 
 @inlined
 def fetch_match(links, robots, statistics, m):
-    """Fetch what the step of match m touches into the cache, if there is such a match."""
+    """Prefetch the records that the step of match m touches into the cache, if match m exists."""
     if fetch(links, m):
         fetch_row(robots, m, robots.strides[0])
         fetch_row(statistics, m, OFTEN)
@@ -271,10 +268,7 @@ def fetch_match(links, robots, statistics, m):
 
 @inlined
 def note_end(match, outcome, m, k, limit):
-    """Note of match m whether its episode has ended, or stops all the same.
-
-    It stops after `limit` control steps or a drill's time.
-    """
+    """Set the flags of match m: terminated, or truncated after `limit` control steps or the time limit of a drill."""
     out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
     outcome.terminated[m] = match.over == 1
     outcome.truncated[m] = match.over == 0 and (match.step >= limit or out_of_time)
@@ -282,7 +276,7 @@ def note_end(match, outcome, m, k, limit):
 
 @compiled
 def clear_events(events, robot_events):
-    """Forget the events of the last step."""
+    """Reset the events of the last step."""
     events.goal = events.restart_team = events.touch_team = events.foul_team = NO_TEAM
     events.scorer = -1
     events.out = events.restart = events.in_play = events.stuck = events.separated = 0

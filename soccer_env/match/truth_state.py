@@ -1,9 +1,9 @@
 """`state()`: the whole truth of a match as one vector, for centralised critics; every entry is named.
 
     side="field"          home's numbers first, in the frame of the field: at half-time all places change their signs
-    side="home", "away"   that team's numbers first, turned so that it always plays towards +x
+    side="home", "away"   that team's numbers first, turned so that the team always plays towards +x
 
-`WholeTruth` tells the same to each robot, as an observation.
+`WholeTruth` gives these numbers to each robot as an observation.
 """
 
 from collections.abc import Mapping, Sequence
@@ -45,7 +45,7 @@ BALL = of_group(
     Entry("ball_roll_y", "speed of rolling without sliding, across the field", "its top speed", FIELD, Y),
 )
 PLAYER = (
-    Entry("present", "1: there is such a player on the field; else all its entries are 0", "1", NONE, present=True),
+    Entry("present", "1: the player is on the field; 0: all its entries are 0", "1", NONE, present=True),
     Entry("keeper", "1 goalkeeper, 0 field player", "1", NONE),
     Entry("x", "place along the field", "half length plus goal depth", FIELD, X),
     Entry("y", "place across the field", "half width plus band", FIELD, Y),
@@ -65,15 +65,13 @@ PLAYER = (
     Entry("fallen", "1 fallen, 0 upright", "1", NONE),
 )
 SECONDS = 60.0  # [s] half-way point of the soft scale for clocks without an end, assumed
-
-
 OWN_NAMES = {  # of the game, from a team's side
     "restart_home": ("restart_own", "1: restart of the own team, -1: of the other, 0: neither"),
     "home_direction": ("own_direction", "always 1: the own team attacks +x"),
     "goals_home": ("goals_own", "goals of the own team"),
     "goals_away": ("goals_other", "goals of the other team"),
 }
-TURNED_FOR_AWAY = ("restart_home", "home_direction")  # what changes its sign where away is the own team
+TURNED_FOR_AWAY = ("restart_home", "home_direction")  # entries that change sign if away is the own team
 
 
 @cache
@@ -93,21 +91,21 @@ def entries(players: int, side: str = "field") -> list[Entry]:
 
 
 def _renamed(entry: Entry) -> Entry:
-    """Return an entry of the game as a team's side calls it."""
+    """Return an entry of the game with its name from a team's side."""
     name, meaning = OWN_NAMES.get(entry.name, (entry.name, entry.meaning))
     return replace(entry, name=name, meaning=meaning)
 
 
 def check_side(side: Any) -> str:
-    """Return whose side a state is told from; ValueError names those that there are."""
+    """Return the side of a state; ValueError names the known sides."""
     found: str = one_of("side", side, SIDES)
     return found
 
 
 def states(settings: Settings, records: Records, side: str = "field", players: int | None = None) -> np.ndarray:
-    """Return the states (n, entries) of n records of matches, float32 in [-1, 1], absent players being zeros.
+    """Return the states (n, entries) of n matches, float32 in [-1, 1], zeros for absent players.
 
-    players: room a side, None: the settings' own.
+    players: rows a side; None: `max_players` of the settings.
     """
     players = settings.max_players if players is None else players
     state = field_states(settings, records, players)
@@ -123,16 +121,16 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
 
 @cache
 def orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return how a team's side follows from the field's: columns, signs of the swap, signs of a half-turn."""
-    told = entries(players)
-    names = [entry.name for entry in told]
-    columns, swapped = np.arange(len(told)), np.ones(len(told), np.float32)
+    """Return how to turn a state of the field to a team's side: columns, signs of the swap, signs of a half-turn."""
+    field_entries = entries(players)
+    names = [entry.name for entry in field_entries]
+    columns, swapped = np.arange(len(field_entries)), np.ones(len(field_entries), np.float32)
     if team == AWAY:
         goals, first, size = names.index("goals_home"), len(GAME) + len(BALL), players * len(PLAYER)
         columns[[goals, goals + 1]] = goals + 1, goals
         columns[first:] = np.roll(columns[first:], size)
         swapped[[names.index(name) for name in TURNED_FOR_AWAY]] = -1.0
-    return columns, swapped, np.array([entry.half_turn for entry in told], np.float32)
+    return columns, swapped, np.array([entry.half_turn for entry in field_entries], np.float32)
 
 
 def field_states(settings: Settings, records: Records, players: int) -> np.ndarray:
@@ -152,7 +150,7 @@ def field_states(settings: Settings, records: Records, players: int) -> np.ndarr
 
 
 class Final(dict[str, np.ndarray]):
-    """The last records of the episodes that have just ended, by name; their states are made when asked for."""
+    """The last records of the episodes that have just ended, by name; "state" is computed on demand."""
 
     def __init__(self, settings: Settings, records: Records | None = None) -> None:
         super().__init__(records or {})
@@ -165,7 +163,7 @@ class Final(dict[str, np.ndarray]):
         return self["state"]
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the states (n, entries) in which they ended, from a side or that of the settings."""
+        """Return the final states (n, entries), from a side; None: the side of the settings."""
         return states(self._settings, self, self._settings.state_side if side is None else check_side(side))
 
 
@@ -233,20 +231,20 @@ def robot_numbers(league: League, robots: np.ndarray) -> dict[str, Any]:
 
 
 class WholeTruth:
-    """An observation of everything, `observe=WholeTruth(players)`: what `state` tells, from each robot's side.
+    """An observation of the whole truth, `observe=WholeTruth(players)`: the numbers of `state` from each robot's side.
 
-    The robot itself comes first, then its team-mates and its opponents by their numbers, with room for `players` a
-    side; numbers of players are the same at every team size up to that. ValueError for a match of larger teams.
+    The robot itself comes first, then its team-mates and its opponents by number, with room for `players` a side, so
+    that the layout is the same at every team size. ValueError for a match with larger teams.
     """
 
-    needs_beliefs = False  # of the robots that observe it: nobody has to sense for them
+    needs_beliefs = False  # the robots that observe the truth need no sensors
 
     def __init__(self, players: int) -> None:
         self.players = whole_number("players", players, 1, MAX_TEAM)
         self.entries = [self._told(entry) for entry in entries(self.players, "home")]
 
     def _told(self, entry: Entry) -> Entry:
-        """Return an entry of the state as each robot calls it."""
+        """Return an entry of the state with its name from a robot's side."""
         if entry.slot is None:
             return entry
         group, slot = ("opponent", entry.slot) if entry.group == "other" else ("teammate", entry.slot - 1)
@@ -261,9 +259,9 @@ class WholeTruth:
         if settings.max_players > self.players:
             refuse("players of WholeTruth", f"at least the match's {settings.max_players} a side", self.players)
         records = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
-        told = [states(settings, records, side, self.players) for side in ("home", "away")]
+        by_side = [states(settings, records, side, self.players) for side in ("home", "away")]
         first, size, home = len(GAME) + len(BALL), len(PLAYER), settings.rows[HOME]
-        seen = np.stack([told[int(r >= home)] for r in range(sum(settings.rows))], axis=1)
+        seen = np.stack([by_side[int(r >= home)] for r in range(sum(settings.rows))], axis=1)
         for r in range(sum(settings.rows)):
             number = r if r < home else r - home
             own = slice(first, first + size * (number + 1))

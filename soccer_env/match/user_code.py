@@ -1,6 +1,6 @@
-"""Ask a user's own code in a control step, and check what it returns, where it enters.
+"""Call users' own functions in a control step, and check their results at once.
 
-Functions that play are asked before anybody moves; scenes then say which matches ended, and reward terms what is paid.
+Functions that play are called before the physics; success functions of scenes and reward terms after it.
 """
 
 from typing import Any, NamedTuple, cast
@@ -16,24 +16,22 @@ from soccer_env.teams.function_teams import FunctionTeam, ask_functions
 from soccer_env.types import HOME, Phase
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
-
-
 ANY = Part((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
 
 
 class Group(NamedTuple):
-    """Robots that observe the same."""
+    """Robots with the same observation."""
 
-    side: str  # "" where both teams do
+    side: str  # "" for both teams
     observe: Any
     rows: slice
     form: Form
 
 
 class Seen:
-    """What learners observe where no kernel writes it: by a user's own object, or something else for each team.
+    """Observations that no kernel writes: by a user's own object, or a different observation for each team.
 
-    `arrays` is (M, R, ...), or a dict of such; of layouts by team {"home": (M, H, ...), "away": (M, A, ...)}.
+    `arrays` is (M, R, ...) or a dict of such arrays; by team {"home": (M, H, ...), "away": (M, A, ...)}.
     """
 
     def __init__(self, settings: Settings, matches: int) -> None:
@@ -51,7 +49,7 @@ class Seen:
         self.arrays = dict(zip(who, views, strict=True)) if self.by_side else views[0]
 
     def fill(self, match: Match) -> None:
-        """Ask for all observations anew; ValueError for what a user's object must not return."""
+        """Fill all observations; ValueError for a wrong result of a user's object."""
         for group, seen in zip(self.groups, self._all, strict=True):
             if isinstance(group.observe, str):
                 rows = np.arange(len(self._agents))[group.rows]
@@ -61,31 +59,28 @@ class Seen:
                 fill(group.form, seen, group.observe(match), what, self._agents, group.rows)
 
     def group_of(self, row: int) -> Group:
-        """Return whom a robot observes alike with."""
+        """Return the group that a robot (row) belongs to."""
         return next(group for group in self.groups if row in range(len(self._agents))[group.rows])
 
     def of_robot(self, observations: Any, row: int) -> Any:
-        """Return what one robot observes (M, ...) out of all observations, or out of those of some matches."""
+        """Return the observation (M, ...) of one robot (row), taken from the observations of all robots."""
         group = self.group_of(row)
         seen = observations[group.side] if self.by_side else observations
         return pick(seen, (slice(None), row - (group.rows.start or 0)))
 
 
 class OwnTerms:
-    """The reward terms of a user's own, in the columns behind those of every match."""
+    """The reward terms of users, in the columns after the built-in terms."""
 
     def __init__(self, rewards: Rewards) -> None:
         self._terms = cast("dict[str, OwnTerm]", rewards.extra)  # Rewards has made terms of plain functions
         self._waiting: np.ndarray = np.zeros(0, bool)  # (M,) matches that were over before the control step
-        self._before: dict[str, np.ndarray] = {}  # potentials (M, R) before it, by name
-        self._asks: bool | None = None  # whether functions play; None: not yet looked at
-        self._judges = False  # whether a scene's own function ends matches
+        self._before: dict[str, np.ndarray] = {}  # potentials (M, R) before the control step, by name
+        self._asks: bool | None = None  # whether functions play; None: not yet known
+        self._judges = False  # whether a success function ends matches
 
     def begin(self, match: Match) -> None:
-        """Ask what a user's code says before a control step: functions that play, and potentials.
-
-        Of the records as they are now, whoever wrote them.
-        """
+        """Call users' code before a control step: functions that play, and potentials of the current records."""
         if self._asks is None:  # once: a list of the squads at each step would cost a match alone 0.4 us
             self._asks = any(isinstance(squad.team, FunctionTeam) for squad in match.squads)
             self._judges = callable(match.settings.scene.success) and match.settings.episode == "drill"
@@ -94,15 +89,10 @@ class OwnTerms:
         if self._terms:
             self._waiting = match.matches["over"] == 1
             shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
-            self._before = {
-                name: ask(match, name, term).copy() for name, term in shaping.items()
-            }  # it may show a record
+            self._before = {name: ask(match, name, term).copy() for name, term in shaping.items()}  # may be a view
 
     def pay(self, match: Match) -> None:
-        """Let a scene of one's own end matches, and add what a control step pays to `terms` and `rewards`.
-
-        A match that was over gets nothing.
-        """
+        """Let a success function end matches, and add users' terms to `terms` and `rewards`; none after the end."""
         if self._judges:
             judge(match, match.settings.scene)
         if not self._terms:  # the usual case: the lines below would cost a match alone 1 us of the 15 us of a step
@@ -118,7 +108,7 @@ class OwnTerms:
 
 
 def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
-    """Return what user code returned as numbers of a shape; ValueError says which code returned what instead."""
+    """Return the result of users' code as numbers of a shape; ValueError names the code and the wrong result."""
     try:
         numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
     except (TypeError, ValueError) as error:
@@ -133,28 +123,28 @@ def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.in
 
 
 def judge(match: Match, scene: Scene) -> None:
-    """End the matches that a scene's own function decides: 1 success, -1 failure, 0 goes on; others by its time limit.
+    """End matches by a scene's success function (1 success, -1 failure, 0 goes on), truncate them by the time limit.
 
-    What ends here has potential 0, as what the referee ends.
+    A match that ends here has potential 0, as one that the referee ends.
     """
-    said = checked(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
-    if (said != np.rint(said)).any():
-        m = int(np.argmax(said != np.rint(said)))
+    verdicts = checked(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
+    if (verdicts != np.rint(verdicts)).any():
+        m = int(np.argmax(verdicts != np.rint(verdicts)))
         raise ValueError(
-            f"success of scene {scene.name!r} must return 1, -1 or 0 for each match, got {said[m]} for {m}"
+            f"success of scene {scene.name!r} must return 1, -1 or 0 for each match, got {verdicts[m]} for {m}"
         )
     goes_on = match.matches["over"] == 0
-    for m in np.flatnonzero(goes_on & (said != 0)).tolist():
+    for m in np.flatnonzero(goes_on & (verdicts != 0)).tolist():
         take_back_shaping(match, m)
         match.matches["over"][m], match.matches["phase"][m] = 1, Phase.OVER
-        match.events["drill"][m] = int(said[m])
+        match.events["drill"][m] = int(verdicts[m])
         match.terminated[m], match.truncated[m] = True, False
     played = match.matches["step"] * match.league.dt
-    match.truncated |= goes_on & (said == 0) & (played >= scene.time_limit - 0.5 * match.league.dt)
+    match.truncated |= goes_on & (verdicts == 0) & (played >= scene.time_limit - 0.5 * match.league.dt)
 
 
 def take_back_shaping(match: Match, m: int) -> None:
-    """Take what shaping paid for the potential at the end of match m out of its terms and rewards."""
+    """Subtract the shaping reward for the final potential from the terms and rewards of match m."""
     potentials, weights = np.zeros(POTENTIALS), match.batch.weights
     records = match.matches[m], match.balls[m], match.robots[m]
     measure_potentials(*records, match.batch.constants[0], weights[0], potentials)
@@ -166,7 +156,7 @@ def take_back_shaping(match: Match, m: int) -> None:
 
 
 def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:
-    """Return the numbers (M, R) of a term; ValueError names the term, the robot, and what it returned instead."""
+    """Return the values (M, R) of a term; ValueError names the term, the robot and the wrong value."""
     what = f"reward term {name!r}"
     numbers = as_numbers(term.function(match), match.rewards.shape, what, match.agents)
     check_within(ANY, numbers, what, match.agents)

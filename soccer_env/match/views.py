@@ -1,4 +1,4 @@
-"""What is read of a Match: the methods that `Match` inherits, in which nothing changes."""
+"""The methods of `Match` that read and change nothing."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -14,12 +14,12 @@ from soccer_env.observations import Entry
 from soccer_env.observations.own import size_of
 from soccer_env.types import HOME, Phase
 
-PICTURES = "soccer_env.api.shown"  # stands above this file, and is found when a notebook asks
+PICTURES = "soccer_env.api.shown"  # stands above this file: imported when a notebook asks for a picture
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 
 
 class Views:
-    """Beliefs, percepts, states, sizes and words of the matches of a Match."""
+    """Beliefs, percepts, states, sizes and text of a Match."""
 
     if TYPE_CHECKING:
         settings: Settings
@@ -31,20 +31,17 @@ class Views:
 
     @property
     def beliefs(self) -> np.ndarray:
-        """Return what every robot believes (M, R); nothing (confidence 0) of robots whose sensors nobody uses.
-
-        ValueError if nobody uses any.
-        """
+        """Return the beliefs (M, R), with confidence 0 for robots without senses; ValueError if no robot has senses."""
         return self.batch.read_all()[0]
 
     @property
     def tracks(self) -> np.ndarray:
-        """Return what every robot believes about other players (M, R, slots); ValueError as for `beliefs`."""
+        """Return the beliefs about other players (M, R, slots); ValueError as for `beliefs`."""
         return self.batch.read_all()[1]
 
     @property
     def percepts(self) -> np.ndarray:
-        """Return what every robot's sensors delivered (M, R); ValueError if nobody uses them."""
+        """Return the percepts (M, R) of all robots; ValueError if no robot uses its sensors."""
         if self.batch.senses is None:
             raise ValueError("nobody in this match uses its sensors: give observe='percepts', or senses='sensors'")
         return self.batch.senses.percepts
@@ -53,21 +50,21 @@ class Views:
         """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags.
 
         side: "home" or "away", from that team's side, which attacks +x in both halves; "field", in the frame of the
-        field; None: what the setting `state_side` says. ValueError for anything else.
+        field; None: the setting `state_side`. ValueError for anything else.
         """
         side = self.settings.state_side if side is None else truth_state.check_side(side)
         records = {"matches": self.matches, "balls": self.balls, "robots": self.robots}
         return truth_state.states(self.settings, records, side)
 
     def state_entries(self, side: str | None = None) -> list[Entry]:
-        """Return what each number of `state(side)` is: its name, meaning, scale and frame."""
+        """Return name, meaning, scale and frame of each number of `state(side)`."""
         side = self.settings.state_side if side is None else truth_state.check_side(side)
         return list(truth_state.entries(self.settings.max_players, side))
 
     def get_env_info(self) -> dict[str, int | None]:
-        """Return the sizes that PyMARL asks for; `episode_limit` in steps, None where an episode may go on for ever.
+        """Return the sizes that PyMARL asks for; `episode_limit` [steps] is None where episodes have no limit.
 
-        `n_actions` of continuous actions is how many numbers one has. Only robots that no team plays are agents.
+        `n_actions` of continuous actions is the length of an action. Robots that a team plays are no agents.
         """
         return env_info(self)
 
@@ -75,7 +72,7 @@ class Views:
         return in_words(self)
 
     def _repr_png_(self) -> bytes | None:
-        """Return what a notebook shows: the first match as it stands, or None where it cannot be drawn."""
+        """Return the picture of the first match that a notebook shows, or None if it cannot be drawn."""
         drawn: bytes | None = import_module(PICTURES).png_of(self)
         return drawn
 
@@ -93,10 +90,7 @@ def env_info(match: Match) -> dict[str, int | None]:
 
 
 def in_words(match: Match) -> str:
-    """Return what is played, by whom, and how it stands.
-
-    <Match legged-2001: 2 learners v 1 chaser; first half, 12.5 s, play, 0 : 1>
-    """
+    """Return league, players and score: <Match legged-2001: 2 learners v 1 chaser; first half, 12.5 s, play, 0 : 1>."""
     settings = match.settings
     sides = (match.agents[: settings.rows[HOME]], match.agents[settings.rows[HOME] :])
     shown = [settings.league.name]
@@ -109,18 +103,18 @@ def in_words(match: Match) -> str:
 
 
 def who_plays(match: Match, agents: list[str]) -> list[str]:
-    """Return the teams that play some robots, and who of them are played from outside."""
-    found: dict[str, int] = {}
+    """Return the numbers of active robots that each team plays, and of learners, such as ["2 learners"]."""
+    counts: dict[str, int] = {}
     for agent in agents:
         row = match.agents.index(agent)
         names = [squad.name for squad in match.squads if row in squad.players]
         name = " or ".join(names) if names else "learners"
-        found[name] = found.get(name, 0) + int(match.robots["active"][0, row])
-    return [f"{count} {name}" for name, count in found.items() if count]
+        counts[name] = counts.get(name, 0) + int(match.robots["active"][0, row])
+    return [f"{count} {name}" for name, count in counts.items() if count]
 
 
 def standing(match: Match) -> str:
-    """Return how one match stands, or how many of several have ended."""
+    """Return half, clock, phase and score of a single match, or the number of ended matches of several."""
     over = match.terminated | match.truncated
     if match.count > 1:
         return f"{int(over.sum())} ended"

@@ -1,4 +1,4 @@
-"""A surface that is drawn too large and shrunk, so that every edge comes out smooth."""
+"""A surface that is drawn larger and then shrunk, so that edges are smooth."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from soccer_env.render.colours import WHITE, Colour
 if TYPE_CHECKING:
     import pygame
 
-FACTOR = 2  # how much too large
+FACTOR = 2  # of the enlargement
 RED_FIRST = (0xFF, 0xFF00, 0xFF0000, 0) if sys.byteorder == "little" else (0xFF0000, 0xFF00, 0xFF, 0)
 PIECE = 8  # lines of a path that are shrunk as one
 LETTERS_KEPT = 1024  # rendered words in memory
 LEAST_SHRINK = 0.5  # [1] letters are not made smaller than this, to fit
-FAR = 100_000.0  # [px] nothing is drawn farther out, SDL counts in 32-bit integers
+FAR = 100_000.0  # [px] limit of coordinates: SDL counts in 32-bit integers
 
 Point = tuple[float, float]
 
@@ -40,21 +40,21 @@ def require_pygame() -> None:
 
 
 def new_surface(width: int, height: int, glass: bool = False) -> pygame.Surface:
-    """Return a surface of 32 bits a pixel whatever the display has; `glass` gives it an alpha channel."""
+    """Return a surface of 32 bits a pixel on any display; `glass` adds an alpha channel."""
     import pygame
 
     return pygame.Surface((width, height), pygame.SRCALPHA if glass else 0, 32)
 
 
 def packed_surface(width: int, height: int) -> pygame.Surface:
-    """Return a surface of three bytes a pixel, red first: blitting onto it is the fastest way to an array."""
+    """Return a surface of three bytes a pixel, red first: a blit onto it is the fastest way to an array."""
     import pygame
 
     return pygame.Surface((width, height), 0, 24, masks=RED_FIRST)
 
 
 class Letters:
-    """Words as surfaces, in the font that pygame brings along, so that pictures agree between machines."""
+    """Words as surfaces, in the font of pygame, so that pictures agree between machines."""
 
     def __init__(self) -> None:
         self._fonts: dict[int, pygame.font.Font] = {}
@@ -96,13 +96,13 @@ class Canvas:
         self.large = new_surface(self.width * FACTOR, self.height * FACTOR)
         self.letters = Letters()
         self._background: pygame.Surface | None = None
-        self._pane: pygame.Surface | None = None  # what `glass` is drawn on
+        self._pane: pygame.Surface | None = None  # working surface of `glass`
         self._touched: list[pygame.Rect] = []
         self._stale: list[pygame.Rect] = []  # touched in the frame before
 
     @contextmanager
     def as_one(self) -> Iterator[None]:
-        """Shrink what is drawn inside as one part: for things that lie near each other."""
+        """Shrink everything drawn inside as one part: for things that lie near each other."""
         before = len(self._touched)
         yield
         if len(self._touched) > before + 1:
@@ -146,15 +146,8 @@ class Canvas:
         away = hypot(end[0] - start[0], end[1] - start[1])
         if away > 0.0 and max(map(abs, (*start, *end))) < FAR:
             x, y = (end[0] - start[0]) / away * width / 2, (end[1] - start[1]) / away * width / 2
-            self.polygon(
-                [
-                    (start[0] - y, start[1] + x),
-                    (end[0] - y, end[1] + x),
-                    (end[0] + y, end[1] - x),
-                    (start[0] + y, start[1] - x),
-                ],
-                colour,
-            )
+            left = [(start[0] - y, start[1] + x), (end[0] - y, end[1] + x)]
+            self.polygon([*left, (end[0] + y, end[1] - x), (start[0] + y, start[1] - x)], colour)
 
     def path(self, points: Sequence[Point], width: float, colour: Colour) -> None:
         """Draw straight lines from point to point with round joints and ends: as `stroke` does, each joint once."""
@@ -180,7 +173,7 @@ class Canvas:
     ) -> float:
         """Write words with their middle, left or right end at a place, and return their width.
 
-        Where `room` [px] is too little, letters get smaller by up to half, then words lose their end.
+        Words wider than `room` [px] get smaller letters, down to half the size, and are then cut off.
         """
         letters = max(6, round(size * FACTOR))
         image = self.letters.word(words, letters, colour)
@@ -201,7 +194,7 @@ class Canvas:
         return self.letters.word(words, max(6, round(size * FACTOR)), WHITE).get_width() / FACTOR
 
     def polygons(self, corners: np.ndarray, tints: Sequence[Colour]) -> None:
-        """Fill many polygons of as many corners (N, K, 2), which lie near each other, each in its colour."""
+        """Fill N polygons of K corners (N, K, 2) that lie near each other, each in its colour."""
         import pygame
 
         large = (np.clip(corners, -FAR, FAR) * FACTOR).tolist()
@@ -233,13 +226,13 @@ class Canvas:
         self._touched.append(self.large.blit(self._pane, (left, top), area))
 
     def keep(self) -> None:
-        """Make what is on the canvas its background."""
+        """Make the present drawing the background."""
         self._background = self.large.copy()
         self._stale, self._touched = [], [self.large.get_rect()]
         self.shrink()
 
     def clean(self) -> None:
-        """Bring the background back wherever something was drawn since."""
+        """Restore the background wherever something was drawn."""
         if self._background is None:
             raise RuntimeError("a canvas is cleaned only after keep()")
         self._stale, self._touched = self._stale + self._touched, []  # the latter only after a drawing that failed
@@ -247,13 +240,13 @@ class Canvas:
             self.large.blit(self._background, rect, rect)
 
     def cover(self, other: Canvas, left: float, top: float) -> None:
-        """Show a part of another canvas, from a place of it [px], as what is drawn upon from now on."""
+        """Copy the part of another canvas that begins at a place [px], to draw upon it."""
         area = (round(left * FACTOR), round(top * FACTOR), *self.large.get_size())
         self.large.blit(other.large, (0, 0), area)
         self._touched = [self.large.get_rect()]
 
     def shrink(self) -> None:
-        """Bring every touched part onto the small surface."""
+        """Shrink every touched part onto the small surface."""
         import pygame
 
         touched = merged(self._touched, self.large.get_rect())
@@ -265,7 +258,7 @@ class Canvas:
 
 
 def enlarge(point: Point) -> Point:
-    """Return a place in pixels of the large surface, held within what SDL can count."""
+    """Return a place in pixels of the large surface, clipped to the range of SDL."""
     x, y = point
     if -FAR < x < FAR and -FAR < y < FAR:
         return x * FACTOR, y * FACTOR
@@ -273,19 +266,19 @@ def enlarge(point: Point) -> Point:
 
 
 def merged(rects: list[pygame.Rect], bounds: pygame.Rect) -> list[pygame.Rect]:
-    """Return fewer rectangles that cover these, cut to the bounds, on whole pixels of the small surface."""
+    """Return fewer rectangles that cover `rects`, cut to the bounds, on whole pixels of the small surface."""
     import pygame
 
-    found: list[pygame.Rect] = []
+    covering: list[pygame.Rect] = []
     for rect in rects:
         left, top = rect.left // FACTOR * FACTOR, rect.top // FACTOR * FACTOR
         right, bottom = -(-rect.right // FACTOR) * FACTOR, -(-rect.bottom // FACTOR) * FACTOR
         whole = pygame.Rect(left, top, right - left, bottom - top).clip(bounds)
         if whole.width == 0 or whole.height == 0:
             continue
-        index = whole.collidelist(found)
+        index = whole.collidelist(covering)
         if index < 0:
-            found.append(whole)
+            covering.append(whole)
         else:
-            found[index].union_ip(whole)
-    return found
+            covering[index].union_ip(whole)
+    return covering

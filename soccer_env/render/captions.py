@@ -1,4 +1,4 @@
-"""What a picture says in words: clock, half, phase, possession, the last goal. Facts of the records, no drawing."""
+"""The words of a picture, from its records: clock, half, phase, possession, the last goal."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def clock_words(match: np.void) -> str:
 
 
 def half_words(match: np.void) -> str:
-    """Return which half it is and how long it takes."""
+    """Return the half and its length."""
     length = float(match["half_length"])
     if not isfinite(length):
         return "no halves"
@@ -40,7 +40,7 @@ def half_words(match: np.void) -> str:
 
 
 def phase_words(match: np.void, rules: Rules) -> str:
-    """Return the phase of play, whose it is, and what is left of a placing."""
+    """Return the phase of play, its team, and the time left for placing robots."""
     phase, team = int(match["phase"]), int(match["restart_team"])
     if int(match["over"]) and phase != Phase.OVER:
         return "end of episode"
@@ -55,7 +55,7 @@ def phase_words(match: np.void, rules: Rules) -> str:
 
 
 def goal_team(match: np.void) -> int:
-    """Return the team whose goal led to the kick-off that goes on, or NO_TEAM."""
+    """Return the team whose goal led to the present kick-off, or NO_TEAM."""
     early = float(match["phase_clock"]) < GOAL_SHOWN
     after_goal = int(match["phase"]) == Phase.KICK_OFF and float(match["clock"]) > float(match["phase_clock"]) + 1e-6
     team = 1 - int(match["restart_team"])
@@ -65,10 +65,7 @@ def goal_team(match: np.void) -> int:
 
 
 def possession_words(match: np.void, robots: np.ndarray) -> tuple[str, int]:
-    """Return who has the ball and that team; NO_TEAM where both or none have it.
-
-    `robots` has shape (R,).
-    """
+    """Return the robots (R,) that have the ball, in words, and their team; NO_TEAM if both or neither have it."""
     holders = np.flatnonzero((robots["has_ball"] != 0) & (robots["active"] != 0))
     if len(holders):
         teams = {int(team) for team in robots["team"][holders]}
@@ -83,6 +80,6 @@ def possession_words(match: np.void, robots: np.ndarray) -> tuple[str, int]:
 
 
 def player_words(robot: np.void) -> str:
-    """Return a player's colour and number, and whether it keeps goal."""
+    """Return a player's colour and number, and "(keeper)" for a goalkeeper."""
     keeper = " (keeper)" if int(robot["keeper"]) else ""
     return f"{TEAM_NAMES[int(robot['team'])]} {int(robot['number'])}{keeper}"

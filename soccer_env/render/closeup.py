@@ -1,4 +1,4 @@
-"""A picture that can go near and follow a robot or the ball."""
+"""A picture that can zoom in and follow a robot or the ball."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from soccer_env.render.pitch import Ground
 from soccer_env.render.robots import Players, figures_of
 from soccer_env.render.view import View
 
-ZOOM = 2.2  # [1] how much nearer
+ZOOM = 2.2  # [1] magnification
 
 
 class Closeup(Picture):
-    """A `Picture` of the same size that also draws the part of the pitch around a point, everything larger."""
+    """A `Picture` that can also draw the part of the pitch around a point, magnified, in a frame of the same size."""
 
     def __init__(self, league: League | str, width: int = 960) -> None:
         super().__init__(league, width)
@@ -32,15 +32,9 @@ class Closeup(Picture):
         self._near_players = Players(self.league, self._near, self._canvas)
 
     def draw_near(
-        self,
-        match: np.void,
-        ball: np.void,
-        robots: np.ndarray,
-        around: Point,
-        *,
-        title: tuple[str, str],
+        self, match: np.void, ball: np.void, robots: np.ndarray, around: Point, *, title: tuple[str, str],
         overlays: Sequence[Overlay] = (),
-    ) -> np.ndarray:
+    ) -> np.ndarray:  # fmt: skip
         """Return a new frame, (height, width, 3) uint8, of the pitch around a point [m] of the field frame."""
         check_records(match, ball, robots)
         home, away = (one_line(name) for name in title)
@@ -56,5 +50,5 @@ class Closeup(Picture):
         return self._pixels()
 
     def _within(self, place: float, most: float) -> float:
-        """Return a place [px] on whole pixels that leaves no edge of the whole open."""
+        """Return a place [px] rounded to whole pixels, clipped to 0 ... most."""
         return float(round(min(max(place, 0.0), most)))

@@ -1,10 +1,10 @@
-"""Colours of the pictures, 8 bits each of red, green, blue: home is red and away blue, goals keep theirs."""
+"""Colours of the pictures, 8 bits each of red, green, blue: home is red, away is blue, goals keep their colours."""
 
 from __future__ import annotations
 
 Colour = tuple[int, int, int]
 
-TEAM_NAMES = ("red", "blue")  # what people call home and away, in the legged league of 2001 as here
+TEAM_NAMES = ("red", "blue")  # names of home and away for people, as in the legged league of 2001
 TEAMS: tuple[Colour, Colour] = ((208, 38, 44), (36, 80, 196))
 TEAMS_LIGHT: tuple[Colour, Colour] = ((255, 128, 122), (128, 172, 255))  # legible as text on a dark ground
 TEAMS_PALE: tuple[Colour, Colour] = ((244, 205, 200), (204, 218, 248))  # heads

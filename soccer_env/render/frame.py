@@ -22,10 +22,10 @@ LEAST_WIDTH, MOST_WIDTH = 240, 2560  # [px]
 
 
 class Picture:
-    """Draws frames of one size for one league; no display is needed, and many live side by side.
+    """Draws frames of one size for one league, without a display; many Pictures may exist side by side.
 
-    A `width` in pixels from 240 to 2560; the height follows from the pitch and is even. `draw` keeps the background and
-    redraws what changed, but a frame depends on nothing except the arguments of its own call.
+    `width` is 240 to 2560 pixels; the height follows from the pitch and is even. `draw` redraws only the changed parts,
+    but a frame depends on the arguments of its own call alone.
     """
 
     def __init__(self, league: League | str, width: int = 960) -> None:
@@ -53,14 +53,9 @@ class Picture:
         return column, row + self.header_height
 
     def draw(
-        self,
-        match: np.void,
-        ball: np.void,
-        robots: np.ndarray,
-        *,
-        title: tuple[str, str] | None = None,
+        self, match: np.void, ball: np.void, robots: np.ndarray, *, title: tuple[str, str] | None = None,
         overlays: Sequence[Overlay] = (),
-    ) -> np.ndarray:
+    ) -> np.ndarray:  # fmt: skip
         """Return a new frame, (height, width, 3) uint8, of one match record, its ball and its robots (R,).
 
         `title` names home and away. ValueError for records of other shapes or a pose that is not finite.
@@ -77,7 +72,7 @@ class Picture:
     def _draw_play(
         self, view: View, players: Players, figures: list[Figure], ball: np.void, overlays: Sequence[Overlay]
     ) -> None:
-        """Draw what moves, and what lies under and over it."""
+        """Draw robots and ball, and the overlays under and over them."""
         for overlay in overlays:
             if overlay.under:
                 overlay.draw_on(self._canvas, view)
@@ -95,12 +90,12 @@ class Picture:
 
 
 def one_line(name: object) -> str:
-    """Return a name that a font can write: one line, no control characters."""
+    """Return a name as one line without control characters, so that a font can draw it."""
     return " ".join("".join(letter if letter.isprintable() else " " for letter in str(name)).split())
 
 
 def check_records(match: np.void, ball: np.void, robots: np.ndarray) -> None:
-    """Raise ValueError unless these are one match, one ball and a row of robots, the ball at finite coordinates."""
+    """Raise ValueError unless these are one match, one ball with finite coordinates, and a row of robots."""
     for name, record, dimensions in (("match", match, 0), ("ball", ball, 0), ("robots", robots, 1)):
         if np.ndim(record) != dimensions:
             expected = "one record" if dimensions == 0 else "records of shape (R,)"
@@ -111,7 +106,7 @@ def check_records(match: np.void, ball: np.void, robots: np.ndarray) -> None:
 
 
 def draw_bench(figures: list[Figure], view: View, canvas: Canvas) -> None:
-    """Draw robots that are sent off or were never there as grey discs below the field: home left, away right."""
+    """Draw inactive robots as grey discs below the field: home left, away right."""
     radius = 0.34 * view.margin
     y = canvas.height - 0.46 * view.margin
     for team in (0, 1):

@@ -19,7 +19,7 @@ SCORE = 0.15  # of the width
 
 
 class Story(NamedTuple):
-    """What the bar says; an equal story needs no new drawing."""
+    """The contents of the bar; an equal story needs no new drawing."""
 
     title: tuple[str, str]
     score: tuple[int, int]
@@ -38,23 +38,15 @@ def height_of(width: int) -> int:
 
 
 def story_of(match: np.void, robots: np.ndarray, title: tuple[str, str], league: League) -> Story:
-    """Return what the bar says about the records."""
-    possession, team = possession_words(match, robots)
-    return Story(
-        title=title,
-        score=(int(match["score"][0]), int(match["score"][1])),
-        clock=clock_words(match),
-        half=half_words(match),
-        phase=phase_words(match, league.rules),
-        phase_colour=phase_colour(match),
-        possession=possession,
-        possession_team=team,
-        goal=goal_team(match),
-    )
+    """Return the contents of the bar for the records."""
+    score, (possession, team) = (int(match["score"][0]), int(match["score"][1])), possession_words(match, robots)
+    phase, colour = phase_words(match, league.rules), phase_colour(match)
+    clock, half, goal = clock_words(match), half_words(match), goal_team(match)
+    return Story(title, score, clock, half, phase, colour, possession, team, goal)
 
 
 def phase_colour(match: np.void) -> Colour:
-    """Return the colour of the lamp beside the phase: that of the team that restarts, or green for play."""
+    """Return the colour of the lamp beside the phase: the colour of the restarting team, or green for play."""
     phase, team = int(match["phase"]), int(match["restart_team"])
     if phase == Phase.OVER or int(match["over"]):
         return colours.WHITE
@@ -71,7 +63,7 @@ class Header:
         self._shown: Story | None = None
 
     def draw(self, story: Story) -> None:
-        """Draw the bar unless it shows this story already."""
+        """Draw the bar unless it already shows this story."""
         if story == self._shown:
             return
         self.canvas.fill(colours.PANEL)

@@ -10,14 +10,14 @@ from soccer_env.render.view import View
 
 STRIPES = 13  # of the carpet along the field; odd, so that both halves look alike
 CORNER_ARC = 0.5  # [m] Paderborn 2005 field
-PENALTY_MARK = 2.0  # [m] from the goal line, the same; only where the penalty area is deep enough or more
+PENALTY_MARK = 2.0  # [m] from the goal line, Paderborn 2005 field; drawn only on long fields
 BOARD = 0.05  # [m] thickness of boards, for the eye
 NET = 0.03  # [m] thickness of a goal's walls, for the eye
 LEAST_LINE = 1.5  # [px]
 
 
 class Ground:
-    """Draws everything that lies still, and the two lines of text above the field."""
+    """Draws the background, and the two lines of text above the field."""
 
     def __init__(self, pitch: Pitch, view: View, canvas: Canvas) -> None:
         self.pitch = pitch
@@ -54,20 +54,15 @@ class Ground:
 
     def _draw_carpet(self) -> None:
         half_x, half_y = self.pitch.length / 2, self.pitch.width / 2
-        self._box(
-            -half_x - self.pitch.band_end,
-            -half_y - self.pitch.band_side,
-            half_x + self.pitch.band_end,
-            half_y + self.pitch.band_side,
-            colours.BAND,
-        )
+        end, side = half_x + self.pitch.band_end, half_y + self.pitch.band_side
+        self._box(-end, -side, end, side, colours.BAND)
         stripe = self.pitch.length / STRIPES
         for index in range(STRIPES):
             colour = (colours.CARPET, colours.CARPET_LIGHT)[index % 2]
             self._box(-half_x + index * stripe, -half_y, -half_x + (index + 1) * stripe, half_y, colour)
 
     def _draw_boards(self) -> None:
-        """Draw the boards on the lines of a walled field, else around the band."""
+        """Draw the boards: on the lines of a walled field, else around the band."""
         colour = colours.BOARD if self.pitch.walled else colours.BOARD_EDGE
         x, y = self.pitch.length / 2 + self.pitch.band_end, self.pitch.width / 2 + self.pitch.band_side
         out_x, out_y = x + BOARD, y + BOARD
@@ -132,7 +127,7 @@ class Ground:
             self.canvas.ring(centre, radius, self.line, colours.LINE, quarter)
 
     def _draw_goal(self, side: float) -> None:
-        """Draw the goal at -x or +x in its own colour, which stays with the field."""
+        """Draw the goal at -x or +x in its own colour, which does not change at half-time."""
         pitch, end = self.pitch, side > 0.0
         near = side * pitch.length / 2
         far = side * (pitch.length / 2 + pitch.goal_depth)
@@ -152,14 +147,7 @@ class Ground:
 
 
 def chevron(back: Point, length: float) -> list[Point]:
-    """Return an arrow head that starts at a place and points right, or left where the length is negative."""
-    x, y = back
-    high = abs(length) * 0.75
-    return [
-        (x, y - high),
-        (x + 0.4 * length, y - high),
-        (x + length, y),
-        (x + 0.4 * length, y + high),
-        (x, y + high),
-        (x + 0.6 * length, y),
-    ]
+    """Return an arrow head that starts at a place and points right, or left if the length is negative."""
+    (x, y), high = back, abs(length) * 0.75
+    near, tip, notch = x + 0.4 * length, x + length, x + 0.6 * length
+    return [(x, y - high), (near, y - high), (tip, y), (near, y + high), (x, y + high), (notch, y)]

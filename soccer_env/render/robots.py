@@ -21,15 +21,16 @@ from soccer_env.render.view import View, rounded
 if TYPE_CHECKING:
     import pygame
 
-TRAIL_TIME = 0.25  # [s] of the ball's way behind it
+TRAIL_TIME = 0.25  # [s] of the ball's path behind it
 TRAIL_SPEED = 0.15  # [m/s] slower balls leave no trail
 TRAIL_PIECES = 5
 TRAIL_ALPHA = 170  # of 255, next to the ball
 LEAST_BALL = 4.0  # [px] radius
 KICK_SHOWN = 0.2  # [s] after a kick
-HIND_LEG = ((-0.105, 0.055), (-0.055, 0.055), 0.0175)  # [m] from, to, radius; of a body without legs, for the eye
+HIND_LEG = ((-0.105, 0.055), (-0.055, 0.055), 0.0175)  # [m] from, to, radius; drawn on walkers without legs
 SHOULDER = (0.0595, 0.0592)  # [m] kinematics of the ERS-210; its hips as far behind
-NECK = 0.082  # [m] where the head turns, ahead of the origin, for the eye
+NOSE = ((0.50, -0.42), (0.84, 0.0), (0.50, 0.42))  # corners ahead and left, in lengths of the front; for the eye
+NECK = 0.082  # [m] axis of the head, ahead of the origin, for the eye
 HEAD = (  # [m] discs of the head: ahead of the neck, to the left, radius; for the eye
     (0.036, 0.0, 0.033),  # skull
     (0.056, 0.0, 0.022),  # snout
@@ -54,7 +55,7 @@ class Figure(NamedTuple):
     fallen: float
     penalty: float
     kick_clock: float
-    paws: tuple[Point, ...] = ()  # [m] how far legs are off their stance, robot frame
+    paws: tuple[Point, ...] = ()  # [m] offset of each paw from its stance, robot frame
 
 
 def figures_of(robots: np.ndarray, league: League, handedness: float) -> list[Figure]:
@@ -84,11 +85,11 @@ class Part(NamedTuple):
     rim: list[Point]
     outline: list[Point]
     role: str
-    leg: int = -1  # whose paw the second half of both outlines goes round; -1: nothing swings
+    leg: int = -1  # leg whose paw the second half of both outlines surrounds; -1: no leg
 
 
 def parts_of(body: Body, rim: float, walks: bool) -> list[Part]:
-    """Return the pieces of a robot, the lowest first, with rims of that width [m]."""
+    """Return the pieces of a robot, the lowest first, with rims `rim` wide [m]."""
     if body.legs:
         return legged_parts(body, rim)
     root = min(body.front - body.tip_radius, body.tip_x)
@@ -117,7 +118,7 @@ def legged_parts(body: Body, rim: float) -> list[Part]:
 
 
 def swung(points: list[Point], offset: Point) -> list[Point]:
-    """Return the outline of a leg whose paw is off its stance."""
+    """Return the outline of a leg with an offset of its paw."""
     half = len(points) // 2
     return points[:half] + [(x + offset[0], y + offset[1]) for x, y in points[half:]]
 
@@ -140,16 +141,12 @@ class Players:
         half = league.kicker.half_width
         depth = 0.14 * body.front
         self.kicker = [(body.front - depth, -half), (body.front, -half), (body.front, half), (body.front - depth, half)]
-        self.nose = [
-            (0.50 * body.front, -0.42 * body.front),
-            (0.84 * body.front, 0.0),
-            (0.50 * body.front, 0.42 * body.front),
-        ]
+        self.nose = [(along * body.front, aside * body.front) for along, aside in NOSE]
         self.number_x = -0.03 if self.walks else body.disc_x - 0.22 * body.disc_radius
         self.number_size = max(13.0, (0.11 if self.walks else 0.32) * view.scale)
 
     def draw_robots(self, figures: list[Figure]) -> None:
-        """Draw the robots that play, then what marks them."""
+        """Draw the robots that play, then their marks."""
         playing = [figure for figure in figures if figure.active and self._in_sight(figure)]
         for figure in playing:
             x, y = self.view.pixel(figure.x, figure.y)
@@ -165,7 +162,7 @@ class Players:
             self._draw_marks(figure)
 
     def draw_ball(self, x: float, y: float, vx: float, vy: float) -> None:
-        """Draw the ball, with a trail of where it was a moment ago if it is fast."""
+        """Draw the ball, with a trail of its last places if it is fast."""
         radius = max(self.league.ball.radius * self.view.scale, LEAST_BALL)
         if hypot(vx, vy) > TRAIL_SPEED:
             self._draw_trail(x, y, vx, vy, radius)
@@ -196,12 +193,12 @@ class Players:
         return self.view.pixels(points, figure.x, figure.y, figure.heading)
 
     def _kicks(self, figure: Figure) -> bool:
-        """Tell whether a kick is being wound up or has just been made."""
+        """Tell whether a robot winds up a kick or has just kicked."""
         recharge = self.league.kicker.recharge
         return figure.kick_clock > 0.0 or (recharge > 0.0 and figure.kick_clock < -max(0.0, recharge - KICK_SHOWN))
 
     def _draw_parts(self, figure: Figure, tip: Colour) -> None:
-        """Draw trunk and what holds the ball, a goalkeeper's trunk with a wide yellow rim."""
+        """Draw legs or guides and the trunk, a goalkeeper's trunk with a wide yellow rim."""
         team = colours.TEAMS[figure.team]
         fills = {"tip": tip, "body": faded(team) if figure.fallen > 0.0 else team, "leg": darker(team)}
         for part, wide, edge in zip(self.parts, self.keeper_parts, self.keeper_edges):
@@ -250,7 +247,7 @@ class Players:
         self.canvas.text(str(figure.number), place, self.number_size, colours.WHITE)
 
     def _draw_marks(self, figure: Figure) -> None:
-        """Mark the robot that has the ball, the goalkeeper, and one that fell."""
+        """Mark the robot that has the ball, the goalkeeper, and fallen robots."""
         x, y = self.view.pixel(figure.x, figure.y)
         reach = self.league.body.reach * self.view.scale
         if figure.has_ball:

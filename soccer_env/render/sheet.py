@@ -1,4 +1,4 @@
-"""Frames on disk and side by side."""
+"""Frames as PNG, on disk or in memory, and several frames in one picture."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from soccer_env.render.colours import PANEL
 
 
 def check_frame(frame: np.ndarray) -> None:
-    """Raise ValueError unless this is an (H, W, 3) array of uint8."""
+    """Raise ValueError unless the frame is an (H, W, 3) array of uint8."""
     shape, kind = np.shape(frame), getattr(frame, "dtype", type(frame).__name__)
     if kind != np.uint8 or len(shape) != 3 or shape[2] != 3 or 0 in shape:
         raise ValueError(f"a frame must be uint8 of shape (H, W, 3), got {kind} of shape {shape}")

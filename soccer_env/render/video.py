@@ -1,6 +1,6 @@
-"""Frames as a film: MP4 through the ffmpeg that imageio-ffmpeg brings along, GIF through pillow.
+"""Frames as a film: MP4 by the ffmpeg of imageio-ffmpeg, GIF by pillow.
 
-A film appears under its name when it is finished; what fails or is stopped leaves nothing behind.
+A film appears under its name when it is finished; an error or an interrupt leaves no file.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ HOW = 'pip install "soccer_env[video]"'
 MOST_GIF_FRAMES = 1500  # a GIF keeps all its frames in memory, and browsers do the same
 GIF_TICK = 100.0  # [1/s] a GIF counts hundredths of a second
 GIF_COLOURS = 256
-SWATCH = 8  # [px] side of a patch of colour that the palette is chosen from
+SWATCH = 8  # [px] side of a patch of colour for the choice of the palette
 ENCODER = ("-preset", "veryfast", "-crf", "25", "-movflags", "+faststart")  # small, and fast on one core
 
 
 def video_kind(path: str | os.PathLike[str]) -> str:
-    """Return the ending of a film's path; ValueError for another one, ImportError if what writes it is missing."""
+    """Return the ending of a film's path; ValueError for a wrong ending, ImportError if its writer is missing."""
     kind = Path(path).suffix.lower()
     if kind not in KINDS:
         raise ValueError(f"the path of a film must end with {' or '.join(KINDS)}, got {str(path)!r}")
@@ -70,15 +70,8 @@ def write_mp4(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
             check_frame(frame)
             rows, columns = frame.shape[0] // 2 * 2, frame.shape[1] // 2 * 2
             if writer is None:
-                writer = ffmpeg.write_frames(
-                    str(path),
-                    (columns, rows),
-                    fps=fps,
-                    quality=None,
-                    macro_block_size=2,
-                    ffmpeg_log_level="error",
-                    output_params=list(ENCODER),
-                )
+                settings = {"quality": None, "macro_block_size": 2, "output_params": list(ENCODER)}
+                writer = ffmpeg.write_frames(str(path), (columns, rows), fps=fps, ffmpeg_log_level="error", **settings)
                 writer.send(None)
             writer.send(np.ascontiguousarray(frame[:rows, :columns]))
     finally:
@@ -87,7 +80,7 @@ def write_mp4(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
 
 
 def write_gif(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
-    """Write a GIF that repeats for ever, all its frames in the colours of one palette."""
+    """Write a GIF that repeats for ever, with one palette for all frames."""
     image = need("PIL.Image", "pillow", ".gif")
     first = next(frames)
     check_frame(first)
@@ -102,13 +95,13 @@ def write_gif(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
 
 
 def swatches(width: int) -> np.ndarray:
-    """Return patches of every colour that pictures are drawn in, rows of that width: not all are in the first frame."""
-    found: list[tuple[int, int, int]] = []
+    """Return patches of all colours of pictures, in rows of that width: the first frame does not have all of them."""
+    palette: list[tuple[int, int, int]] = []
     for value in vars(colours).values():
         if isinstance(value, tuple) and len(value) == 3 and isinstance(value[0], int):
-            found.append(value)
+            palette.append(value)
         elif isinstance(value, tuple) and isinstance(value[0], tuple):
-            found.extend(value)
-    row = np.repeat(np.array(found, np.uint8), SWATCH, axis=0)
+            palette.extend(value)
+    row = np.repeat(np.array(palette, np.uint8), SWATCH, axis=0)
     pieces = [np.resize(row[start : start + width], (width, 3)) for start in range(0, len(row), width)]
     return np.repeat(np.stack(pieces), SWATCH, axis=0)

@@ -1,4 +1,4 @@
-"""Where things of the field frame lie in a picture."""
+"""Places of the field frame in a picture."""
 
 from __future__ import annotations
 
@@ -44,10 +44,7 @@ def view_of(pitch: Pitch, width: int) -> tuple[View, int]:
 
 
 def rounded(corners: Sequence[Point], radius: float) -> list[Point]:
-    """Return the outline of all points within a radius of a convex polygon, both counter-clockwise.
-
-    Two corners give a capsule.
-    """
+    """Return the outline around a convex polygon at a distance, both counter-clockwise; two corners give a capsule."""
     outline = []
     for index, (x, y) in enumerate(corners):
         before_x, before_y = corners[index - 1]

@@ -16,16 +16,16 @@ if TYPE_CHECKING:
     import pygame
 
 
-SEATS = ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "SDL_VIDEODRIVER")  # one is set where there is a display
+SEATS = ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "SDL_VIDEODRIVER")  # with a display, one of these is set
 NO_DISPLAY = "there is no display to open a window on; soccer export makes a film, a picture or a page of a replay"
-UNSEEN = ("offscreen", "dummy")  # what SDL falls back on where there is no display
+UNSEEN = ("offscreen", "dummy")  # fallbacks of SDL without a display
 
 
 def check_display() -> None:
-    """Raise ValueError where no window can be seen; a driver that SDL_VIDEODRIVER names is taken as it is."""
+    """Raise ValueError if there is no display; a driver named by SDL_VIDEODRIVER is accepted unchecked."""
     require_pygame()
     if sys.platform.startswith("linux") and not any(map(os.environ.get, SEATS)):
-        raise ValueError(NO_DISPLAY)  # libraries of displays would complain in lines of their own
+        raise ValueError(NO_DISPLAY)  # before libraries of displays print their own errors
     import pygame
 
     try:
@@ -39,10 +39,10 @@ def check_display() -> None:
 
 
 class Window:
-    """Opens at the first frame; several can be open at once.
+    """A window that opens at the first frame; several can be open at once.
 
-    `fps` is how many frames a second to show, None as fast as they come. When the user closes the window (or presses
-    Escape) it stays closed: `show` then does nothing and returns False.
+    `fps`: frames a second, None: as fast as they come. After the user closes the window (or presses Escape) `show`
+    does nothing and returns False.
     """
 
     def __init__(self, caption: str = "soccer_env", fps: float | None = None) -> None:
@@ -62,7 +62,7 @@ class Window:
         return keys
 
     def say(self, caption: str) -> None:
-        """Change what stands above the window."""
+        """Change the caption of the window."""
         self.caption = caption
         if self._window is not None:
             self._window.title = caption
@@ -73,7 +73,7 @@ class Window:
         return self._window is not None
 
     def show(self, frame: np.ndarray) -> bool:
-        """Show a frame (H, W, 3) uint8 when its time has come; return False once the user has closed the window."""
+        """Show a frame (H, W, 3) uint8 when it is due; return False once the user has closed the window."""
         import pygame
 
         check_frame(frame)
@@ -98,7 +98,7 @@ class Window:
         self._due = 0.0
 
     def _wait(self) -> None:
-        """Sleep until the frame is due; a late one moves the beat and is not caught up."""
+        """Sleep until the frame is due; a late frame shifts all later frames."""
         if self.fps is None:
             return
         now = time.perf_counter()
@@ -119,7 +119,7 @@ class Window:
         self._window.flip()
 
     def _pump(self) -> None:
-        """Take this window's events off the queue and leave those of others."""
+        """Handle the events of this window and leave the events of other windows in the queue."""
         import pygame
 
         for event in pygame.event.get((pygame.QUIT, pygame.WINDOWCLOSE, pygame.KEYDOWN)):

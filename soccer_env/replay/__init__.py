@@ -1,8 +1,8 @@
 """Replays: matches on disk that play again exactly, step by step, or say where they do not.
 
-replay_file.py   `Recorder` writes a running match down; `Replay` is the file, and plays it again
-checks.py        whether a stranger's file is one, and no larger than one ever is
-parts.py         its parts: records and settings as plain values
+replay_file.py   `Recorder` records a running match; `Replay` is the file, and plays it again
+checks.py        checks of untrusted replay files: format and size
+parts.py         parts of a replay file: records and settings as plain values
 clips.py         parts of a recording that play again bit for bit
 """
 

@@ -1,4 +1,4 @@
-"""Whether a stranger's file is a replay, and no larger than one ever is: looked at before anything is made of it."""
+"""Checks of untrusted replay files, format and size, before anything is made of them."""
 
 import io
 from typing import Any
@@ -13,7 +13,7 @@ MOST_ROBOTS = 8192  # of all matches of a replay: these take half a gigabyte of 
 
 
 def check_format(header: Any) -> None:
-    """Raise ValueError for the header of a replay that this version cannot read; it says which version wrote it."""
+    """Raise ValueError for a header that this version cannot read; it names the version that wrote the file."""
     if not isinstance(header, dict) or "format" not in header:
         raise ValueError("it does not say which format it has")
     if header["format"] != FORMAT:
@@ -24,7 +24,7 @@ def check_format(header: Any) -> None:
 
 
 def check_size(content: io.BytesIO) -> None:
-    """Raise ValueError if the parts of a file would unpack to more than a replay ever is."""
+    """Raise ValueError if the parts of a file would unpack to more than LARGEST."""
     with ZipFile(content) as file:
         total = sum(part.file_size for part in file.infolist())
     if total > LARGEST:
@@ -38,7 +38,7 @@ def check_room(matches: int, robots: int) -> None:
 
 
 def check_start(start: bytes, wanted: dict[str, Any]) -> None:
-    """Raise ValueError unless a replay's start is a sound save of as many matches and robots as its settings say."""
+    """Raise ValueError unless a replay starts with a sound save that has the matches and robots of its settings."""
     sides = [wanted["max_players"] or wanted[side] for side in ("home", "away")]
     matches, robots = wanted["matches"], sum(sides)
     check_room(matches, robots)

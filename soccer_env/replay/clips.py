@@ -1,8 +1,8 @@
 """Clips: the part of a recorded match around a moment, as a replay of its own that plays again bit for bit.
 
-A replay begins with a save, and a save rebuilds the physics. Where robots or the ball touch something, that loses what
-the touch has built up, and play from there soon differs from what happened. Where nothing touches, it loses nothing: a
-clip begins at the last such moment that is early enough, which playing it shows; at the worst with the recording.
+A replay begins with a save, which rebuilds the physics and clears the history of contacts. A clip that begins during a
+contact would soon differ from the recorded play. So a clip begins at the last moment, early enough, from which playing
+agrees with the recording; at worst with the start of the recording.
 """
 
 from collections import deque
@@ -11,15 +11,15 @@ from soccer_env.match import Match, saving
 from soccer_env.replay.replay_file import Recorder, Replay
 
 EVERY = 0.25  # [s] between moments at which a clip may begin
-FARTHEST = 120.0  # [s] such moments before the latest are kept
+FARTHEST = 120.0  # [s] for which such moments are kept
 
-Moment = tuple[int, bytes]  # control steps since the recording began, and the records then
+Moment = tuple[int, bytes]  # control steps since the recording began, and the records at that step
 
 
 class Clips:
     """Clips of a match that is being recorded: call `note` after every control step, `mark` where a clip is wanted.
 
-    before, after: how much of the match a clip shows, at least, before a mark, and at most after it [s].
+    before, after: [s] of the match in a clip, at least before its mark, and at most after it.
     """
 
     def __init__(self, match: Match, recorder: Recorder, before: float, after: float) -> None:
@@ -30,7 +30,7 @@ class Clips:
         self._marks: list[tuple[int, list[Moment]]] = []
 
     def note(self) -> None:
-        """Note, now and then, how the match is."""
+        """Store the records of the match, every EVERY seconds."""
         step = len(self._recorder.hashes)
         if step % self._every == 0:
             self._moments.append((step, saving.dump(self._match, memory=False)))
@@ -46,7 +46,7 @@ class Clips:
 
 
 def exact(whole: Replay, moments: list[Moment], last: int) -> tuple[int, Replay]:
-    """Return the shortest part of a replay, up to a control step, that begins at one of some moments and agrees."""
+    """Return the shortest part of a replay up to step `last` that begins at one of `moments` and plays again."""
     for first, records in reversed(moments):
         clip = part_of(whole, records, first, last)
         try:
@@ -58,7 +58,7 @@ def exact(whole: Replay, moments: list[Moment], last: int) -> tuple[int, Replay]
 
 
 def part_of(whole: Replay, start: bytes, first: int, last: int) -> Replay:
-    """Return the control steps from `first` to before `last` of a replay; `start`: the records at the first."""
+    """Return the control steps first, ..., last - 1 of a replay; `start`: the records at the first step."""
     log = [(step - first, rows, records) for step, rows, records in whole.log if first <= step < last]
     notes = whole.notes()
     return Replay(

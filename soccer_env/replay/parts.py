@@ -1,4 +1,4 @@
-"""The parts of a replay file: records as plain numbers and back, and the settings of a match as plain values."""
+"""Parts of a replay file: records as plain numbers and back, and the settings of a match as plain values."""
 
 from dataclasses import fields, is_dataclass
 from typing import Any, get_type_hints
@@ -11,18 +11,13 @@ from soccer_env.match.arguments import REPLAYED
 from soccer_env.match.settings import plain
 
 
-def as_actions(commands: np.ndarray) -> np.ndarray:
-    """Return commands as numbers (..., 7)."""
-    return as_numbers(commands)
-
-
 def as_numbers(records: np.ndarray) -> np.ndarray:
-    """Return records of numbers as numbers (..., fields)."""
+    """Return records as numbers (..., fields); commands have 7 fields."""
     return np.stack([records[name] for name in records.dtype.names or ()], axis=-1)
 
 
 def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
-    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError if they are none, or out of their ranges."""
+    """Return numbers (T, M, R, fields) as records (T, M, R); ValueError for a wrong shape or range."""
     names = dtype.names or ()
     if numbers.ndim != 4 or numbers.shape[-1] != len(names) or numbers.dtype != np.float64:
         raise ValueError(f"its {what} are {numbers.dtype} {numbers.shape}, not (T, M, R, {len(names)}) float64")
@@ -40,37 +35,30 @@ def rebuild(kind: type, values: dict[str, Any]) -> Any:
     known = {item.name for item in fields(kind)}
     if set(values) != known:
         raise ValueError(f"{kind.__name__} has the fields {', '.join(sorted(known))}, got {', '.join(sorted(values))}")
-    made = {}
+    arguments = {}
     for name, value in values.items():
         if is_dataclass(types[name]):
             value = rebuild(types[name], value)
         elif name in ("sensors", "memory"):
-            value = None  # a replay gives commands; nobody senses
+            value = None  # a replay repeats commands: no robot senses
         elif name == "corners":
             value = tuple(tuple(corner) for corner in value)
-        made[name] = value
-    return kind(**made)
+        arguments[name] = value
+    return kind(**arguments)
 
 
 def describe(match: Match) -> dict[str, Any]:
-    """Return what a replay needs to know of a match's settings."""
-    settings = match.settings
+    """Return the settings of a match that a replay needs."""
+    settings, scene = match.settings, match.settings.scene
+    success = scene.success if isinstance(scene.success, str) else "none"
+    playing = [squad for squad in match.squads if squad.plays is None or squad.plays[0]]  # the present team of a lineup
     return {
         "league": plain(settings.league),
         **{name: getattr(settings, name) for name in REPLAYED},
         "max_players": settings.max_players if settings.padded else None,
         "max_cycles": settings.max_cycles,
         "action_repeat": settings.action_repeat,
-        "scene": {
-            "name": settings.scene.name,
-            "success": settings.scene.success if isinstance(settings.scene.success, str) else "none",
-            "time_limit": str(settings.scene.time_limit),
-        },
+        "scene": {"name": scene.name, "success": success, "time_limit": str(scene.time_limit)},
         "matches": match.count,
-        "teams": {
-            match.agents[r]: squad.name
-            for squad in match.squads
-            if squad.plays is None or squad.plays[0]  # of a lineup the one that plays now
-            for r in squad.players
-        },
+        "teams": {match.agents[r]: squad.name for squad in playing for r in squad.players},
     }

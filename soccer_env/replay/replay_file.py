@@ -1,8 +1,7 @@
-"""Replay files: a saved state, the commands of every robot, and what happened between the steps.
+"""Replay files: a saved state, the commands of every robot, and a log of rebuilds.
 
-Nobody decides anything in a replay, so it needs neither the teams nor their policies. Its log holds each rebuild (a
-save or load rebuilds the physics) and the records of each episode that began; a hash of the play per control step
-proves that it plays again exactly.
+A replay repeats commands, so it needs neither teams nor policies. Its log holds each rebuild of the physics (by a save
+or load) and the records of each new episode; a hash of the play per control step proves that it plays again exactly.
 """
 
 from __future__ import annotations
@@ -22,16 +21,16 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match, saving
 from soccer_env.match.arguments import REPLAYED, version
 from soccer_env.replay.checks import FORMAT, LARGEST, check_format, check_room, check_size, check_start
-from soccer_env.replay.parts import as_actions, as_numbers, as_records, describe, rebuild
+from soccer_env.replay.parts import as_numbers, as_records, describe, rebuild
 from soccer_env.scenes import Scene
 from soccer_env.thoughts.thoughts import Notes, Thoughts
 from soccer_env.types import COMMAND, GAZE
 
 
 class Recorder:
-    """Write down a running match. Starting to record rebuilds it, as a save does.
+    """Records a running match, whose physics is rebuilt at the start, as by a save.
 
-    With `thoughts` the replay also keeps what robots saw, believed and decided, for `soccer export` to show.
+    With `thoughts` the replay also keeps percepts, beliefs and decisions, for `soccer export` to show.
     """
 
     def __init__(self, match: Match, thoughts: Thoughts | None = None) -> None:
@@ -54,7 +53,7 @@ class Recorder:
         return f"<Recorder of {self._match!r}: {len(self.commands)} control steps>"
 
     def note_commands(self, commands: np.ndarray) -> None:
-        """Note the commands (M, R) of a control step, and where the heads look by themselves."""
+        """Note the commands (M, R) of a control step, and the gazes of heads that move by themselves."""
         self.commands.append(commands.copy())
         self.gazes.append(self._match.robots["gaze"].copy())
 
@@ -65,18 +64,15 @@ class Recorder:
             self.thoughts.note(match, len(self.hashes))
 
     def note_rebuild(self, rows: Any) -> None:
-        """Note that the physics of some matches was rebuilt from records that may be new.
-
-        A rebuild, a load or a new episode.
-        """
+        """Note a rebuild of the physics of some matches, and their records: by a save, a load or a new episode."""
         self.log.append((len(self.commands), [int(m) for m in rows], saving.dump(self._match, memory=False)))
 
     def length(self) -> tuple[int, int, int]:
-        """Return how much is written down."""
+        """Return the numbers of recorded commands, hashes and rebuilds."""
         return len(self.commands), len(self.hashes), len(self.log)
 
     def cut(self, length: tuple[int, int, int]) -> None:
-        """Forget what was written down after that `length`."""
+        """Drop everything recorded after that `length`."""
         commands, hashes, log = length
         del self.commands[commands:], self.gazes[commands:], self.hashes[hashes:], self.log[log:]
         if self.thoughts is not None:
@@ -96,34 +92,24 @@ class Replay:
     """A recorded match: `play` runs it again, `write` and `read` keep it in a file."""
 
     def __init__(
-        self,
-        settings: dict[str, Any],
-        start: bytes,
-        commands: np.ndarray,
-        gazes: np.ndarray,
-        hashes: list[str],
-        log: list[tuple[int, list[int], bytes]],
-        made_by: str = "",
-        thoughts: dict[str, np.ndarray] | None = None,
-    ) -> None:
-        self.thoughts = thoughts or {}  # what robots thought, as `Thoughts.packed` makes it; empty: it was not noted
-        self.made_by = made_by  # the version of soccer_env that recorded it; "" of old files, which do not say it
-        self.settings = settings
-        self.start = start
-        self.hashes = hashes
-        self.log = log
+        self, settings: dict[str, Any], start: bytes, commands: np.ndarray, gazes: np.ndarray, hashes: list[str],
+        log: list[tuple[int, list[int], bytes]], made_by: str = "", thoughts: dict[str, np.ndarray] | None = None,
+    ) -> None:  # fmt: skip
+        self.thoughts = thoughts or {}  # the result of `Thoughts.packed`; {}: thoughts were not noted
+        self.made_by = made_by  # the version of soccer_env that recorded the match; "" in old files
+        self.settings, self.start, self.hashes, self.log = settings, start, hashes, log
         self.commands, self.gazes = commands, gazes
 
     def __len__(self) -> int:
         return len(self.commands)
 
     def __repr__(self) -> str:
-        names = (brief(name)[1:-1] for name in self.teams)  # of a stranger's file
+        names = (brief(name)[1:-1] for name in self.teams)  # of an untrusted file
         return f"<Replay of {' against '.join(names)}: {len(self)} control steps>"
 
     @property
     def teams(self) -> tuple[str, str]:
-        """Return who played home and away; "learner" for robots that were played from outside."""
+        """Return the teams home and away; "learner" for robots that no team played."""
         players, sides = self.settings.get("teams") if isinstance(self.settings, dict) else None, []
         known = players if isinstance(players, dict) else {}
         for side in ("home", "away"):
@@ -132,7 +118,7 @@ class Replay:
         return sides[0], sides[1]
 
     def notes(self) -> Notes | None:
-        """Return what robots thought, None where that was not recorded; ValueError if it is damaged."""
+        """Return the thoughts of the robots; None if they were not recorded, ValueError if they are damaged."""
         if not self.thoughts:
             return None
         try:
@@ -141,12 +127,12 @@ class Replay:
             raise ValueError(f"the thoughts of this replay are damaged: {error!r}") from error
 
     def make_match(self) -> Match:
-        """Return the match as it was when the recording began, all robots played from outside."""
-        given = self.settings
+        """Return the match at the start of the recording, with all robots played by actions."""
+        settings = self.settings
         try:
-            scene = given["scene"]
-            wanted = {name: given[name] for name in (*REPLAYED, "matches")}
-            wanted["league"] = rebuild(League, given["league"])
+            scene = settings["scene"]
+            wanted = {name: settings[name] for name in (*REPLAYED, "matches")}
+            wanted["league"] = rebuild(League, settings["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
             check_start(self.start, wanted)
             match = Match(actions="full", seed=0, **wanted)
@@ -171,32 +157,29 @@ class Replay:
             if step == len(self.commands):
                 return
             match.robots["gaze"] = self.gazes[step]
-            match.step(as_actions(self.commands[step]))
+            match.step(as_numbers(self.commands[step]))
             if saving.play_hash(match) != self.hashes[step]:
                 raise ValueError(f"this replay differs from the recorded match at control step {step}{self._other()}")
             yield match
 
     def check(self) -> int:
-        """Play everything again; return the number of control steps that agreed.
-
-        ValueError names the first that differs.
-        """
+        """Play everything again; return the number of control steps. ValueError names the first that differs."""
         return sum(1 for _ in self.play()) - 1
 
     def _other(self) -> str:
-        """Say that another version recorded it, if one did."""
+        """Return a note for the error if another version recorded the match, else ""."""
         other = self.made_by not in ("", version())
         return f"; soccer_env {self.made_by} recorded it, and this is {version()}" if other else ""
 
     def write(self, path: str | Path) -> Path:
-        """Write the replay to a file, in one piece or not at all; return its path."""
+        """Write the replay to a file, whole or not at all; return its path."""
         path = Path(path)
         log = [[step, rows] for step, rows, _ in self.log]
         header = {"format": FORMAT, "version": self.made_by, "settings": self.settings, "log": log}
         arrays = {
             "header": np.frombuffer(json.dumps(header).encode(), np.uint8),
             "start": np.frombuffer(self.start, np.uint8),
-            "commands": as_actions(self.commands),
+            "commands": as_numbers(self.commands),
             "gazes": as_numbers(self.gazes),
             "hashes": np.array(self.hashes, "S32"),
             **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
@@ -209,7 +192,7 @@ class Replay:
 
     @staticmethod
     def read(path: str | Path) -> Replay:
-        """Read a replay file; ValueError if it is not one or is damaged. Nothing in it is executed."""
+        """Read a replay file; ValueError if it is damaged or no replay. Nothing in the file is executed."""
         try:
             content = io.BytesIO(read_plain(path, LARGEST))
             check_size(content)

@@ -1,7 +1,7 @@
 """Replays shown: pictures, films and pages for the browser.
 
-showing.py   `frame`, `video`, `html`: a replay drawn, as a film, as a page
-film.py      which control steps a film shows, and when
+showing.py   `frame`, `video`, `html`: a picture, a film and a page of a replay
+film.py      the control steps that a film shows, and their times
 browser/     a replay as one page for the browser
 """
 

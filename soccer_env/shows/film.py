@@ -1,4 +1,4 @@
-"""A replay as a film: which control steps are drawn, and when they are shown."""
+"""A replay as a film: the control steps that are drawn, and the times at which they are shown."""
 
 from __future__ import annotations
 
@@ -26,26 +26,23 @@ SMOOTH = {".mp4": 25.0, ".gif": 12.5, ".png": 25.0}  # [1/s] frames, unless ther
 
 @dataclass(frozen=True, kw_only=True)
 class FilmSettings(OverlayFlags):
-    """How a film shows a replay, and what lies over it."""
+    """How a film shows a replay, with its overlays."""
 
     BOUNDS = {
-        "fps": Range(0.0, 100.0, above=True),
-        "speed": Range(0.0, 100.0, above=True),
-        "width": (LEAST_WIDTH, MOST_WIDTH),
-        "start": FROM_ZERO,
-        "seconds": ABOVE_ZERO,
-    }
+        "fps": Range(0.0, 100.0, above=True), "speed": Range(0.0, 100.0, above=True),
+        "width": (LEAST_WIDTH, MOST_WIDTH), "start": FROM_ZERO, "seconds": ABOVE_ZERO,
+    }  # fmt: skip
 
     fps: float | None = None
-    """Frames a second; None for 25 in an MP4 and 12.5 in a GIF, or each control step if there are fewer."""
+    """Frames a second; None for 25 in an MP4 and 12.5 in a GIF, at most one for each control step."""
     speed: float = 1.0
     """How many times as fast as real time."""
     width: int = 640
     """Width of the picture [pixels]."""
     start: float = 0.0
-    """Where the film begins [s since the recording began]."""
+    """Start of the film [s since the recording began]."""
     seconds: float | None = None
-    """How much of the match it shows [s]; None for all that follows."""
+    """Length of the match that the film shows [s]; None for the rest of the match."""
 
 
 def drawn_steps(settings: FilmSettings, kind: str, rate: int, steps: int) -> tuple[np.ndarray, float]:
@@ -62,13 +59,10 @@ def drawn_steps(settings: FilmSettings, kind: str, rate: int, steps: int) -> tup
 
 
 def make_film(
-    replay: Replay,
-    path: str | os.PathLike[str],
-    settings: FilmSettings,
-    anew: bool = False,
+    replay: Replay, path: str | os.PathLike[str], settings: FilmSettings, anew: bool = False,
     note: Callable[[int], None] | None = None,
-) -> Path:
-    """Write the first match of a replay as a film; `note` is told of each frame. See `Replay.video`."""
+) -> Path:  # fmt: skip
+    """Write the first match of a replay as a film; `note` is called after each frame. See `showing.video`."""
     kind = video_kind(path)
     check_new(path, anew)
     count, frames, fps = film_frames(replay, settings, kind, note)
@@ -78,7 +72,7 @@ def make_film(
 def film_frames(
     replay: Replay, settings: FilmSettings, kind: str, note: Callable[[int], None] | None = None
 ) -> tuple[int, Iterator[np.ndarray], float]:
-    """Return how many frames (H, W, 3) uint8 a film has, the frames, and how many a second it shows [1/s]."""
+    """Return the number of frames of a film, the frames (H, W, 3) uint8, and their rate [1/s]."""
     flags = part_of_flags(settings)
     reel = Reel(replay, flags.any)
     league = reel.cast.league
@@ -104,7 +98,7 @@ def film_frames(
 
 
 def check_new(path: str | os.PathLike[str], anew: bool) -> None:
-    """Raise ValueError if a file is there that is not to be written over."""
+    """Raise ValueError if the path is a folder, or a file that must not be overwritten."""
     if Path(path).is_dir():
         raise ValueError(f"{os.fspath(path)} is a folder, not the file to write")
     if Path(path).exists() and not anew:

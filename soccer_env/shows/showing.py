@@ -1,4 +1,4 @@
-"""What shows a replay: one picture, a film, a page for the browser."""
+"""A replay as one picture, as a film, as a page for the browser."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from soccer_env.shows.film import FilmSettings, film_frames, make_film
 def video(replay: Replay, path: str | Path, *, anew: bool = False, **settings: Any) -> Path:
     """Write the first match of a replay as a film, MP4 or GIF by the path's ending; return the path.
 
-    settings: fps, speed, width, start, seconds and overlays, as in `film.FilmSettings`. ValueError for a wrong one, for
-    a file that exists (unless `anew`), and where the play differs; ImportError if the extra `video` is missing. No
-    display is needed.
+    settings: fps, speed, width, start, seconds and overlays, as in `film.FilmSettings`. ValueError for a wrong setting,
+    for an existing file (unless `anew`), and if the play differs; ImportError if the extra `video` is missing. Needs no
+    display.
     """
     check_names("setting", settings, [item.name for item in fields(FilmSettings)], TypeError)
     return make_film(replay, path, FilmSettings(**settings), anew)
 
 
 def frame(replay: Replay, seconds: float = 0.0, *, width: int = 960, **overlays: Any) -> np.ndarray:
-    """Return the first match of a replay at a time since the recording began as a picture, (H, W, 3) uint8.
+    """Return a picture (H, W, 3) uint8 of the first match of a replay, some seconds after the recording began.
 
-    overlays: as in `render.overlays.flags.OverlayFlags`: belief=True, robot="home_1" and so on. ValueError for a
-    wrong one, for a time that is not in the replay, and where the play differs.
+    overlays: as in `render.overlays.flags.OverlayFlags`: belief=True, robot="home_1" and so on. ValueError for an
+    unknown overlay, for a time outside the replay, and if the play differs.
     """
     check_names("overlay", overlays, [item.name for item in fields(OverlayFlags)], TypeError)
     return next(film_frames(replay, FilmSettings(start=seconds, width=width, **overlays), ".png")[1])
 
 
 def html(replay: Replay, path: str | Path, *, anew: bool = False, **overlays: Any) -> Path:
-    """Write the first match of a replay as one page for any browser, no network needed; return the path.
+    """Write the first match of a replay as one page for any browser, without network; return the path.
 
-    overlays: what the page shows at first, as in `frame`. ValueError for a wrong one, for a file that exists
-    (unless `anew`), and where the play differs.
+    overlays: those that the page shows at first, as in `frame`. ValueError for an unknown overlay, for an existing file
+    (unless `anew`), and if the play differs.
     """
     check_names("overlay", overlays, [item.name for item in fields(OverlayFlags)], TypeError)
     return write_page(replay, path, anew, flags=OverlayFlags(**overlays) if overlays else None)

@@ -1,7 +1,7 @@
-"""Groups of columns beside those that every note has: what the camera delivered, and where the robot plans to go.
+"""Groups of further columns of a note: percepts of the camera, and the planned path.
 
-A group is [name, how many, names of the parts of each]; what is noted of sensors, the kind of robot says
-(`leagues/robot_kind.py`). Angles are in 0.01 rad and lengths in cm. Parts of things that are not there are all 0.
+A group is [name, number of items, names of the columns of an item]; the robot kind declares the groups of its sensors
+(`leagues/robot_kind.py`). Angles are in 0.01 rad and lengths in cm. The columns of a missing item are all 0.
 """
 
 import functools
@@ -19,20 +19,20 @@ MOST_GROUPS, MOST_COLUMNS = 32, 512
 
 
 def noted_of(match: Match) -> Noted | None:
-    """Return what is noted of the sensors of a match, None where nobody uses any, or their kind says nothing of it."""
+    """Return the groups of the sensors of a match; None if no robot senses or the robot kind declares no groups."""
     return None if match.batch.senses is None else kind_of(match.league.sensors).noted
 
 
 def groups_of(match: Match) -> list[Group]:
-    """Return what is noted of each robot of a match."""
+    """Return the groups of a note of a match."""
     noted = noted_of(match)
-    found = [] if noted is None else [*noted.groups]
-    return found + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
+    groups = [] if noted is None else [*noted.groups]
+    return groups + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
 
 
 @functools.cache
 def known_parts() -> dict[str, list[list[str]]]:
-    """Return the parts that groups of each name may have: those of the kinds that come with the package, and plans."""
+    """Return the allowed columns of each group by name: groups of our robot kinds, and plans."""
     kinds = (kind_of(name).noted for name in ("legged", "omni"))
     known: dict[str, list[list[str]]] = {}
     for name, _, parts in (*PLAN, *(group for noted in kinds if noted for group in noted.groups)):
@@ -41,22 +41,22 @@ def known_parts() -> dict[str, list[list[str]]]:
 
 
 def checked_groups(groups: Any) -> list[Group]:
-    """Return groups that were read from a file; ValueError for anything else."""
-    found: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
-    known = known_parts() if found else {}
-    wrong = any(count < 0 or parts not in known.get(name, [parts]) for name, count, parts in found)
-    if wrong or len(found) > MOST_GROUPS or width_of(found) > MOST_COLUMNS:
+    """Return the groups of a file, checked; ValueError for anything else."""
+    checked: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
+    known = known_parts() if checked else {}
+    wrong = any(count < 0 or parts not in known.get(name, [parts]) for name, count, parts in checked)
+    if wrong or len(checked) > MOST_GROUPS or width_of(checked) > MOST_COLUMNS:
         raise ValueError("the groups of its thoughts are damaged")
-    return found
+    return checked
 
 
 def width_of(groups: list[Group]) -> int:
-    """Return how many columns they have."""
+    """Return the number of columns of some groups."""
     return sum(count * len(parts) for _, count, parts in groups)
 
 
 def group_columns(match: Match, groups: list[Group]) -> np.ndarray:
-    """Return the columns (R, C) of all robots of the first match, not yet whole numbers."""
+    """Return the columns (R, C) of all robots of the first match, before rounding."""
     rows = len(match.agents)
     noted, known = noted_of(match), {}
     if not groups:
@@ -70,27 +70,27 @@ def group_columns(match: Match, groups: list[Group]) -> np.ndarray:
 
 
 def planner_of(squad: Squad) -> Explanation | None:
-    """Return what the team of a squad explains, if it plans ways; lineups change teams, and explain nothing."""
+    """Return the explanation of a squad's team if it plans paths; None for lineups, whose teams change."""
     explanation = None if squad.lineup is not None else explanation_of(squad.team)
     return explanation if explanation is not None and explanation.plan is not None else None
 
 
 def mind_of(match: Match, squad: Squad, place: int) -> Mind:
-    """Return copies of what a player of the first match decides from; `place` is its place in the squad."""
-    r = int(squad.players[place])
-    return Mind(
+    """Return copies of the records that a player of the first match decides from; `place` is its place in the squad."""
+    r, settings = int(squad.players[place]), squad.settings
+    beliefs, tracks, noise = (
         match.beliefs[:1, r].copy(),
         match.tracks[:1, r].copy(),
-        squad.memory[:1, place].copy(),
         match.robots["noise"][:1, r].copy(),
-        match.batch.constants,
-        squad.settings,  # type: ignore[arg-type]  # teams that explain themselves are compiled
     )
+    memory = squad.memory[:1, place].copy()
+    # Teams that explain themselves are compiled, and have settings.
+    return Mind(beliefs, tracks, memory, noise, match.batch.constants, settings)  # type: ignore[arg-type]
 
 
 def plans(match: Match) -> np.ndarray:
-    """Return the planned ways (R, points, 2) in cm of the field frame, 0 where there is none."""
-    found = np.zeros((len(match.agents), PLAN[0][1], 2))
+    """Return the planned paths (R, points, 2) in cm of the field frame, 0 without a plan."""
+    paths = np.zeros((len(match.agents), PLAN[0][1], 2))
     home_ahead = float(match.matches["home_direction"][0])
     for squad in match.squads:
         explanation = planner_of(squad)
@@ -98,16 +98,16 @@ def plans(match: Match) -> np.ndarray:
             continue
         for place, r in enumerate(squad.players.tolist()):
             if match.robots["active"][0, r]:
-                way = explanation.plan(mind_of(match, squad, place))
+                path = explanation.plan(mind_of(match, squad, place))
                 sign = home_ahead if match.robots["team"][0, r] == 0 else -home_ahead
-                found[r] = CENTI * sign * spaced(way, PLAN[0][1])
-    return found
+                paths[r] = CENTI * sign * spaced(path, PLAN[0][1])
+    return paths
 
 
-def spaced(way: np.ndarray, count: int) -> np.ndarray:
-    """Return so many points (count, 2) evenly along a way (N, 2); all 0 for a way of fewer than two."""
-    if len(way) < 2:
+def spaced(path: np.ndarray, count: int) -> np.ndarray:
+    """Return points (count, 2) evenly along a path (N, 2); all 0 for a path of fewer than two points."""
+    if len(path) < 2:
         return np.zeros((count, 2))
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(way, axis=0).T))])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     wanted = np.linspace(0.0, along[-1], count)
-    return np.column_stack([np.interp(wanted, along, way[:, axis]) for axis in (0, 1)])
+    return np.column_stack([np.interp(wanted, along, path[:, axis]) for axis in (0, 1)])

@@ -11,8 +11,8 @@ from soccer_env.leagues.robot_kind import Group
 from soccer_env.thoughts.groups import width_of
 from soccer_env.thoughts.thoughts import CENTI, MILLI, SEES, TABLE, TRACK, Notes, Thoughts
 
-NEVER = 300.0  # [s] a ball that was not seen for longer is not believed to be anywhere
-JUMP = 600  # [mm] from note to note beyond which nothing lies between
+NEVER = 300.0  # [s] a ball unseen for longer has no believed place
+JUMP = 600  # [mm] between two notes: a longer move is a jump, and is not interpolated
 PLACES = ("x", "y", "ball_x", "ball_y")
 
 
@@ -27,27 +27,25 @@ class Player(NamedTuple):
 
 @dataclass(frozen=True)
 class Thought:
-    """What one robot saw, believed and decided."""
+    """Percepts, beliefs and decisions of one robot."""
 
-    knows: bool  # False: it believes nothing, or nobody asked
-    pose: tuple[float, float, float]  # [m, m, rad] where it believes it is
-    confidence: float  # [0, 100] in that
-    cloud: tuple[
-        float, float, float
-    ]  # [m, m, rad] of the poses that it thinks possible: deviations, angle of the first
+    knows: bool  # False: it believes nothing, or its beliefs were not noted
+    pose: tuple[float, float, float]  # [m, m, rad] believed pose of the robot
+    confidence: float  # [0, 100] in that pose
+    cloud: tuple[float, float, float]  # [m, m, rad] of its particles: two standard deviations, angle of the first
     ball: tuple[float, float] | None  # [m] None: never seen
     ball_confidence: float  # [0, 100]
     ball_age: float  # [s] since it was seen
     infrared: float  # [m] reading of the ranger, 0: none
     players: tuple[Player, ...]
-    words: tuple[str, ...]  # what its team calls what it does
+    words: tuple[str, ...]  # its team's words for what the robot does
     numbers: dict[str, float]  # other fields of its team's memory
     groups: dict[str, np.ndarray]  # (count, parts) int, see groups.py
 
 
 @dataclass(frozen=True)
 class Reader:
-    """Tells what the columns of notes mean."""
+    """Reads the columns of notes."""
 
     slots: int
     fields: list[list[list[Any]]]
@@ -55,22 +53,22 @@ class Reader:
 
     @staticmethod
     def of(notes: Notes | Thoughts) -> Reader:
-        """Return the reader of notes that are taken, or that were read from a file."""
+        """Return the reader of running notes, or of the notes of a file."""
         return Reader(notes.slots, notes.fields, notes.groups)
 
     def thinks(self, row: np.ndarray) -> np.ndarray:
-        """Return which robots believe anything (R,), out of a note (R, C)."""
+        """Return flags (R,) of the robots that have beliefs, from a note (R, C)."""
         found: np.ndarray = (row[:, TABLE.index("sees")] & SEES["thinks"]) != 0
         return found
 
     def memory(self, row: np.ndarray, r: int) -> tuple[tuple[str, ...], dict[str, float]]:
-        """Return the words for what robot r does, and other numbers of its memory, out of a note (R, C)."""
+        """Return the words for what robot r does, and other numbers of its memory, from a note (R, C)."""
         first = len(TABLE) + len(TRACK) * self.slots + width_of(self.groups)
         memory = zip(self.fields[r], row[r, first:].tolist(), strict=False)
-        return said([(path, known, value / step) for (path, known, step), value in memory])
+        return words_and_numbers([(path, known, value / step) for (path, known, step), value in memory])
 
     def thought(self, row: np.ndarray, r: int) -> Thought:
-        """Return what robot r thought, out of a note (R, C)."""
+        """Return the thought of robot r, from a note (R, C)."""
         numbers = row[r].tolist()
         of = dict(zip(TABLE, numbers, strict=False))
         at = len(TABLE)
@@ -101,8 +99,8 @@ class Reader:
         )
 
 
-def said(memory: list[tuple[str, list[str], float]]) -> tuple[tuple[str, ...], dict[str, float]]:
-    """Return the words of what a robot does, and its other numbers by name."""
+def words_and_numbers(memory: list[tuple[str, list[str], float]]) -> tuple[tuple[str, ...], dict[str, float]]:
+    """Return the words for what a robot does, and other numbers of its memory by name."""
     words, numbers = [], {}
     for path, known, value in memory:
         if known:
@@ -113,7 +111,7 @@ def said(memory: list[tuple[str, list[str], float]]) -> tuple[tuple[str, ...], d
 
 
 def note_at(notes: Notes, step: int) -> np.ndarray | None:
-    """Return the note (R, C) at a control step, its places between two notes; None before the first of them."""
+    """Return the note (R, C) at a control step, with places interpolated; None before the first note."""
     at = int(np.searchsorted(notes.steps, step, side="right")) - 1
     if at < 0:
         return None
@@ -125,11 +123,11 @@ def note_at(notes: Notes, step: int) -> np.ndarray | None:
 
 
 def between(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np.ndarray:
-    """Return a note between two (R, C): places move evenly where both are near each other, all else is the early one's.
+    """Return the early note (R, C) with its places interpolated to the late note, except where they jump.
 
-    What a robot believes lies on a thing that moves: the early note alone would lag behind it.
+    Without this, believed places would lag behind the things that move.
     """
-    found = early.copy()
+    note = early.copy()
     pairs = [(TABLE.index(x), TABLE.index(y)) for x, y in (PLACES[:2], PLACES[2:])]
     first = len(TABLE)
     pairs += [(first + len(TRACK) * slot, first + len(TRACK) * slot + 1) for slot in range(slots)]
@@ -138,9 +136,9 @@ def between(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np
         near = np.hypot(*away.T) < JUMP
         if x >= first:
             near &= np.sign(early[:, x + 2]) == np.sign(late[:, x + 2])
-        found[:, [x, y]] += np.where(near[:, None], np.rint(share * away), 0).astype(np.int16)
+        note[:, [x, y]] += np.where(near[:, None], np.rint(share * away), 0).astype(np.int16)
     heading = TABLE.index("heading")
     turn = (late[:, heading].astype(np.int64) - early[:, heading]) / MILLI
     turned = early[:, heading] / MILLI + share * np.arctan2(np.sin(turn), np.cos(turn))
-    found[:, heading] = np.rint(MILLI * np.arctan2(np.sin(turned), np.cos(turned)))
-    return found
+    note[:, heading] = np.rint(MILLI * np.arctan2(np.sin(turned), np.cos(turned)))
+    return note

@@ -1,12 +1,12 @@
-"""What robots saw, believed and decided, some times a second: kept beside the commands, for people to look at.
+"""Percepts, beliefs and decisions of robots, noted several times a second beside the commands, for people to look at.
 
-Nobody decides in a replay, so what robots thought cannot be played again. A `Thoughts` notes it while the match runs,
-as whole numbers of 16 bits; the replay plays the same without. Only the first match of several is noted.
+A replay repeats commands, so thoughts cannot be computed from it. `Thoughts` notes them while the match runs, as whole
+numbers of 16 bits; the replay plays the same without notes. Only the first match of several is noted.
 """
 
 import json
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -32,9 +32,9 @@ MOST_FIELDS = 12  # of a team's memory
 class Thoughts:
     """Notes of one match, taken every `every` control steps.
 
-    `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: what each
-    team explains of itself, and of one that does not all whole numbers that its memory has. `grouped=False` leaves
-    out what cameras delivered and what is planned (see `groups`), which takes most of the time.
+    `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: the fields
+    that a team's explanation shows, or all whole numbers of its memory. `grouped=False` leaves out percepts of the
+    camera and plans (see `groups`), which take most of the time.
     """
 
     def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None, grouped: bool = True) -> None:
@@ -52,22 +52,20 @@ class Thoughts:
             self.rows.append(self.look(match))
 
     def look(self, match: Match) -> np.ndarray:
-        """Return what all robots of the first match think now, (R, C) int16."""
+        """Return the present thoughts of all robots of the first match, (R, C) int16."""
         columns = [*of_all(match), *of_tracks(match, self.slots)]
         more = whole(group_columns(match, self.groups))
         return np.column_stack([whole(np.stack(columns, axis=1)), more, remembered(match, self.fields)])
 
     def cut(self, step: int) -> None:
-        """Forget what was noted after a control step."""
+        """Drop the notes after a control step."""
         while self.steps and self.steps[-1] > step:
             self.steps.pop()
             self.rows.pop()
 
     def packed(self) -> dict[str, np.ndarray]:
         """Return the notes as arrays for a file: changes from note to note, which compress well."""
-        if not self.rows:
-            return {}
-        return packed(self.steps, np.stack(self.rows), self.slots, self.fields, self.groups)
+        return packed(self.steps, np.stack(self.rows), self.slots, self.fields, self.groups) if self.rows else {}
 
 
 def packed(
@@ -83,7 +81,7 @@ def packed(
 
 
 class Notes:
-    """Thoughts that were read from a file: `numbers` (T, R, C) int16, taken after the control steps `steps` (T,)."""
+    """The thoughts of a file: `numbers` (T, R, C) int16, taken after the control steps `steps` (T,)."""
 
     def __init__(self, arrays: Mapping[str, np.ndarray], robots: int) -> None:
         about = json.loads(arrays["thoughts_about"].tobytes())
@@ -98,58 +96,74 @@ class Notes:
         self.numbers = np.cumsum(np.moveaxis(changes, -1, 0), axis=0, dtype=np.int16)
 
     def between(self, first: int, last: int) -> dict[str, np.ndarray]:
-        """Return, packed, the notes after a control step and up to another, counted from the first."""
+        """Return the notes after step `first` up to step `last`, packed, with steps counted from `first`."""
         inside = (self.steps > first) & (self.steps <= last)
         if not inside.any():
             return {}
         return packed((self.steps[inside] - first).tolist(), self.numbers[inside], self.slots, self.fields, self.groups)
 
 
+class Recorded(Protocol):
+    """A recorded match, `soccer_env.replay.Replay`, which stands above the pictures and tables that read it."""
+
+    settings: dict[str, Any]
+
+    @property
+    def teams(self) -> tuple[str, str]:
+        """Return the teams home and away."""
+
+    def notes(self) -> Notes | None:
+        """Return the thoughts of the robots; None if they were not recorded."""
+
+    def play(self) -> Iterator[Match]:
+        """Yield the match at its start and after every control step; ValueError names the first step that differs."""
+
+
 def checked_fields(fields: Any) -> list[list[Any]]:
-    """Return the names, words and steps of a robot's memory; ValueError for anything else."""
-    found: list[list[Any]] = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
-    if len(found) > MOST_FIELDS or not all(field[2] > 0.0 for field in found):
+    """Return names, words and units of the fields of a robot's memory, checked; ValueError for anything else."""
+    checked: list[list[Any]] = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
+    if len(checked) > MOST_FIELDS or not all(field[2] > 0.0 for field in checked):
         raise ValueError("the fields of its thoughts are damaged")
-    return found
+    return checked
 
 
 def thinks(match: Match) -> bool:
-    """Tell whether anybody in a match believes anything."""
+    """Tell whether any robot of a match has beliefs."""
     return bool(match.batch.senses is not None or match.batch.ideal.any())
 
 
 def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
-    """Return what is noted of the memory of robot r: [name, words of its values, steps in a unit] each."""
-    found: list[list[Any]] = []
+    """Return the noted fields of the memory of robot r: [name, words of its values, steps in a unit] each."""
+    noted: list[list[Any]] = []
     for squad in of_one_team(match):
         explanation = explanation_of(squad.team)
         known = explanation.shown if shown is None and explanation is not None else shown
         for path, kind in leaves(squad.memory.dtype) if r in squad.players else ():
             name = path.rpartition(".")[2]
             if (known is None and kind == "i" and name != "begun") or (known is not None and name in known):
-                found.append([path, list((known or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
-    return found[:MOST_FIELDS]
+                noted.append([path, list((known or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
+    return noted[:MOST_FIELDS]
 
 
 def of_one_team(match: Match) -> list[Squad]:
-    """Return the squads whose players one team plays for good: a lineup's memory is its present team's."""
+    """Return the squads outside lineups: the team of a lineup changes, and its memory with it."""
     return [squad for squad in match.squads if squad.lineup is None]
 
 
 def leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
-    """Return the single numbers of a record by their dotted path, with the kind of number."""
-    found: list[tuple[str, str]] = []
+    """Return the dotted path and the kind of each single number of a record."""
+    numbers: list[tuple[str, str]] = []
     for name in dtype.names or ():
         inner = dtype[name]
         if inner.names:
-            found += leaves(inner, f"{path}{name}.")
+            numbers += leaves(inner, f"{path}{name}.")
         elif inner.shape == () and inner.kind in "iuf":
-            found.append((path + name, inner.kind))
-    return found
+            numbers.append((path + name, inner.kind))
+    return numbers
 
 
 def of_all(match: Match) -> list[np.ndarray]:
-    """Return the columns of TABLE, each (R,), not yet whole numbers."""
+    """Return the columns of TABLE, each (R,), before rounding."""
     robots, beliefs = match.robots[0], match.beliefs[0]
     sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
     own, heading = own_poses(match)
@@ -161,7 +175,7 @@ def of_all(match: Match) -> list[np.ndarray]:
 
 
 def own_poses(match: Match) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
-    """Return where all robots believe they are, and their heading [m, rad], field frame, each (R,)."""
+    """Return the believed places and headings of all robots [m, rad], field frame, each (R,)."""
     robots, own = match.robots[0], match.beliefs[0]["own"]
     sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
     heading = own["heading"] + np.where(sign > 0.0, 0.0, np.pi)
@@ -169,7 +183,7 @@ def own_poses(match: Match) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
 
 
 def of_tracks(match: Match, slots: int) -> list[np.ndarray]:
-    """Return the columns of TRACK of each slot, each (R,), not yet whole numbers."""
+    """Return the columns of TRACK of each slot, each (R,), before rounding."""
     columns: list[np.ndarray] = []
     own, heading = own_poses(match)
     for slot in range(slots):
@@ -181,19 +195,19 @@ def of_tracks(match: Match, slots: int) -> list[np.ndarray]:
 
 
 def placed(own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return where things of the robots' frames lie in the field frame, for robots that stand where they believe."""
+    """Return things of the robots' frames in the field frame, by the believed poses of the robots."""
     cosine, sine = np.cos(heading), np.sin(heading)
     return own[0] + cosine * thing["x"] - sine * thing["y"], own[1] + sine * thing["x"] + cosine * thing["y"]
 
 
 def whole(numbers: np.ndarray) -> np.ndarray:
-    """Return numbers as whole ones of 16 bits, the largest for those beyond."""
+    """Return numbers rounded to 16 bits, clipped at the ends."""
     found: np.ndarray = np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
     return found
 
 
 def seen(match: Match) -> list[np.ndarray]:
-    """Return bits of SEES, how many players and landmarks (or lines) are seen, and the infrared range, each (R,)."""
+    """Return bits of SEES, the numbers of seen players and landmarks (or lines), and the infrared range, each (R,)."""
     robots = match.robots[0]
     bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)
     none, noted = np.zeros(len(robots)), noted_of(match)
@@ -206,7 +220,7 @@ def seen(match: Match) -> list[np.ndarray]:
 
 
 def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
-    """Return how far the poses that each robot thinks possible are spread: standard deviations [mm] and axis [mrad]."""
+    """Return the spread of the particles of each robot: standard deviations [mm] and axis [mrad]."""
     senses = match.batch.senses
     if senses is None or senses.particles.shape[2] < 2:
         return [np.zeros(len(sign))] * 3
@@ -219,13 +233,13 @@ def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
 
 
 def remembered(match: Match, fields: list[list[list[Any]]]) -> np.ndarray:
-    """Return what is noted of the robots' memories, (R, fields) int16."""
-    found = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
+    """Return the noted fields of the robots' memories, (R, fields) int16."""
+    numbers = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
     for squad in of_one_team(match):
         for place, r in enumerate(squad.players):
             for column, (path, _, step) in enumerate(fields[r]):
                 value = squad.memory[0, place]
                 for name in path.split("."):
                     value = value[name]
-                found[r, column] = step * float(value)
-    return whole(found)
+                numbers[r, column] = step * float(value)
+    return whole(numbers)

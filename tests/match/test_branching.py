@@ -178,7 +178,7 @@ def test_a_save_of_some_rows_goes_into_as_many() -> None:
         ([0, 1, 2], r"rows must be as many as the matches of the save, 2, got 3"),
         ([0, 0], "rows must be different matches"),
         ([0, 6], "rows must be whole numbers from 0 to 5, got 6"),
-        (None, "this save is of 2 matches, not 6; a Match loads it into rows"),
+        (None, "this save is of 2 matches, not 6; name the rows"),
     ],
 )
 def test_a_save_of_another_number_of_matches_is_refused(rows: Any, message: str) -> None:
@@ -211,4 +211,6 @@ def test_what_changes_no_future_is_not_named() -> None:
     """A save of other actions, rewards or observations is taken, if nothing more has to be sensed for these."""
     match = played(steps=5)
     match.load(played(steps=5, rewards="sparse", actions="full", action_repeat=3).save())
-    assert differences({"home": 7}, match.told) == differences(None, match.told) == "", "a save may say anything"
+    assert differences({"home": 7}, match.described_settings) == differences(None, match.described_settings) == "", (
+        "a save may say anything"
+    )

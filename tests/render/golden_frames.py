@@ -12,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.render import Arrows, Label, Picture, Points, Polyline, contact_sheet
 from soccer_env.render.closeup import Closeup
-from soccer_env.render.overlays.panel import Help, Words
+from soccer_env.render.overlays.panels import Help, Words
 from soccer_env.render.overlays.shapes import Area, ArrowGrid
 from soccer_env.render.video import swatches
 from soccer_env.types import Phase

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.render import Picture, contact_sheet
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
 from soccer_env.render.overlays.layers import overlays_of
-from soccer_env.render.overlays.scene import Cast, Shot
 from soccer_env.thoughts.groups import PLAN
 from soccer_env.thoughts.thought import Reader
 from tests.render.golden_frames import staged

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.render import Picture, contact_sheet
+from soccer_env.render.overlays.cast import Cast, camera_of, cast_of, cast_of_replay, directions_of
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.onlooker import Onlooker
-from soccer_env.render.overlays.scene import Cast, camera_of, cast_of, cast_of_replay, directions_of
 from soccer_env.shows.browser.collect import collect
 from soccer_env.shows.browser.page import as_script
 from soccer_env.shows.film import FilmSettings, film_frames

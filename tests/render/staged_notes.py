@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.robot_kind import Group
-from soccer_env.render.overlays.scene import Camera, Cast, Part
+from soccer_env.render.overlays.cast import Camera, Cast, Part
 from soccer_env.robot_kinds.legged import GROUPS as LEGGED
 from soccer_env.robot_kinds.omni import GROUPS as OMNI
 from soccer_env.teams import Explanation, Mind

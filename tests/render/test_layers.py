@@ -15,15 +15,15 @@ from soccer_env import Match, shows
 from soccer_env.geometry import out_of_frame
 from soccer_env.leagues import find_league
 from soccer_env.render import Picture, colours
+from soccer_env.render.overlays.cast import Cast, Shot, cast_of, shot_of
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
 from soccer_env.render.overlays.forces import force_arrows, grid, mind_of
 from soccer_env.render.overlays.layers import overlays_of, plan_of
 from soccer_env.render.overlays.onlooker import Onlooker, Reel
-from soccer_env.render.overlays.panel import Words
-from soccer_env.render.overlays.scene import Cast, Shot, cast_of, shot_of
+from soccer_env.render.overlays.panels import Words
+from soccer_env.render.overlays.paths import JUMP, unbroken
+from soccer_env.render.overlays.roles import words_of
 from soccer_env.render.overlays.sight import to_board
-from soccer_env.render.overlays.states import words_of
-from soccer_env.render.overlays.ways import JUMP, unbroken
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.teams import explanation_of, shipped_team
 from soccer_env.thoughts.thought import Player, Reader, Thought, between, note_at

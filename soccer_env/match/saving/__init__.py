@@ -1,11 +1,10 @@
 """Save, restore, hash and branch matches: bytes with a checked header, or copies in memory; nothing executable.
 
-saves.py      a match as bytes and back, hashes, copies by pickle
-fitting.py    in which settings two matches differ that do not fit each other
-checks.py     whether the numbers of a save can come from a match
+saves.py      a match as bytes and back, checked; hashes, copies by pickle
+fitting.py    the settings in which two matches differ, for error messages
 branches.py   matches of one Match copied over matches of another, in memory
-branching.py  the methods of Match that do all that
-whole.py      what guards them: one thread at a time, whole or not at all
+branching.py  the methods of Match for saves and branches
+whole.py      guards of these methods: one thread at a time, done whole or not at all
 """
 
 from soccer_env.match.saving.branching import Branching
@@ -13,16 +12,6 @@ from soccer_env.match.saving.saves import by_save, dump, open_save, parts, play_
 from soccer_env.match.saving.whole import calls_python, signals_wait, undoing, whole
 
 __all__ = [
-    "Branching",
-    "by_save",
-    "calls_python",
-    "dump",
-    "open_save",
-    "parts",
-    "play_hash",
-    "restore",
-    "signals_wait",
-    "state_hash",
-    "undoing",
-    "whole",
-]
+    "Branching", "by_save", "calls_python", "dump", "open_save", "parts", "play_hash", "restore", "signals_wait",
+    "state_hash", "undoing", "whole",
+]  # fmt: skip

@@ -1,7 +1,7 @@
-"""Matches of one Match copied over matches of another, in memory: what planning and search step from.
+"""Matches of one Match copied over matches of another, in memory, for planning and search.
 
-A record is a row of an array, so a branch is a row copied in each array that a save holds; the physics of both sides is
-rebuilt, as by a save, so that a branch and what it was taken from have one future.
+A branch is one row copied in each array that a save holds. The physics of both matches is rebuilt, as by a save, so
+that branch and original have one future.
 """
 
 from collections.abc import Iterable
@@ -16,42 +16,43 @@ from soccer_env.match.saving.saves import as_bytes, kept
 from soccer_env.random_numbers import seeds_for, start_streams
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
-
-SEARCH = 1 << 40  # an episode's number that no match reaches: streams drawn anew are not those of an episode
+SEARCH = 1 << 40  # number of an episode that no match reaches: its random streams belong to branches alone
 
 
 def check_rows(what: str, rows: Any, count: int, once: bool = False) -> np.ndarray:
-    """Return rows of matches (n,): one number or several; ValueError names the first that is none of `count`."""
+    """Return the rows (n,) of one number or several; ValueError names the first that is not below `count`."""
     listed = [rows] if is_number(rows) else rows
     if isinstance(listed, (str, bytes)) or not isinstance(listed, (Iterable, np.ndarray)) or not np.iterable(listed):
         refuse(what, "a match's number, or several", rows)
-    found = list(listed)
-    for row in found:
+    numbers = list(listed)
+    for row in numbers:
         if not is_number(row, whole=True) or not 0 <= row < count:
             raise ValueError(f"{what} must be whole numbers from 0 to {count - 1}, got {brief(row)}")
-    if not found:
+    if not numbers:
         raise ValueError(f"{what} must name at least one match, got none")
-    if once and len(set(found)) < len(found):
-        raise ValueError(f"{what} must be different matches, got {brief(found)}")
-    return np.array(found, np.int64)
+    if once and len(set(numbers)) < len(numbers):
+        raise ValueError(f"{what} must be different matches, got {brief(numbers)}")
+    return np.array(numbers, np.int64)
 
 
 def check_fits(source: Match, target: Any) -> None:
-    """Raise ValueError unless matches of one Match can be played on by another."""
+    """Raise ValueError unless matches of `source` can go on in `target`."""
     if not isinstance(target, type(source)) and not isinstance(source, type(target)):
         refuse("into", "a Match or None", target)
     if source.played_by != target.played_by or layout(source) != layout(target):
-        found = differences(target.told, source.told, kinds_differ=layout(source) != layout(target))
-        raise ValueError(f"into does not fit this match: {found or 'the senses that somebody uses differ'}")
+        differing = differences(
+            target.described_settings, source.described_settings, kinds_differ=layout(source) != layout(target)
+        )
+        raise ValueError(f"into does not fit this match: {differing or 'the senses that somebody uses differ'}")
 
 
 def layout(match: Match) -> list[tuple[str, np.dtype, tuple[int, ...]]]:
-    """Return name, dtype and shape of one match's share of each array."""
+    """Return name, dtype and shape of one match in each saved array."""
     return [(name, array.dtype, array.shape[1:]) for name, array in kept(match, memory=True).items()]
 
 
 def copy_rows(source: Match, rows: np.ndarray, target: Match, at: np.ndarray) -> None:
-    """Copy the records of matches `rows` of one Match over matches `at` of another, or of the same."""
+    """Copy the records of matches `rows` of `source` over matches `at` of `target`, which may be the same Match."""
     there = kept(target, memory=True)
     for name, array in kept(source, memory=True).items():
         if array.nbytes:
@@ -59,13 +60,13 @@ def copy_rows(source: Match, rows: np.ndarray, target: Match, at: np.ndarray) ->
 
 
 def draw_anew(match: Match, rows: np.ndarray, seed: Any) -> None:
-    """Let matches draw all that is left to chance anew from a seed, each something else; episodes to come do not."""
+    """Give some matches new random streams from a seed, each its own, until the end of their episodes."""
     draw_streams(match.matches, match.robots, rows, seeds_for(seed, len(rows)))
 
 
 @compiled
 def draw_streams(matches, robots, rows, seeds):
-    """Start the streams of some matches and their robots anew."""
+    """Restart the random streams of some matches and their robots."""
     for i in range(len(rows)):
         m = rows[i]
         start_streams(matches[m].noise, seeds[i], SEARCH, 0)

@@ -1,4 +1,4 @@
-"""What a Match does with saves and branches: the methods that `Match` inherits."""
+"""The methods of `Match` for saves and branches."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Branching:
     """Save, load, branch, hash and copy the matches of a Match."""
 
     if TYPE_CHECKING:
-        asked: MatchArguments
+        arguments: MatchArguments
         count: int
         settings: Settings
         squads: list[Any]
@@ -38,7 +38,7 @@ class Branching:
 
     @property
     def played_by(self) -> tuple[str, list[Any]]:
-        """Return the fingerprint of the settings, and who plays now: what a save must agree with."""
+        """Return the fingerprint of the settings and the squads, which a save must agree with."""
         return self._fingerprint, [squad.describe() for squad in self.squads]
 
     @cached_property
@@ -46,21 +46,21 @@ class Branching:
         return self.settings.fingerprint()
 
     @property
-    def told(self) -> dict[str, list[str]]:
-        """Return settings and teams in words, for the message to a match that a save or a branch does not fit."""
-        return {**self._told, "teams": fitting.told_of_teams(self)}
+    def described_settings(self) -> dict[str, list[str]]:
+        """Return settings and teams in words, for the error of a save or a branch that does not fit."""
+        return {**self._described, "teams": fitting.describe_teams(self)}
 
     @cached_property
-    def _told(self) -> dict[str, list[str]]:
-        return fitting.told(self)
+    def _described(self) -> dict[str, list[str]]:
+        return fitting.describe_settings(self)
 
     @cached_property
     def _fitting(self) -> WeakSet[Any]:
-        """Return the Matches that are known to fit this one: nothing that decides it ever changes."""
+        """Return the Matches that are known to fit this Match; settings and teams never change."""
         return WeakSet()
 
     def rebuild(self, rows: Iterable[int] | None = None) -> None:
-        """Rebuild the physics from the records, as a load does: matches with equal records then go on alike."""
+        """Rebuild the physics from the records, as a load does; matches with equal records then have equal futures."""
         rows = range(self.count) if rows is None else list(rows)
         started, self.started = self.started, False
         self.batch.build_spaces(rows)
@@ -71,59 +71,59 @@ class Branching:
     def save(self, rows: Any = None) -> bytes:
         """Return everything that the future depends on, and rebuild the physics of the running matches from it.
 
-        Contacts forget what touches have built up, so the running match goes on as every copy of the save does, and
-        otherwise than without it: a run that saves at the same steps is reproducible, one that never saves is another.
+        A rebuild clears the history of contacts: the running match goes on like every copy of the save, but not like a
+        match without the save. Runs that save at the same steps are reproducible.
 
-        rows: a match's number, or several; None: all of them. ValueError for a number that no match has.
+        rows: number of a match, or several; None: all matches. ValueError for a number that no match has.
         """
-        found = None if rows is None else branches.check_rows("rows", rows, self.count)
-        saved = saves.dump(self, rows=found)
-        self.rebuild(found)
+        numbers = None if rows is None else branches.check_rows("rows", rows, self.count)
+        saved = saves.dump(self, rows=numbers)
+        self.rebuild(numbers)
         return saved
 
     def load(self, saved: bytes, rows: Any = None) -> None:
-        """Go on from what `save` returned, in all matches or in some rows; the others go on as they were.
+        """Go on from a save, in all matches or in some rows; the other matches go on undisturbed.
 
-        A save of one match goes into every one of the rows. ValueError (and no change) if it is damaged, from other
-        settings, or of another number of matches.
+        A save of one match fills every row. ValueError, and no change, if the save is damaged, has other settings, or
+        another number of matches.
         """
-        found = None if rows is None else branches.check_rows("rows", rows, self.count, once=True)
-        if not (self.started or found is None):
-            raise RuntimeError("load: an error has cut short what was done before: load all matches, or call reset")
-        records = saves.opened(self, saved, rows=found)
+        numbers = None if rows is None else branches.check_rows("rows", rows, self.count, once=True)
+        if not (self.started or numbers is None):
+            raise RuntimeError("load: an error has interrupted the last call: load all matches, or call reset")
+        records = saves.opened(self, saved, rows=numbers)
         self.started = False
-        saves.fill(self, records, found)
-        self._go_on(np.arange(self.count) if found is None else found)
+        saves.fill(self, records, numbers)
+        self._go_on(np.arange(self.count) if numbers is None else numbers)
 
     def branch(self, rows: Any, into: Self | None = None, *, at: Any = None, noise: int | None = None) -> Self:
         """Copy matches over matches of another Match, in memory; return that Match.
 
-        rows: which ones, a number or several. into: a Match of the same settings and teams, whose number of matches,
-        seeds, observations, rewards and actions may differ; None: a new one, with one match a row. at: over which of
-        its matches, None: all; one row goes over all of them, else row i goes over at[i]. noise: None: a branch has the
-        future of its original, bit for bit, under the same actions; a seed: each branch draws all that is left to
-        chance anew (slips, sensors, referee), so that branches are samples of what may happen.
+        rows: number of a match, or several. into: a Match of the same settings and teams, whose number of matches,
+        seeds, observations, rewards and actions may differ; None: a new Match with one match for each row. at: the
+        matches to overwrite, None: all; a single row overwrites all of them, else row i overwrites at[i]. noise: None:
+        under equal actions a branch has the future of its original, bit for bit; a seed: each branch draws new random
+        numbers (slips, sensors, referee), so that branches are samples of possible futures.
 
-        The originals are rebuilt as by `save`, which changes how they go on: to compare play with a search and play
-        without on one seed, branch in both, or play both from one save. ValueError, and nothing has changed, for rows
-        that there are not, or another number of them than of `at`, and for a Match that does not fit.
+        The originals are rebuilt as by `save`, which changes their future: to compare play with and without a search
+        on one seed, branch in both, or play both from one save. ValueError, and no change, for unknown rows, for
+        different numbers of `rows` and `at`, and for a Match that does not fit.
         """
-        found = branches.check_rows("rows", rows, self.count)
-        other = type(self)(**self._asked(matches=len(found))) if into is None else into
+        numbers = branches.check_rows("rows", rows, self.count)
+        other = type(self)(**self._changed_arguments(matches=len(numbers))) if into is None else into
         if other not in self._fitting:
             branches.check_fits(self, other)
             self._fitting.add(other)
         over = np.arange(other.count) if at is None else branches.check_rows("at", at, other.count, once=True)
-        if len(found) not in (1, len(over)):
-            raise ValueError(f"rows must be one match or as many as are overwritten, {len(over)}, got {len(found)}")
+        if len(numbers) not in (1, len(over)):
+            raise ValueError(f"rows must be one match or as many as are overwritten, {len(over)}, got {len(numbers)}")
         if noise is not None:
             seeds_for(noise, 1)
-        other._take(self, found, over, noise)  # before the rebuild: if it is undone, nothing has happened
-        self.rebuild(np.unique(found).tolist())
+        other._take(self, numbers, over, noise)  # before the rebuild: if it is undone, nothing has happened
+        self.rebuild(np.unique(numbers).tolist())
         return other
 
     def _take(self, other: Self, rows: np.ndarray, over: np.ndarray, noise: int | None) -> None:
-        """Go on, in the matches `over`, as the matches `rows` of another Match do."""
+        """Go on from the matches `rows` of another Match, in the matches `over`."""
         self.started = False
         branches.copy_rows(other, rows, self, over)
         if noise is not None:
@@ -131,7 +131,7 @@ class Branching:
         self._go_on(over)
 
     def _go_on(self, rows: np.ndarray) -> None:
-        """Play matches on from records that were just written."""
+        """Rebuild and observe matches whose records were just written."""
         self.rebuild(rows.tolist())
         self.rewards[rows] = 0.0
         self.terms[rows] = 0.0
@@ -144,12 +144,12 @@ class Branching:
         self.started = True
 
     def __reduce__(self) -> Made:
-        """Copy by settings and `save`: pickled and deep copies have the future that the original has from then."""
-        return saves.by_save(self, type(self), self._asked())
+        """Copy by settings and `save`: pickled and deep copies have the future of the original."""
+        return saves.by_save(self, type(self), self._changed_arguments())
 
-    def _asked(self, **changes: Any) -> dict[str, Any]:
-        """Return the settings of this Match, some changed, for one that gets its matches from this."""
-        return {**part_of(self.asked, MatchArguments), "seed": 0, "seeds": None, **changes}
+    def _changed_arguments(self, **changes: Any) -> dict[str, Any]:
+        """Return the arguments of this Match with some changes, for a copy of its matches."""
+        return {**part_of(self.arguments, MatchArguments), "seed": 0, "seeds": None, **changes}
 
     def state_hash(self, m: int | None = None) -> str:
         """Return a hash of the state of all matches, or of match m."""

@@ -1,6 +1,6 @@
-"""What two matches of which one cannot go on as the other differ in, in words: for the messages of load and branch.
+"""The settings in which two matches differ, in words, for the errors of load and branch.
 
-A save carries its settings as `told` gives them, for this alone: whether it fits follows from fingerprints.
+A save carries the result of `describe_settings` for these messages alone: fingerprints decide whether a save fits.
 """
 
 import hashlib
@@ -15,37 +15,37 @@ Match = Any  # soccer_env.match.match.Match, which stands above this file
 
 DIGITS = 8  # of a hash that tells settings of many numbers from each other
 LENGTH = ("max_cycles", "action_repeat")  # an episode's end in control steps follows from both
-SENSED = "observe"  # decides what has to be sensed, and so what a save holds
-INNER = ("padded", *LENGTH, SENSED)  # named under conditions, not by a difference alone
+SENSED = "observe"  # decides which sensors are used, and so the arrays of a save
+INNER = ("padded", *LENGTH, SENSED)  # `differences` names these under conditions
 
 
-def told(match: Match) -> dict[str, list[str]]:
-    """Return [words, hash] of each setting that a save or a branch may fail by, but for the teams."""
+def describe_settings(match: Match) -> dict[str, list[str]]:
+    """Return [words, hash] of each setting that a save or a branch must agree with, without the teams."""
     settings = match.settings
-    said = {name: value for name, value in settings.describe().items() if name not in FREE}
-    said |= {name: getattr(settings, name) for name in LENGTH} | {"limit": settings.limit}
-    said["max_players"] = settings.max_players if settings.padded else None
-    said[SENSED] = settings.describe()[SENSED]
-    said["senses"] = dict(zip(("home", "away"), settings.senses, strict=True))
-    league = said["league"]
-    said |= {name: league.pop(name) for name in ("rules", "sensors", "memory")}
-    return {name: [in_words(name, value), digest(value)] for name, value in said.items()}
+    values = {name: value for name, value in settings.describe().items() if name not in FREE}
+    values |= {name: getattr(settings, name) for name in LENGTH} | {"limit": settings.limit}
+    values["max_players"] = settings.max_players if settings.padded else None
+    values[SENSED] = settings.describe()[SENSED]
+    values["senses"] = dict(zip(("home", "away"), settings.senses, strict=True))
+    league = values["league"]
+    values |= {name: league.pop(name) for name in ("rules", "sensors", "memory")}
+    return {name: [in_words(name, value), digest(value)] for name, value in values.items()}
 
 
-def told_of_teams(match: Match) -> list[str]:
-    """Return words and hash of who plays: a learner's past selves change while a match runs."""
+def describe_teams(match: Match) -> list[str]:
+    """Return words and hash of the teams; they change while a match runs, as past versions of a learner do."""
     teams = [team_of(match, squad) for squad in match.squads]
     return [in_words("teams", teams), digest(teams)]
 
 
 def team_of(match: Match, squad: Any) -> list[Any]:
-    """Return name, settings and robots of a team; of robots their names, as rows depend on how many there are."""
+    """Return name, settings and agents of a team: unlike rows, agents do not depend on team sizes."""
     name, settings, rows = squad.describe()
     return [name, settings, [match.agents[row] for row in rows]]
 
 
 def in_words(name: str, value: Any) -> str:
-    """Return the value of a setting, or what names it, in a few words."""
+    """Return the value of a setting, or its name, in a few words."""
     if name == "teams":
         return "; ".join(f"{team} ({', '.join(agents)})" for team, _, agents in value) or "none"
     if name == "senses":
@@ -54,14 +54,14 @@ def in_words(name: str, value: Any) -> str:
 
 
 def digest(value: Any) -> str:
-    """Return a short hash of a setting."""
+    """Return a short hash of a value."""
     return hashlib.sha256(json.dumps(value, sort_keys=True, default=str).encode()).hexdigest()[:DIGITS]
 
 
 def differences(one: Any, other: Any, kinds_differ: bool = False) -> str:
-    """Return the settings that differ as "minutes 3.0 there, 10.0 here"; "" if none is known to.
+    """Return the settings that differ as "minutes 3.0 there, 10.0 here"; "" if no difference is known.
 
-    one: what a save says, which may be anything; other: what `told` gives here. kinds_differ: not the same arrays.
+    one: the settings in a save, unchecked; other: `describe_settings` of this match. kinds_differ: the arrays differ.
     """
     if not isinstance(one, Mapping) or one.keys() != other.keys():
         return ""

@@ -1,7 +1,6 @@
 """Save, restore and hash matches: bytes with a checked header, nothing executable.
 
-A save holds the records and the memories of the teams. Physics is rebuilt from the records (a rebuild), so a save has
-one future.
+A save holds the records and the memories of the teams. Physics is rebuilt from the records, so a save has one future.
 """
 
 import functools
@@ -9,39 +8,34 @@ import hashlib
 import json
 import logging
 from collections.abc import Callable
+from math import inf
 from typing import Any
 
 import numpy as np
 
 from soccer_env.guards.checking import brief, is_number
 from soccer_env.guards.names import Made
+from soccer_env.guards.ranges import outside
 from soccer_env.match.arguments import made_again, version
-from soccer_env.match.saving.checks import check_numbers
 from soccer_env.match.saving.fitting import differences
 from soccer_env.types import GAZE, RobotStream
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 
-# Streams that physics and the referee draw from: the play itself. Teams and senses draw from the others.
+# Random streams of physics and referee, which decide the play; teams and senses draw from the other streams.
 PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream.FALL)
 THOUGHT = [int(stream) for stream in RobotStream if stream not in PLAYED]
 
 LOG = logging.getLogger("soccer_env")
 MAGIC = b"soccer_env save 1\n"
+LONGEST = 6e13  # [s] of a half with an end, in leagues and by `minutes`
+FIXED = ("team", "number", "keeper")  # fields of a robot that never change
 
 
 def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
     """Return the arrays that the future of a match depends on, by name; without the teams' memory for replays."""
-    arrays = {
-        "seeds": match.seeds,
-        "matches": match.matches,
-        "balls": match.balls,
-        "robots": match.robots,
-        "events": match.events,
-        "robot_events": match.robot_events,
-        "terminated": match.terminated,
-        "truncated": match.truncated,
-    }
+    names = ("seeds", "matches", "balls", "robots", "events", "robot_events", "terminated", "truncated")
+    arrays = {name: getattr(match, name) for name in names}
     if not memory:
         return arrays
     if match.batch.senses is not None:
@@ -52,12 +46,12 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
 
 
 def kept(match: Match, memory: bool) -> dict[str, np.ndarray]:
-    """Return the arrays that a save holds: what the future depends on, and the statistics of play so far."""
+    """Return the arrays of a save: the arrays that the future depends on, and the statistics of play so far."""
     return parts(match, memory) | ({"statistics": match.statistics} if memory else {})
 
 
 def header_of(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> dict[str, Any]:
-    """Return what a save of some arrays must agree with to be loaded."""
+    """Return the header that a save of some arrays must have to be loaded."""
     settings, teams = match.played_by if memory else ("", [])
     return {
         "settings": settings,
@@ -68,32 +62,29 @@ def header_of(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> dict
 
 @functools.cache
 def words_of(dtype: np.dtype) -> str:
-    """Return a dtype in words; numpy takes longer for those of all records than a save for all the rest."""
+    """Return a dtype as text, cached: numpy needs longer for the text of all records than the rest of a save."""
     return str(dtype)
 
 
 def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> bytes:
-    """Return all matches, or those of some rows, as bytes: magic, length of the header, header, arrays, sha256."""
+    """Return all matches, or some rows, as bytes: magic, length of the header, header, arrays, sha256."""
     arrays = kept(match, memory)
     if rows is not None:
         arrays = {name: array[rows] for name, array in arrays.items()}
-    told = {"told": match.told} if memory else {}
-    header = json.dumps({**header_of(match, arrays, memory), **told}).encode()
+    described = {"told": match.described_settings} if memory else {}
+    header = json.dumps({**header_of(match, arrays, memory), **described}).encode()
     contents = [array.tobytes() for array in arrays.values()]
     body = b"".join([MAGIC, len(header).to_bytes(4, "little"), header, *contents])
     return body + hashlib.sha256(body).digest()
 
 
 def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> None:
-    """Fill the arrays of a match from a save; ValueError, and nothing changed, if it does not fit.
-
-    rows: some matches alone; a save of one match fills every row.
-    """
+    """Fill the arrays of a match, or of some rows, from a save; ValueError, and no change, if the save does not fit."""
     fill(match, opened(match, saved, memory, rows), rows)
 
 
 def opened(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> dict[str, np.ndarray]:
-    """Return the arrays of a save by name; ValueError if it does not fit the match."""
+    """Return the arrays of a save by name; ValueError if the save does not fit the match."""
     body, start, header = open_save(saved)
     count = matches_in(header, match.count, rows)
     there = kept(match, memory)
@@ -101,33 +92,33 @@ def opened(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | Non
     expected = json.loads(json.dumps(header_of(match, wanted, memory)))
     for name, value in expected.items():
         if header.get(name) != value:
-            words = differences(header.get("told"), match.told, header.get("parts") != expected["parts"])
+            words = differences(header.get("told"), match.described_settings, header.get("parts") != expected["parts"])
             raise ValueError(f"this save does not fit the match: {words or f'its {name} differ'}")
-    found = {}
+    loaded = {}
     for name, array in wanted.items():
         if array.nbytes:  # a team may remember nothing
-            found[name] = np.frombuffer(body, array.dtype, array.size, start).reshape(array.shape)
+            loaded[name] = np.frombuffer(body, array.dtype, array.size, start).reshape(array.shape)
         start += array.nbytes
     if start != len(body):
         raise ValueError("this save is damaged: something follows its end")
-    check_numbers(match, found)
-    return found
+    check_numbers(match, loaded)
+    return loaded
 
 
-def fill(match: Match, found: dict[str, np.ndarray], rows: np.ndarray | None = None) -> None:
+def fill(match: Match, arrays: dict[str, np.ndarray], rows: np.ndarray | None = None) -> None:
     """Write arrays of a save into a match."""
-    there = kept(match, memory="statistics" in found)
-    for name, values in found.items():
+    there = kept(match, memory="statistics" in arrays)
+    for name, values in arrays.items():
         as_bytes(there[name])[slice(None) if rows is None else rows] = as_bytes(values)
 
 
 def as_bytes(records: np.ndarray) -> np.ndarray:
-    """Return a view of records whose fields numpy does not know: it copies them in a tenth of the time."""
+    """Return a view of records as plain bytes, which numpy copies ten times as fast as fields."""
     return records.view(np.dtype((np.void, records.dtype.itemsize)))
 
 
 def matches_in(header: dict[str, Any], there: int, rows: np.ndarray | None) -> int:
-    """Return how many matches a save holds; ValueError unless it is one, or as many as there are rows."""
+    """Return the number of matches in a save; ValueError unless it is 1 or the number of rows."""
     try:
         count = header["parts"][0][2][0]
     except (KeyError, IndexError, TypeError) as error:
@@ -136,16 +127,14 @@ def matches_in(header: dict[str, Any], there: int, rows: np.ndarray | None) -> i
     if fits:
         return int(count)
     if rows is None:
-        raise ValueError(
-            f"this save is of {brief(count)} matches, not {there}; a Match loads it into rows that are named"
-        )
+        raise ValueError(f"this save is of {brief(count)} matches, not {there}; name the rows to load it into")
     raise ValueError(
         f"rows must be as many as the matches of the save, {brief(count)}, got {len(rows)}; one fits any number"
     )
 
 
 def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
-    """Return the body of a save, where its arrays start, and its header; ValueError if it is damaged."""
+    """Return the body of a save, the start of its arrays, and its header; ValueError if the save is damaged."""
     if not isinstance(saved, (bytes, bytearray, memoryview)):
         raise ValueError(f"a save is bytes, got {type(saved).__name__}")
     data = bytes(saved)
@@ -163,17 +152,45 @@ def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
     return body, start + size, header
 
 
+# Checks of the numbers: kernels trust the numbers in the records
+
+
+def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
+    """Raise ValueError if a number of a save cannot come from this match."""
+    for name, array in arrays.items():
+        field = outside(array, len(match.agents))
+        if field:
+            raise ValueError(f"this save is damaged: {field} of {name} is out of range")
+    robots = arrays["robots"]
+    for field in FIXED:
+        if not (robots[field] == match.robots[field][:1]).all():  # all matches line up alike
+            raise ValueError(f"this save is damaged: {field} of robots is not that of the match")
+    length = arrays["matches"]["half_length"]
+    if ((length > LONGEST) & (length < inf)).any():
+        raise ValueError("this save is damaged: half_length of matches is out of range")
+    if robots["caught_by"].any():
+        check_caught(robots, bool(match.batch.constants["legs"][0]))
+
+
+def check_caught(robots: np.ndarray, legs: bool) -> None:
+    """Raise ValueError unless every caught leg of robots (M, R) is held by another one, and both are on the pitch."""
+    holder, active = robots["caught_by"] - 1, robots["active"] == 1
+    held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
+    if not legs or not (held | (holder < 0)).all():
+        raise ValueError("this save is damaged: caught_by of robots names a robot that cannot hold a leg")
+
+
 # Copies by pickle, cloudpickle and copy.deepcopy
 
 
 def by_save(match: Any, make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return what to pickle of a match that `make` makes from settings; its physics is rebuilt."""
+    """Return the pickle of a match that `make` makes from settings; its physics is rebuilt."""
     LOG.info("a match is copied: its physics is rebuilt from its records, as by save()")
     return loaded_again, (version(), make, settings, match.save())
 
 
 def loaded_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any], saved: bytes) -> Any:
-    """Return the match that was pickled, as `made_again` does."""
+    """Return the pickled match; ValueError as for `made_again`."""
 
     def make_and_load(**settings: Any) -> Any:
         match = make(**settings)
@@ -195,11 +212,11 @@ def state_hash(match: Match, m: int | None = None) -> str:
 
 
 def play_hash(match: Match) -> str:
-    """Return a hash of the play alone: what follows from commands, whoever gave them."""
+    """Return a hash of the play alone, which follows from the commands, without teams and senses."""
     digest = hashlib.blake2b(digest_size=16)
     robots = match.robots.copy()
     robots["noise"][..., THOUGHT] = 0
-    robots["gaze"] = np.zeros((), GAZE)  # what the head looks at is in its pan and tilt
+    robots["gaze"] = np.zeros((), GAZE)  # pan and tilt of the head show the effect of the gaze
     for array in (match.matches, match.balls, robots):
         digest.update(np.ascontiguousarray(array).tobytes())
     return digest.hexdigest()

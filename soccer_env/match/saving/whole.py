@@ -1,4 +1,4 @@
-"""Steps, resets, loads and branches that happen whole or not at all, each in one thread at a time."""
+"""Steps, resets, loads and branches are done whole or not at all, in one thread at a time."""
 
 from collections.abc import Iterator
 from typing import Any, TypeVar
@@ -13,18 +13,18 @@ Match = Any  # soccer_env.match.match.Match, which stands above this file
 T = TypeVar("T")
 CHANGING = ("reset", "step", "decide", "load", "_take")  # methods that change records
 METHODS = (*CHANGING, "rebuild", "save", "branch")
-UNMOVED = ("step", "decide")  # methods that leave the physics of a match alone whose step and episode stay the same
+UNMOVED = ("step", "decide")  # methods that move the physics of a match only if its step or episode changes
 
 
 def whole(kind: type[T]) -> type[T]:
-    """Let what changes a match be one thread's alone, and be done or not done, whatever raises in it."""
+    """Guard the methods of Match: one thread at a time, and undone if an error is raised."""
     return in_turn(kind, METHODS, calls_python, undoing)
 
 
 def undoing(match: Match, doing: str) -> GoBack | None:
-    """Return what makes a match again what it is now; None at its first reset.
+    """Return a function that restores the present state of a match; None at the first reset.
 
-    The physics is left alone if it has not moved, else it is rebuilt as by a load.
+    Physics that has moved is rebuilt as by a load.
     """
     if match.batch.physics.spaces[0] is None:
         return None
@@ -49,13 +49,13 @@ def undoing(match: Match, doing: str) -> GoBack | None:
 
 
 def shown(match: Match) -> dict[str, np.ndarray]:
-    """Return all arrays of a match that a step, reset or load changes, by name."""
+    """Return the arrays of a match that a step, reset or load changes, by name."""
     seen = dict(leaves("observations", match.observations))
     return {**kept(match, True), "rewards": match.rewards, "terms": match.terms, **seen}
 
 
 def leaves(name: str, observations: Any) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield the arrays of observations, which are dicts of such where teams or a user's own observe several."""
+    """Yield the arrays of observations with names; observations may be nested dicts of arrays."""
     if isinstance(observations, np.ndarray):
         yield name, observations
     else:
@@ -64,12 +64,12 @@ def leaves(name: str, observations: Any) -> Iterator[tuple[str, np.ndarray]]:
 
 
 def signals_wait(match: Match, doing: str) -> bool:
-    """Tell whether signals wait while a match does something: not where it calls code of a user, or may compile."""
+    """Tell whether signals wait during a method: not if the method calls users' code or may compile."""
     return doing in match._turn.sure
 
 
 def calls_python(match: Match) -> bool:
-    """Tell whether a match calls a team, an observation, a reward or a scene in Python."""
+    """Tell whether a match calls a team, an observation, a reward or a scene of Python."""
     settings = match.settings
     own = not isinstance(settings.observe, str) or bool(settings.rewards.extra) or is_own(settings.scene)
     return own or not all(squad.compiled for squad in match.squads)

@@ -1,16 +1,16 @@
-"""Things drawn over a picture: shapes that a caller places, and what robots see, believe and plan, each by a flag.
+"""Overlays of a picture: shapes that a caller places, and percepts, beliefs and plans of robots, each by a flag.
 
 shapes.py    points, paths, arrows, areas and labels in the field frame
-flags.py     `OverlayFlags`: what is to be shown, and of which robot
-scene.py     `Cast` and `Shot`: who plays, and what is drawn of one moment
-layers.py    from flags and a moment to overlays, and what a flag cannot show
-onlooker.py  follows a match or a replay, for whoever draws it
-belief.py    ball, players and itself as a robot believes, against the truth
-sight.py     the field of view, and what the camera delivered in it
-forces.py    the potential field that its team computes
-ways.py      planned path, travelled path, trail of the ball
-states.py    role and recovery state of every robot, the ranger's beam
-panel.py     the camera's picture, and words in a corner
+flags.py     `OverlayFlags`: the overlays to show, and the robot
+cast.py      `Cast`: the league and teams of a match; `Shot`: one moment of it
+layers.py    from flags and a moment to overlays, with a reason if a flag has nothing to show
+onlooker.py  `Onlooker` follows a match, `Reel` a replay, and makes their overlays
+belief.py    a robot's beliefs about itself, ball and players, beside the truth
+sight.py     the field of view, and the percepts of the camera in it
+forces.py    the potential field of a robot's team
+paths.py     planned path, travelled path, trail of the ball
+roles.py     role and recovery state of every robot, beams of the rangers
+panels.py    words, key help and the camera's picture, on dark plates
 """
 
 from soccer_env.render.overlays.shapes import Area, Arrows, Label, Overlay, Points, Polyline

@@ -1,4 +1,4 @@
-"""What one robot believes, over what is true: itself, its possible poses, the ball, the others."""
+"""The beliefs of one robot beside the truth: its pose and particles, the ball, other players."""
 
 from __future__ import annotations
 
@@ -9,51 +9,53 @@ import numpy as np
 from soccer_env.geometry import point_of_frame
 from soccer_env.leagues.league import League
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Label, Overlay, Points, Polyline
 from soccer_env.render.robots import parts_of
 from soccer_env.thoughts.thought import Thought
 
-JUST_SEEN = 0.5  # [s] what was seen so lately is not marked with its age
-WHOLE = 1.95  # [s] from which an age is told in whole seconds: a point is lost in small pictures
-DEVIATIONS = 2.0  # of the cloud that its ellipse goes round
+JUST_SEEN = 0.5  # [s] younger percepts are not marked with their age
+WHOLE = 1.95  # [s] from this age on only whole seconds: a decimal point is lost in small pictures
+DEVIATIONS = 2.0  # standard deviations in the ellipse around the particles
 CORNERS = np.linspace(0.0, 2.0 * pi, 33)[:-1]
 
 Pose = tuple[float, float, float]
 
 
 def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) -> list[Overlay]:
-    """Return what robot `row` believes; links lead from what is true to where it believes it."""
+    """Return the beliefs of robot `row`, with links from each true place to the believed place."""
     robot = shot.robots[row]
     true = (float(robot["x"]), float(robot["y"]))
-    found = cloud(thought, unit)
-    found.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
-    found += trunk(cast.league, thought.pose, WHITE, 2.6 * unit)
+    overlays = cloud(thought, unit)
+    overlays.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
+    overlays += trunk(cast.league, thought.pose, WHITE, 2.6 * unit)
     for player in thought.players:
         team = int(robot["team"]) if player.mate else 1 - int(robot["team"])
-        found.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
+        overlays.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
         if player.age >= JUST_SEEN:
             away = (13.0 * unit, -13.0 * unit)
             words = f"{player.age:.0f} s" if player.age >= WHOLE else f"{player.age:.1f} s"
-            found.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
+            overlays.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
     if thought.ball is not None:
-        found.append(Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit))
-        found.append(Points([thought.ball], BALL_SHINE, 9.0 * unit, hollow=True))
-    return found
+        overlays.append(
+            Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit)
+        )
+        overlays.append(Points([thought.ball], BALL_SHINE, 9.0 * unit, hollow=True))
+    return overlays
 
 
 def letters(unit: float) -> float:
-    """Return the size of letters beside things [px], legible in small pictures too."""
+    """Return the size of letters [px], legible in small pictures too."""
     return max(15.0, 19.0 * unit)
 
 
 def ring_of(league: League, unit: float) -> float:
-    """Return the radius of the ring round a believed player [px]."""
+    """Return the radius of the ring around a believed player [px]."""
     return (15.0 if league.body.legs else 12.0) * unit
 
 
 def cloud(thought: Thought, unit: float) -> list[Overlay]:
-    """Return an ellipse round the poses that the robot thinks possible, two deviations wide; nothing without them."""
+    """Return an ellipse of two standard deviations around the robot's particles; nothing without particles."""
     wide, narrow, axis = thought.cloud
     if wide <= 0.0:
         return []
@@ -65,7 +67,7 @@ def cloud(thought: Thought, unit: float) -> list[Overlay]:
 
 
 def trunk(league: League, pose: Pose, colour: Colour, width: float) -> list[Overlay]:
-    """Return the outline of a robot's trunk at a pose, with a line to where it looks."""
+    """Return the outline of a robot's trunk at a pose, with a line ahead."""
     x, y, heading = pose
     corners = [
         point_of_frame(x, y, u, v, cos(heading), sin(heading))
@@ -82,7 +84,7 @@ def trunk(league: League, pose: Pose, colour: Colour, width: float) -> list[Over
 
 
 def belief_words(name: str, thought: Thought) -> str:
-    """Return what the robot believes in a line."""
+    """Return the robot's beliefs in one line."""
     words = f"{name} believes: itself {thought.confidence:.0f} %"
     if thought.ball is None:
         return f"{words}, the ball was never seen"

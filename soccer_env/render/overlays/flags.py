@@ -1,4 +1,4 @@
-"""The overlays of a picture, and the robot that they are about."""
+"""The flags that choose the overlays of a picture, and their robot."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NUMBERED = re.compile(r"(home|away|red|blue)[ _-]?(\d+)")
 
 @dataclass(frozen=True, kw_only=True)
 class OverlayFlags(Checked):
-    """What pictures, films and windows show over the match."""
+    """The overlays of pictures, films and windows."""
 
     TITLED = False
 
@@ -44,25 +44,25 @@ class OverlayFlags(Checked):
 
     @property
     def any(self) -> bool:
-        """Tell whether anything is to be shown."""
+        """Tell whether any overlay is on."""
         return any(getattr(self, name) for name in FLAGS)
 
     @property
     def need_groups(self) -> bool:
-        """Tell whether what cameras delivered and robots plan is to be shown: `thoughts.groups`."""
+        """Tell whether an overlay needs percepts of the camera or plans: `thoughts.groups`."""
         return self.sight or self.field or self.path or self.infrared
 
     @property
     def agent(self) -> str | None:
-        """Return the agent that is asked for, None for whoever is nearest to the ball."""
-        found = NUMBERED.fullmatch(self.robot)
-        if found is None:
+        """Return the agent that `robot` names, None for the robot nearest to the ball."""
+        numbered = NUMBERED.fullmatch(self.robot)
+        if numbered is None:
             return None
-        side = {"red": "home", "blue": "away"}.get(found[1], found[1])
-        return f"{side}_{int(found[2])}"
+        side = {"red": "home", "blue": "away"}.get(numbered[1], numbered[1])
+        return f"{side}_{int(numbered[2])}"
 
     def turned(self, name: str) -> OverlayFlags:
-        """Return the flags with one of them turned over."""
+        """Return the flags with one flag inverted."""
         changed: dict[str, Any] = {name: not getattr(self, name)}
         return replace(self, **changed)
 
@@ -70,25 +70,25 @@ class OverlayFlags(Checked):
 FLAGS = tuple(item.name for item in fields(OverlayFlags) if item.type == "bool")
 
 
-def flags_of(given: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
-    """Return flags from flags, a mapping, or names as in "belief,trail"; None: nothing is shown.
+def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
+    """Return the flags of OverlayFlags, a mapping, names as in "belief,trail", or None (no overlay).
 
-    ValueError names what is not known.
+    ValueError names an unknown overlay.
     """
-    if given is None:
+    if overlays is None:
         return OverlayFlags()
-    if isinstance(given, str):
-        names = [name.strip() for name in given.split(",") if name.strip()]
+    if isinstance(overlays, str):
+        names = [name.strip() for name in overlays.split(",") if name.strip()]
         check_names("overlay", names, FLAGS)
-        given = dict.fromkeys(names, True)
-    if isinstance(given, Mapping):
-        check_names("overlay", given, (*FLAGS, "robot"))
-        return OverlayFlags(**given)
-    if not isinstance(given, OverlayFlags):
-        refuse("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", given)
-    return given
+        overlays = dict.fromkeys(names, True)
+    if isinstance(overlays, Mapping):
+        check_names("overlay", overlays, (*FLAGS, "robot"))
+        return OverlayFlags(**overlays)
+    if not isinstance(overlays, OverlayFlags):
+        refuse("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", overlays)
+    return overlays
 
 
 def part_of_flags(settings: OverlayFlags) -> OverlayFlags:
-    """Return the flags alone out of settings that have more."""
+    """Return only the flags of settings with more fields."""
     return OverlayFlags(**{item.name: getattr(settings, item.name) for item in fields(OverlayFlags)})

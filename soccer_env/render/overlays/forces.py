@@ -1,4 +1,4 @@
-"""The potential field that a robot's team computes from what the robot believes, over the whole pitch."""
+"""The potential field that a robot's team computes from the robot's beliefs, over the whole pitch."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.render.colours import Colour
-from soccer_env.render.overlays.scene import Cast, Part, Shot
+from soccer_env.render.overlays.cast import Cast, Part, Shot
+from soccer_env.render.overlays.paths import plan_of
 from soccer_env.render.overlays.shapes import ArrowGrid, Overlay
-from soccer_env.render.overlays.ways import plan_of
 from soccer_env.teams import Mind
 from soccer_env.thoughts.thought import Thought
 
@@ -21,7 +21,7 @@ STRONG: Colour = (255, 236, 130)
 
 
 def force_arrows(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.ndarray, unit: float) -> list[Overlay]:
-    """Return arrows on a grid: their direction is that of the force, length and colour tell how strong it is."""
+    """Return arrows on a grid: their direction is that of the force, length and colour show its strength."""
     points, cell = grid(cast.league.pitch.length, cast.league.pitch.width)
     vectors = forces_at(cast, shot, row, thought, target, points)
     size = np.hypot(*vectors.T)
@@ -31,7 +31,7 @@ def force_arrows(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.
 
 
 def forces_at(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the forces (P, 2) on a robot, in its `row`, that stood at each of some points (P, 2), field frame."""
+    """Return the forces (P, 2) on robot `row` if it stood at each of the points (P, 2), field frame."""
     part = cast.parts[row]
     home_ahead = float(shot.match["home_direction"]) > 0.0
     sign = 1.0 if home_ahead == (int(shot.robots["team"][row]) == 0) else -1.0
@@ -42,19 +42,19 @@ def forces_at(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.nda
 
 
 def shares_of(size: np.ndarray) -> np.ndarray:
-    """Return how strong forces (P,) are beside each other, from 0 to 1: one half for the middle one."""
+    """Return the relative strength of forces (P,), from 0 to 1: one half for the median."""
     shares: np.ndarray = size / (size + np.median(size) + 1e-12)
     return shares
 
 
 def has_forces(part: Part | None) -> bool:
-    """Tell whether a team computes forces that can be asked for."""
+    """Tell whether a team explains its forces."""
     explanation = None if part is None else part.explanation
     return explanation is not None and explanation.forces is not None and part is not None and part.settings is not None
 
 
 def target_of(part: Part, thought: Thought) -> np.ndarray | None:
-    """Return where the forces pull to (2,) [m]: the end of the plan, any place if they know it; None without a plan."""
+    """Return the target of the forces (2,) [m]: the end of the plan; None without a plan, if they need a target."""
     plan = plan_of(thought)
     if len(plan):
         end: np.ndarray = plan[-1]
@@ -72,7 +72,7 @@ def grid(length: float, width: float) -> tuple[np.ndarray, float]:
 
 
 def mind_of(thought: Thought, sign: float, constants: np.ndarray, settings: np.ndarray) -> Mind:
-    """Return the records that a team decides from, as far as a note has them; `sign` -1 turns the field frame."""
+    """Return the records that a team decides from, rebuilt from a note; `sign` -1 turns the field frame."""
     beliefs, tracks = np.zeros(1, BELIEF), np.zeros((1, max(1, len(thought.players))), TRACK)
     x, y, heading = thought.pose
     own = beliefs["own"][0]

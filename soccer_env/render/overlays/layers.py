@@ -7,63 +7,63 @@ from typing import NamedTuple
 
 from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.render.overlays.belief import belief_words, believed
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import force_arrows, has_forces, target_of
-from soccer_env.render.overlays.panel import CameraPicture, Words
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.panels import CameraPicture, Words
+from soccer_env.render.overlays.paths import ball_trail, plan_of, planned, travelled
+from soccer_env.render.overlays.roles import beams, mark_of_picked, roles
 from soccer_env.render.overlays.shapes import Overlay
 from soccer_env.render.overlays.sight import in_sight
-from soccer_env.render.overlays.states import beams, mark_of_picked, roles
-from soccer_env.render.overlays.ways import ball_trail, plan_of, planned, travelled
 from soccer_env.thoughts.thought import Thought
 
 LEAST_UNIT = 0.7  # of sizes in a picture of 960 px: letters stay legible in smaller ones
 
 
 class Look(NamedTuple):
-    """One moment as a layer sees it."""
+    """The input of a layer: one moment, and the selected robot."""
 
     cast: Cast
     shot: Shot
     past: Sequence[Shot]  # the latest last, `shot` not among them
-    row: int  # of the robot that is looked into
+    row: int  # of the selected robot
     thought: Thought | None  # of that robot
     unit: float  # [1] scale of lines and letters
 
     @property
     def name(self) -> str:
-        """Return what people call that robot."""
+        """Return the robot's name for people, such as "red 1"."""
         robot = self.shot.robots[self.row]
         return f"{TEAM_NAMES[int(robot['team'])]} {int(robot['number'])}"
 
 
 def overlays_of(flags: OverlayFlags, cast: Cast, shot: Shot, past: Sequence[Shot], width: int) -> list[Overlay]:
-    """Return what the flags ask for, in the order in which it is drawn; `width` [px] of the picture scales it."""
+    """Return the overlays of the flags in the order of drawing; the picture's `width` [px] scales them."""
     if not flags.any:
         return []
     row = cast.picked(flags, shot)
     look = Look(cast, shot, past, row, cast.thought(shot, row), max(LEAST_UNIT, width / 960.0))
-    found: list[Overlay] = []
+    overlays: list[Overlay] = []
     words: list[str] = []
     for name, layer in LAYERS.items():
         if getattr(flags, name):
-            drawn, said = layer(look)
-            found += drawn
-            words += said
+            drawn, lines = layer(look)
+            overlays += drawn
+            words += lines
     if flags.belief or flags.sight or flags.field or flags.path:
-        found.insert(0, mark_of_picked(look))
+        overlays.insert(0, mark_of_picked(look))
     if flags.sight and cast.camera is not None and look.thought is not None and "head" in look.thought.groups:
-        found.append(CameraPicture(look))
+        overlays.append(CameraPicture(look))
     if words:
-        found.append(Words(tuple(dict.fromkeys(words)), look.unit, not shot.robots["active"].all()))
-    return found
+        overlays.append(Words(tuple(dict.fromkeys(words)), look.unit, not shot.robots["active"].all()))
+    return overlays
 
 
 Drawn = tuple[list[Overlay], list[str]]
 
 
 def why_none(look: Look) -> str:
-    """Return why nothing is known of what the robot thinks, "" if it is known."""
+    """Return why the robot's thoughts are unknown, "" if they are known."""
     if look.cast.reader is None or look.shot.note is None:
         return look.cast.why_no_notes
     if look.thought is None or not look.thought.knows:
@@ -72,7 +72,7 @@ def why_none(look: Look) -> str:
 
 
 def show_belief(look: Look) -> Drawn:
-    """Draw what the robot believes."""
+    """Draw the beliefs of the robot."""
     why = why_none(look)
     if why or look.thought is None:
         return [], [f"belief: {why}"]
@@ -80,7 +80,7 @@ def show_belief(look: Look) -> Drawn:
 
 
 def show_sight(look: Look) -> Drawn:
-    """Draw what its camera delivered."""
+    """Draw the percepts of the robot's camera."""
     groups = {} if look.thought is None else look.thought.groups
     by_head = "head" in groups and look.cast.camera is not None
     if not (by_head or (groups and look.cast.rays)):
@@ -90,7 +90,7 @@ def show_sight(look: Look) -> Drawn:
 
 
 def show_field(look: Look) -> Drawn:
-    """Draw the potential field of its team."""
+    """Draw the potential field of the robot's team."""
     part = look.cast.parts.get(look.row)
     if part is None or not has_forces(part):
         who = "a learner" if part is None else part.name
@@ -105,24 +105,24 @@ def show_field(look: Look) -> Drawn:
 
 
 def show_path(look: Look) -> Drawn:
-    """Draw where it plans to go, and where it came from."""
-    found = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
+    """Draw the planned and the travelled path of the robot."""
+    overlays = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
     part = look.cast.parts.get(look.row)
     if part is None or part.explanation is None or part.explanation.plan is None:
-        return found, [f"path: {'a learner' if part is None else part.name} plans no ways; travelled only"]
+        return overlays, [f"path: {'a learner' if part is None else part.name} plans no ways; travelled only"]
     why = why_none(look)
     if why or look.thought is None:
-        return found, [f"path: {why}"]
+        return overlays, [f"path: {why}"]
     if "plan" not in look.thought.groups:
-        return found, ["path: no plans were noted"]
-    return found + planned(plan_of(look.thought), look.unit), []
+        return overlays, ["path: no plans were noted"]
+    return overlays + planned(plan_of(look.thought), look.unit), []
 
 
 def show_roles(look: Look) -> Drawn:
     """Write what every robot does."""
-    found = roles(look.cast, look.shot, look.unit)
-    if found:
-        return found, []
+    overlays = roles(look.cast, look.shot, look.unit)
+    if overlays:
+        return overlays, []
     known = look.cast.reader is not None and look.shot.note is not None
     return [], [f"roles: {'these teams tell none' if known else look.cast.why_no_notes}"]
 
@@ -137,16 +137,11 @@ def show_infrared(look: Look) -> Drawn:
 
 
 def show_trail(look: Look) -> Drawn:
-    """Draw where the ball came from."""
+    """Draw the trail of the ball."""
     return ball_trail(look.past, look.shot, look.cast.league.control_rate, look.unit), []
 
 
 LAYERS = {
-    "field": show_field,
-    "sight": show_sight,
-    "trail": show_trail,
-    "path": show_path,
-    "infrared": show_infrared,
-    "belief": show_belief,
-    "roles": show_roles,
-}
+    "field": show_field, "sight": show_sight, "trail": show_trail, "path": show_path, "infrared": show_infrared,
+    "belief": show_belief, "roles": show_roles,
+}  # fmt: skip

@@ -1,4 +1,4 @@
-"""Follows a match that is played, or a replay, and says what lies over each picture of it."""
+"""`Onlooker` follows a running match, `Reel` a replay, for the overlays of their pictures."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from math import ceil
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.match import Match
+from soccer_env.render.overlays.cast import Cast, Shot, cast_of, cast_of_replay, shot_of
 from soccer_env.render.overlays.flags import OverlayFlags, flags_of
 from soccer_env.render.overlays.layers import overlays_of
-from soccer_env.render.overlays.scene import Cast, Shot, cast_of, cast_of_replay, shot_of
+from soccer_env.render.overlays.paths import TRAVELLED
 from soccer_env.render.overlays.shapes import Overlay
-from soccer_env.render.overlays.ways import TRAVELLED
 from soccer_env.thoughts.thought import Reader, note_at
 from soccer_env.thoughts.thoughts import Thoughts
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.recorded import Recorded
+    from soccer_env.thoughts.thoughts import Recorded
 
 
 class Onlooker:
@@ -27,7 +27,7 @@ class Onlooker:
         overlays = onlooker.see(match, width=960)
         frame = Picture(match.league).draw(match.matches[0], match.balls[0], match.robots[0], overlays=overlays)
 
-    `overlays` as in `flags_of`. What robots think is asked only where a flag needs it, and changes nothing in the play.
+    `overlays` as in `flags_of`. Thoughts are read only if a flag needs them, and reading does not change the play.
     """
 
     def __init__(self, match: Match, overlays: OverlayFlags | Mapping[str, Any] | str | None) -> None:
@@ -38,18 +38,18 @@ class Onlooker:
         self._past: deque[Shot] = past_of(self._cast)
 
     def see(self, match: Match, width: int) -> list[Overlay]:
-        """Return what lies over a picture of the match now, `width` pixels wide; [] without flags."""
+        """Return the overlays of the present picture, `width` pixels wide; [] without flags."""
         if self._thoughts is None:
             return []
         note = self._thoughts.look(match) if self._cast.reader is not None else None
         shot = shot_of(match, note)
-        found = overlays_of(self.flags, self._cast, shot, list(self._past), width)
+        overlays = overlays_of(self.flags, self._cast, shot, list(self._past), width)
         self._past.append(shot)
-        return found
+        return overlays
 
 
 class Reel:
-    """A replay as shots, with what robots thought in them if that is wanted; `cast` says who plays."""
+    """A replay as shots, with the robots' thoughts if `thoughts`; `cast` holds its teams."""
 
     def __init__(self, replay: Recorded, thoughts: bool = True) -> None:
         self._notes = replay.notes() if thoughts else None
@@ -59,7 +59,7 @@ class Reel:
         self.cast = cast_of_replay(replay, first, None if self._notes is None else Reader.of(self._notes))
 
     def shots(self) -> Iterator[Shot]:
-        """Yield a shot of the start and of every control step, once; ValueError where the play differs."""
+        """Yield a shot of the start and of every control step, once; ValueError if the play differs."""
         yield self.first
         for step, match in enumerate(self._playing, 1):
             yield self._shot(match, step)
@@ -69,5 +69,5 @@ class Reel:
 
 
 def past_of(cast: Cast) -> deque[Shot]:
-    """Return an empty memory of as many shots as overlays look back."""
+    """Return an empty memory for the shots that overlays look back on."""
     return deque(maxlen=ceil(TRAVELLED * cast.league.control_rate) + 1)

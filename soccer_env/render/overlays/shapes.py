@@ -1,4 +1,4 @@
-"""Things drawn over a picture in the field frame: what a robot believes, where it plans to go, what forces act."""
+"""Shapes in the field frame, to be drawn over a picture: points, paths, arrows, areas, labels."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class Polyline:
 
 @dataclass(frozen=True, eq=False)
 class Arrows:
-    """Arrows, as of a force field."""
+    """Arrows, such as those of a force field."""
 
     tails: ArrayLike  # (N, 2) [m] field frame
     vectors: ArrayLike  # (N, 2) [m] from tail to tip, field frame
@@ -110,7 +110,7 @@ class Arrows:
 
 @dataclass(frozen=True, eq=False)
 class ArrowGrid:
-    """Many arrows about their middles, as of a force field; colours tell how strong each is."""
+    """Many arrows around their middles, such as those of a force field; colours show their strength."""
 
     middles: ArrayLike  # (N, 2) [m] field frame
     vectors: ArrayLike  # (N, 2) [m] from tail to tip, field frame
@@ -139,7 +139,7 @@ class ArrowGrid:
 
 @dataclass(frozen=True, eq=False)
 class Area:
-    """A region that the ground shines through, as of what a camera has in view."""
+    """A transparent region, such as the field of view of a camera."""
 
     xy: ArrayLike  # (N, 2) [m] field frame: its corners, of which at least three
     colour: Colour

@@ -1,4 +1,4 @@
-"""What a camera has in view, and what it delivered: drawn from where the robot really stands."""
+"""The field of view of a camera and its percepts, drawn from the true pose of the robot."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import numpy as np
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS
 from soccer_env.render.colours import BALL, GOALS, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.scene import Camera, Cast, Shot
+from soccer_env.render.overlays.cast import Camera, Cast, Shot
 from soccer_env.render.overlays.shapes import Area, Overlay, Points, Polyline
 
 SIGHT: Colour = (255, 246, 190)
-RAYS = 41  # of the fan that the field of view is drawn as
+RAYS = 41  # of the fan that shows the field of view
 BLOB_RAYS = 5
 
 Pose = tuple[float, float, float]
@@ -22,7 +22,7 @@ Groups = Mapping[str, np.ndarray]
 
 
 def in_sight(cast: Cast, shot: Shot, row: int, groups: Groups, unit: float) -> list[Overlay]:
-    """Return the view and what was delivered of it."""
+    """Return the field of view and the percepts of a robot (row)."""
     robot = shot.robots[row]
     pose = (float(robot["x"]), float(robot["y"]), float(robot["heading"]))
     tints = colours_of(int(robot["team"]), float(shot.match["home_direction"]))
@@ -32,7 +32,7 @@ def in_sight(cast: Cast, shot: Shot, row: int, groups: Groups, unit: float) -> l
 
 
 def colours_of(team: int, home_direction: float) -> dict[str, Colour]:
-    """Return the colours of what a robot of a team sees."""
+    """Return the colours of the things that a robot of a team sees."""
     own_end = 0 if (home_direction > 0.0) == (team == 0) else 1
     return {
         "ball": BALL,
@@ -51,19 +51,19 @@ def by_head(
     x, y = pose[0] + camera.neck * cos(pose[2]), pose[1] + camera.neck * sin(pose[2])
     middle = pose[2] + float(groups["head"][0, 0]) / CENTI
     edge = fan(league, x, y, middle - camera.view / 2, middle + camera.view / 2, RAYS)
-    found: list[Overlay] = [Area([(x, y), *edge], SIGHT, 55)]
-    found.append(Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5 * unit, under=True))
+    overlays: list[Overlay] = [Area([(x, y), *edge], SIGHT, 55)]
+    overlays.append(Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5 * unit, under=True))
     for name in ("landmarks", "own_goal", "opponent_goal", "teammates", "opponents", "ball"):
         for left, right, _, _ in boxes(groups.get(name)):
             low, high = (middle + atan(side / camera.focal) for side in sorted((left, right)))
             rim = fan(league, x, y, low, high, BLOB_RAYS)
-            found.append(Area([(x, y), *rim], tints[name], 105))
-            found.append(Polyline([rim[0], (x, y), rim[-1]], tints[name], 1.2 * unit, under=True))
-    return found
+            overlays.append(Area([(x, y), *rim], tints[name], 105))
+            overlays.append(Polyline([rim[0], (x, y), rim[-1]], tints[name], 1.2 * unit, under=True))
+    return overlays
 
 
 def boxes(blobs: np.ndarray | None) -> list[tuple[int, int, int, int]]:
-    """Return left, right, high and low [px] of the blobs that are there."""
+    """Return left, right, high and low [px] of the seen blobs."""
     return [] if blobs is None else [tuple(box) for box in blobs.tolist() if any(box)]
 
 
@@ -75,24 +75,24 @@ def fan(league: League, x: float, y: float, low: float, high: float, rays: int) 
 def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, float]:
     """Return where a ray from a point of the pitch leaves it."""
     across, up = cos(angle), sin(angle)
-    ways = []
+    distances = []
     if abs(across) > 1e-9:
-        ways.append((np.copysign(league.pitch.length / 2, across) - x) / across)
+        distances.append((np.copysign(league.pitch.length / 2, across) - x) / across)
     if abs(up) > 1e-9:
-        ways.append((np.copysign(league.pitch.width / 2, up) - y) / up)
-    way = max(0.0, float(min(ways)))
-    return x + way * across, y + way * up
+        distances.append((np.copysign(league.pitch.width / 2, up) - y) / up)
+    distance = max(0.0, float(min(distances)))
+    return x + distance * across, y + distance * up
 
 
 def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float) -> list[Overlay]:
-    """Return rays to what an omnidirectional camera delivered, and dots where it found white lines."""
+    """Return rays to the percepts of an omnidirectional camera, and dots where it found white lines."""
     x, y, heading = pose
-    found: list[Overlay] = []
+    overlays: list[Overlay] = []
 
     def ray(bearing: float, distance: float, tint: Colour) -> None:
         end = (x + distance * cos(heading + bearing), y + distance * sin(heading + bearing))
-        found.append(Polyline([(x, y), end], tint, 1.6 * unit, under=True))
-        found.append(Points([end], tint, 4.5 * unit))
+        overlays.append(Polyline([(x, y), end], tint, 1.6 * unit, under=True))
+        overlays.append(Points([end], tint, 4.5 * unit))
 
     seen = groups.get("lines")
     if seen is not None:
@@ -101,10 +101,10 @@ def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour
         angles = heading + turn * np.arange(len(ranges))
         there = ranges > 0.0
         dots = np.column_stack([x + ranges * np.cos(angles), y + ranges * np.sin(angles)])[there]
-        found.append(Points(dots, KEEPER, 2.6 * unit))
+        overlays.append(Points(dots, KEEPER, 2.6 * unit))
     for name in reversed(cast.rays):
         for bearing, distance in groups[name].tolist():
             mate = "teammates" if distance > 0 else "opponents"
             if distance != 0:
                 ray(bearing / CENTI, abs(distance) / CENTI, tints.get(mate if name == "players" else name, WHITE))
-    return found
+    return overlays

@@ -1,16 +1,16 @@
-"""A replay as one page for the browser: no network, no server, nothing but the file.
+"""A replay as one page for the browser: a single file, without network or server.
 
-page.py      puts the parts together: markup, style, scripts and data, all of it escaped
-collect.py   plays the replay and gathers what the page shows
+page.py      joins markup, style, scripts and data, all of it escaped
+collect.py   plays the replay and collects the data of the page
 events.py    goals, whistles and kicks, in words
-packing.py   tables of numbers, small enough for a page
-page.html    markup                     look.css    style, light and dark, for desks and phones
-unpack.js    data out of the page       moment.js   what is true and believed at a time
-fields.py    potential fields as bytes  forces.js   and as arrows
-pitch.js     draws the field            overlays.js what robots believe, see and plan, over it
+packing.py   tables of numbers as compressed text
+page.html    markup                     look.css    style, light and dark, for desktops and phones
+unpack.js    data out of the page       moment.js   truth and beliefs at a time
+fields.py    potential fields as bytes  forces.js   potential fields as arrows
+pitch.js     draws the field            overlays.js draws beliefs, percepts and plans over the field
 charts.js    time line, possession, ball position
-panel.js     events, and the record of the robot that was picked
-main.js      buttons, keys, the clock that runs
+panel.js     events, and the record of the selected robot
+main.js      buttons, keys, the running clock
 """
 
 from soccer_env.shows.browser.page import write_page

@@ -1,4 +1,4 @@
-// The time line: marks of events, who touched the ball last, and how far up the field it was.
+// The time line: marks of events, the team of the last touch, and the position of the ball along the field.
 
 const MARKS = { goal: "★", penalty: "☆", foul: "▲", restart: "•", half: "‖", kick: "" };
 const LANES = { marks: 0.3, possession: 0.18 }; // of the height; the rest is the ball's

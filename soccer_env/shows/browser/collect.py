@@ -1,4 +1,4 @@
-"""What a page shows of a replay: tables of places over time, events, the field, who played.
+"""The data of a page: tables of places over time, events, the field, the teams.
 
 Tables hold whole numbers of 16 bits: lengths in mm, angles in mrad, clocks in 0.1 s.
 """
@@ -16,8 +16,8 @@ from soccer_env.match import Match
 from soccer_env.match.arguments import version
 from soccer_env.render.captions import PHASES
 from soccer_env.render.frame import one_line
+from soccer_env.render.overlays.cast import camera_of, directions_of
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.render.overlays.scene import camera_of, directions_of
 from soccer_env.render.robots import parts_of
 from soccer_env.shows.browser.events import Storyteller
 from soccer_env.shows.browser.fields import Fields
@@ -38,14 +38,14 @@ MILLI, DECI = 1000.0, 10.0
 def collect(
     replay: Replay, note: Callable[[int], None] | None = None, flags: OverlayFlags | None = None
 ) -> dict[str, Any]:
-    """Play the first match of a replay and return what a page shows, as plain values; `flags`: at first."""
+    """Play the first match of a replay and return the data of a page; `flags`: the overlays at first."""
     playing = replay.play()
     match = next(playing)
     every = max(1, match.league.control_rate // PER_SECOND)
     stories, rows, last = Storyteller(match, replay.teams), [row_of(match)], match.robots[0].copy()
     notes = replay.notes()
     fields = Fields(replay, match, notes, flags)
-    staged: np.ndarray | None = None  # what was there as a restart moved everybody, since the last row
+    staged: np.ndarray | None = None  # the row before a restart after a goal moved all robots, since the last row
     for step, match in enumerate(playing, 1):
         stories.listen(match, step, last)
         if match.events["restart"][0] and match.events["goal"][0] >= 0:
@@ -71,7 +71,7 @@ def collect(
 
 
 def tables_of(rows: list[np.ndarray], notes: Notes | None, fields: Fields) -> dict[str, str]:
-    """Return the tables that there are, packed."""
+    """Return the tables, packed."""
     tables = {"places": pack(np.stack(rows))}
     if notes is not None:
         tables["thoughts"] = pack(flat(notes.numbers))
@@ -81,7 +81,7 @@ def tables_of(rows: list[np.ndarray], notes: Notes | None, fields: Fields) -> di
 
 
 def noted(notes: Notes) -> dict[str, Any]:
-    """Return when thoughts were noted, and what the columns of their table are."""
+    """Return the steps of the notes, and the columns of their table."""
     about = {"steps": notes.steps.tolist(), "slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
     return about | {"table": TABLE, "track": TRACK, "sees": SEES}
 
@@ -92,7 +92,7 @@ def flat(numbers: np.ndarray) -> np.ndarray:
 
 
 def row_of(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
-    """Return the row (C,) int16 of the first match now, or of the robots a step before a goal placed them anew."""
+    """Return the row (C,) int16 of the first match now; `robots`: their records before a goal moved them."""
     record, ball, event = match.matches[0], match.balls[0], match.events[0]
     x, y = (ball["x"], ball["y"]) if robots is None else (event["ball_x"], event["ball_y"])
     robots = match.robots[0] if robots is None else robots
@@ -106,7 +106,7 @@ def row_of(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
 
 
 def about(match: Match, replay: Replay) -> dict[str, Any]:
-    """Return who plays where; names came from a file, the page shows them as text alone."""
+    """Return teams, league, field and robots; names come from a file, and the page shows them only as text."""
     league, robots = match.league, match.robots[0]
     return {
         "version": version(),
@@ -125,7 +125,7 @@ def about(match: Match, replay: Replay) -> dict[str, Any]:
 
 
 def field_of(league: League) -> dict[str, Any]:
-    """Return the measures of the field [m]."""
+    """Return the dimensions of the field [m]."""
     pitch = league.pitch
     names = (
         "length", "width", "goal_width", "goal_depth", "penalty_depth", "penalty_width", "circle", "walled",
@@ -135,17 +135,17 @@ def field_of(league: League) -> dict[str, Any]:
 
 
 def camera_on_head(replay: Replay) -> dict[str, Any]:
-    """Return how wide the camera on a head sees [rad], 0 for one that sees all round; its picture [px] and neck [m].
+    """Return view angle [rad], neck [m] and picture [px] of a camera on a head; view 0 for omnidirectional cameras.
 
-    A league that is replayed has no sensors: they are read out of the settings.
+    The league of a replay has no sensors: they are read from the settings.
     """
     sensors = replay.settings["league"].get("sensors")
     camera = camera_of(sensors)
-    found: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}
+    measures: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}
     if camera is not None:
         size = [camera.width, camera.height]
-        found = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
-    return {**found, "directions": directions_of(sensors)}
+        measures = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
+    return {**measures, "directions": directions_of(sensors)}
 
 
 def body_of(league: League) -> dict[str, Any]:
@@ -153,9 +153,4 @@ def body_of(league: League) -> dict[str, Any]:
     parts = parts_of(league.body, 0.0, walks=bool(league.body.legs))
     pieces = [[part.role, [[round(x, 3), round(y, 3)] for x, y in part.outline]] for part in parts]
     body = league.body
-    return {
-        "pieces": pieces,
-        "legs": bool(body.legs),
-        "reach": body.reach,
-        "disc": [body.disc_x, body.disc_radius],
-    }
+    return {"pieces": pieces, "legs": bool(body.legs), "reach": body.reach, "disc": [body.disc_x, body.disc_radius]}

@@ -1,4 +1,4 @@
-"""What happened in a match, in words, with when and where: goals and how they came about, whistles, kicks, halves."""
+"""The events of a match in words, with time and place: goals and how they fell, whistles, kicks, halves."""
 
 from math import hypot
 from typing import Any, NamedTuple
@@ -12,10 +12,10 @@ from soccer_env.render.colours import TEAM_NAMES
 from soccer_env.statistics.records import FRESH, GoalKind
 from soccer_env.types import NO_TEAM, Foul, Phase
 
-KICK_COUNTS = 3.0  # [s] an own goal comes from a kick of its robot if that is no longer ago
-KICKS_APART = 0.25  # [s] kicks of a robot nearer to each other are one
+KICK_COUNTS = 3.0  # [s] an own goal comes from a kick of its robot that is at most so long ago
+KICKS_APART = 0.25  # [s] kicks of a robot that follow each other faster count as one
 NOBODY = -1
-HOW = {  # but for kicks and own goals, which say more
+HOW = {  # kicks and own goals have longer descriptions
     GoalKind.CLEAN_DRIBBLE: "dribbled in, without touching an opponent",
     GoalKind.PUSHED_IN: "pushed in, in contact with an opponent",
     GoalKind.SCRUM: "bumped in out of a scrum",
@@ -34,11 +34,11 @@ class Play(NamedTuple):
 
 
 class Storyteller:
-    """Gathers events as plain values: [step, kind, team, robot, words]; kind: goal, penalty, foul, restart, kick, half.
+    """Collects events as lists [step, kind, team, robot, words]; kind: goal, penalty, foul, restart, kick, half.
 
-    A penalty is a kick of a shoot-out; its sixth value is the score of that. A goal has a sixth value: its `kind` as
-    the statistics count it, `how` it fell in words, the `score` after it, and the step in which its scorer `played` the
-    ball. Of a deflected kick the scorer is who kicked.
+    A penalty is a kick of a shoot-out; its sixth value is the score of the shoot-out. The sixth value of a goal is a
+    dict: its `kind` in the statistics, `how` it fell in words, the `score` after it, and the step in which its scorer
+    `played` the ball. The scorer of a deflected kick is the kicker.
     """
 
     def __init__(self, match: Match, teams: tuple[str, str]) -> None:
@@ -47,15 +47,15 @@ class Storyteller:
         self._teams = teams
         self._kicks: dict[int, Play] = {}  # the last of each robot
         self._touches: dict[int, Play] = {}
-        self._flight: Play | None = None  # of the ball that is on its way
-        self._others: list[int] = []  # who touched it since, first to last
+        self._flight: Play | None = None  # that sent the ball on its way
+        self._others: list[int] = []  # robots that touched the ball since, first to last
         self._step = int(match.matches["step"][0])
         self._goals = match.statistics["goals"][0].copy()
-        self._shooter = NO_TEAM  # whose turn it is in a shoot-out
-        self._called = 0  # in which step its kick was called
+        self._shooter = NO_TEAM  # team whose turn it is in a shoot-out
+        self._called = 0  # step in which its kick was called
 
     def listen(self, match: Match, step: int, before: np.ndarray) -> None:
-        """Note what happened in the first match in a control step; `before` are its robots a step earlier."""
+        """Note the events of a control step in the first match; `before` are its robots a step earlier."""
         events = match.events[0]
         if match.matches["step"][0] <= self._step:
             match.statistics[0] = FRESH  # another episode has begun
@@ -83,7 +83,7 @@ class Storyteller:
         self._goals = match.statistics["goals"][0].copy()
 
     def _listen_to_plays(self, match: Match, step: int) -> None:
-        """Note who kicks and touches the ball, and where."""
+        """Note kicks and touches with the place of the ball."""
         x, y = float(match.events["ball_x"][0]), float(match.events["ball_y"][0])
         for r in np.flatnonzero(match.robot_events["touch"][0]).tolist():
             self._touches[r] = Play(r, step, x, y, kicked=False)
@@ -97,7 +97,7 @@ class Storyteller:
                 self._add(step, "kick", int(robot["team"]), r, f"{player_words(robot)} kicks")
 
     def _follow_flight(self, match: Match, step: int) -> None:
-        """Note whose kick or push the ball is on its way from, as the statistics see it."""
+        """Note the kick or push that sent the ball on its way, as the statistics count it."""
         trail = match.statistics["trail"][0]
         r = int(trail["flight"])
         if r < 0:
@@ -106,28 +106,21 @@ class Storyteller:
             self._flight, self._others = self._last_play(r, step), []
 
     def _last_play(self, r: int, step: int) -> Play:
-        """Return how a robot last played the ball: by a kick of a moment ago, else by touching it."""
+        """Return how a robot last played the ball: by a recent kick, else by a touch."""
         kick = self._kicks.get(r)
         if kick is not None and step - kick.step <= KICKS_APART * self.rate:
             return kick
         return self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
 
     def _tell_goal(self, match: Match, step: int, before: np.ndarray) -> None:
-        """Tell who scored, and how."""
+        """Add a goal with its scorer and how it fell."""
         team, r = int(match.events["goal"][0]), int(match.events["scorer"][0])
         kinds = np.flatnonzero(match.statistics["goals"][0, team] > self._goals[team])
         kind = GoalKind(int(kinds[0])) if len(kinds) else GoalKind.SCRUM
         side = self._side(team)
         if not 0 <= r < len(before):
-            self._add_goal(
-                match,
-                step,
-                NOBODY,
-                f"a goal for {side}",
-                kind,
-                "nobody is known to have touched it",
-                Play(NOBODY, step, 0.0, 0.0, kicked=False),
-            )
+            play, how = Play(NOBODY, step, 0.0, 0.0, kicked=False), "nobody is known to have touched it"
+            self._add_goal(match, step, NOBODY, f"a goal for {side}", kind, how, play)
         elif kind in (GoalKind.CLEAN_KICK, GoalKind.DEFLECTED_KICK):
             play = self._shot(team, r, step, before)
             words = f"{player_words(before[play.row])} scores for {self._teams[team]}"
@@ -142,15 +135,15 @@ class Storyteller:
             self._add_goal(match, step, r, words, kind, how, play)
 
     def _shot(self, team: int, r: int, step: int, before: np.ndarray) -> Play:
-        """Return the kick or push that a goal of a team came from; r: who touched the ball last."""
+        """Return the kick or push that led to a team's goal; r: the robot that touched the ball last."""
         if self._flight is not None and int(before["team"][self._flight.row]) == team:
             return self._flight
         plays = [*self._touches.values(), *(kick for kick in self._kicks.values() if kick.step == step)]
         own = [play for play in plays if int(before["team"][play.row]) == team]
-        return max(own, key=lambda play: play.step, default=self._last_play(r, step))  # in before it was followed
+        return max(own, key=lambda play: play.step, default=self._last_play(r, step))  # scored before it was followed
 
     def _how_shot(self, match: Match, play: Play, kind: GoalKind, r: int, before: np.ndarray) -> str:
-        """Return in words how a ball was kicked or pushed in."""
+        """Return in words how the ball was kicked or pushed in."""
         goal_x = float(np.sign(match.events["ball_x"][0])) * match.league.pitch.length / 2
         away = hypot(goal_x - play.x, play.y)
         verb = "kick" if play.kicked else "hard push"
@@ -162,7 +155,7 @@ class Storyteller:
         return f"{verb} from {away:.1f} m, deflected{by}"
 
     def _own_goal(self, r: int, step: int, touch: Play) -> tuple[Play, str]:
-        """Return how a robot played the ball into its own goal, and that in words."""
+        """Return the play that led to an own goal, and a description."""
         kick = self._kicks.get(r)
         if kick is None or step - kick.step > KICK_COUNTS * self.rate or kick.step < touch.step - self.rate:
             return touch, "it touched the ball last, and no kick of the other team came before that"
@@ -175,14 +168,13 @@ class Storyteller:
     def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, play: Play) -> None:
         """Add a goal."""
         score = [int(goals) for goals in match.matches["score"][0]]
+        kick = round(play.strength, 2) if play.kicked else None
         self._add(step, "goal", int(match.events["goal"][0]), r, words)
-        self.events[-1].append(
-            {"kind": kind.name.lower(), "how": how, "score": score, "played": min(play.step, step - 1)}
-        )
-        self.events[-1][-1]["kick"] = round(play.strength, 2) if play.kicked else None
+        goal = {"kind": kind.name.lower(), "how": how, "score": score, "played": min(play.step, step - 1), "kick": kick}
+        self.events[-1].append(goal)
 
     def _tell_penalty(self, match: Match, step: int) -> None:
-        """Tell how a kick of a shoot-out ended."""
+        """Add the result of a kick of a shoot-out."""
         own = np.flatnonzero(match.robots["team"][0] == self._shooter).tolist()
         plays = [play for play in self._touches.values() if play.row in own and play.step > self._called]
         r = min(plays, key=lambda play: play.step).row if plays else NOBODY
@@ -194,7 +186,7 @@ class Storyteller:
         self.events[-1].append(score)
 
     def _tell_foul(self, match: Match, step: int) -> None:
-        """Tell what was whistled against whom."""
+        """Add a foul with the robot or team that committed it."""
         foul, team = Foul(int(match.events["foul"][0])), int(match.events["foul_team"][0])
         against = np.flatnonzero(match.robot_events["foul"][0] == foul)
         r = int(against[0]) if len(against) else NOBODY

@@ -1,6 +1,6 @@
-"""Potential fields for a page: what pulls each robot, on the grid of the pictures, as its own team computes it.
+"""Potential fields for a page: the forces on each robot, on the grid of the pictures, as its own team computes them.
 
-A frame has a byte for each point of the grid: 0 where no force acts, else 1 and more for a direction and a strength.
+A frame has a byte for each point of the grid: 0 for no force, else the code of a direction and a strength.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.render.overlays.cast import cast_of_replay, shot_of
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import ACROSS, forces_at, grid, has_forces, shares_of, target_of
-from soccer_env.render.overlays.scene import cast_of_replay, shot_of
 from soccer_env.shows.browser.packing import pack_bytes
 from soccer_env.thoughts.thought import Reader
 from soccer_env.thoughts.thoughts import Notes
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay
 
 DIRECTIONS, LEVELS = 24, 5  # of a force: 15 degrees each; fifths of the share that gives an arrow length and colour
-APART = 5  # notes from frame to frame, about a second; 1 for the robot whose field is asked for
+APART = 5  # notes from frame to frame, about a second; 1 for the robot that the flags name
 
 
 class Fields:
     """Frames of all robots whose teams compute forces, taken while the replay is played; `flags` names one to follow.
 
-    Without notes there are none. A frame is taken at every `APART`-th note; it is empty for a robot that believes
-    nothing or plans no way then.
+    A frame is taken at every `APART`-th note, so a replay without notes has none; the frame of a robot without beliefs
+    or plan is empty.
     """
 
     def __init__(self, replay: Replay, match: Match, notes: Notes | None, flags: OverlayFlags | None) -> None:
@@ -65,19 +65,13 @@ class Fields:
 
     @property
     def any(self) -> bool:
-        """Tell whether a force acts on anybody in any frame."""
+        """Tell whether any frame has a force."""
         return any(frame.any() for frames in self._frames.values() for frame in frames)
 
     def about(self) -> dict[str, Any]:
-        """Return what the bytes mean."""
-        return {
-            "across": ACROSS,
-            "up": len(self._points) // ACROSS,
-            "directions": DIRECTIONS,
-            "levels": LEVELS,
-            "robots": list(self._every),
-            "every": list(self._every.values()),
-        }
+        """Return the meaning of the bytes."""
+        size = {"across": ACROSS, "up": len(self._points) // ACROSS, "directions": DIRECTIONS, "levels": LEVELS}
+        return size | {"robots": list(self._every), "every": list(self._every.values())}
 
     def packed(self) -> str:
         """Return all frames as text, robot after robot."""

@@ -1,6 +1,6 @@
-// The potential field that a robot steers by, as its team computed it: see fields.py. Nothing is computed here.
+// The potential field of a robot, computed by its team: see fields.py. Nothing is computed here.
 
-const WEAK = [126, 190, 140], STRONG = [255, 236, 130]; // colours of the pictures, as are the arrows' lengths
+const WEAK = [126, 190, 140], STRONG = [255, 236, 130]; // colours and lengths of arrows as in the pictures
 
 class Fields {
   constructor(about, steps, bytes) {
@@ -22,7 +22,7 @@ class Fields {
     return across * up * every.reduce((sum, one) => sum + Fields.frames(steps, one), 0);
   }
 
-  // Return the step of the frame of robot r that is nearest to a time, and its bytes; null where it has none.
+  // Return step and bytes of the frame of robot r nearest to a time; null without a frame.
   frame(r, time) {
     const place = this.robots.indexOf(r);
     if (place < 0 || !this.steps.length) return null;
@@ -33,7 +33,7 @@ class Fields {
     return codes.some((code) => code > 0) ? { step: step(at), codes } : null;
   }
 
-  // Return the arrows of robot r at a time, about their middles on a pitch: [x, y, angle, share].
+  // Return the arrows of robot r at a time: [x, y of the middle, angle, share].
   arrows(r, time, { length, width }) {
     const frame = this.frame(r, time), found = [];
     if (!frame) return found;

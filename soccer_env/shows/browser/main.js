@@ -1,8 +1,8 @@
-// Buttons, keys and the clock that runs.
+// Buttons, keys and the running clock.
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
-const LEAD = 1.5; // [s] before a goal or foul at which its event begins to play
-const GOAL_SHOWN = 4; // [s] after a goal in which the page says so
+const LEAD = 1.5; // [s] before a goal or foul, at which its event begins to play
+const GOAL_SHOWN = 4; // [s] for which the page announces a goal
 const SWITCHES = ["belief", "sight", "field", "path", "roles", "infrared", "trail"];
 const byId = (id) => document.getElementById(id);
 
@@ -49,7 +49,7 @@ class Player {
     this.fillEvents();
   }
 
-  // Return the robot that was asked for, whoever is nearest to the ball if its thoughts were and it was not named, or -1.
+  // Return the robot that the flags name, else the robot nearest to the ball if an overlay needs one, or -1.
   asked() {
     const { shown, robots } = this.recording;
     if (!shown) return -1;
@@ -135,14 +135,14 @@ class Player {
     this.seek(this.start(event));
   }
 
-  // Return the time from which an event is worth seeing: a goal from before the ball was played.
+  // Return the time at which an event begins to play: for a goal, before the scorer played the ball.
   start([step, kind, , , , goal]) {
     const lead = LEAD * this.recording.rate;
     if (kind === "goal") return Math.max(0, Math.min(goal.played - lead / 2, step - lead));
     return Math.max(0, kind === "foul" || kind === "penalty" ? step - lead : step);
   }
 
-  // Go to the next or the last event that is listed.
+  // Go to the next (way 1) or previous (way -1) event.
   toEvent(way) {
     const events = this.recording.events.filter(([, kind]) => kind !== "kick");
     const times = events.map((event) => this.start(event));

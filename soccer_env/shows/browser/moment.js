@@ -1,6 +1,6 @@
-// What is true, and what a robot thinks, at a time; times are control steps.
+// The truth, and the thoughts of a robot, at a time; times are control steps.
 
-const JUMP = 0.6; // [m] farther in a row's time: it was put there, and nothing lies between
+const JUMP = 0.6; // [m] between two rows: a longer move is a placement, and is not interpolated
 
 class Recording {
   constructor(data, places, thoughts) {
@@ -41,12 +41,12 @@ class Recording {
     return steps[upTo(steps, step - 1) - 1] ?? -1;
   }
 
-  // Return the last goal that is at most so many steps old, or undefined.
+  // Return the last goal of the `steps` control steps before a time, or undefined.
   goalOf(time, steps) {
     return this.events.filter(([step, kind]) => kind === "goal" && step <= time && time - step < steps).pop();
   }
 
-  // Return where everything is at a time, between two rows if need be.
+  // Return ball, robots and score at a time, interpolated between two rows.
   at(time) {
     const exact = Math.min(Math.max(time / this.every, 0), this.rows - 1);
     const row = Math.floor(exact), next = Math.min(row + 1, this.rows - 1), share = exact - row;
@@ -71,7 +71,7 @@ class Recording {
     };
   }
 
-  // Tell whether somebody put robot r elsewhere between two times, or at the first row after them.
+  // Tell whether robot r was placed elsewhere between two times, or at the first row after them.
   putElsewhere(r, early, late) {
     const from = Math.floor(early / this.every), to = Math.min(Math.ceil(late / this.every), this.rows - 1);
     for (let row = from; row < to; row++) {
@@ -81,19 +81,19 @@ class Recording {
     return false;
   }
 
-  // Return what robot r thought at the last note before a time, or null.
+  // Return the thought of robot r at the last note before a time, or null.
   thought(r, time) {
     if (!this.notes) return null;
     const { steps, table, track, slots, groups, fields, sees } = this.thoughts;
     let low = upTo(steps, time);
     if (low === 0) return null;
     const moved = low < steps.length && this.putElsewhere(r, steps[low - 1], time);
-    if (moved) low += 1; // what it thought before it was put elsewhere is of the past: the next note tells more
+    if (moved) low += 1; // a thought from before the placement is out of date: take the next note
     const get = (column) => this.notes[r * this.noteWidth + column][low - 1];
     const span = low < steps.length && !moved ? steps[low] - steps[low - 1] : 0;
     const share = span > 0 ? Math.min(Math.max((time - steps[low - 1]) / span, 0), 1) : 0;
     const late = (column) => this.notes[r * this.noteWidth + column][Math.min(low, steps.length - 1)];
-    // A place between two notes: what is believed lies on things that move, the early note alone would lag behind.
+    // A place interpolated between two notes: the early note alone would lag behind things that move.
     const place = (column, same = true) => between(get(column), get(column + 1), late(column), late(column + 1), same ? share : 0);
     const of = Object.fromEntries(table.map((name, at) => [name, get(at)]));
     if ((of.sees & sees.thinks) === 0 && !fields[r].length) return null;
@@ -127,7 +127,7 @@ class Recording {
   }
 }
 
-// Return how many of some steps, in order, a time has reached.
+// Return the number of sorted steps up to a time.
 function upTo(steps, time) {
   let low = 0, high = steps.length;
   while (low < high) {

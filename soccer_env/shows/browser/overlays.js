@@ -1,8 +1,8 @@
-// What robots believe, see and plan, drawn over the field.
+// Beliefs, percepts and plans of robots, drawn over the field.
 
-const TRAVELLED = 6; // [s] of a robot's way that are shown
+const TRAVELLED = 6; // [s] of a robot's travelled path
 const BEAM = "#ff5496";
-const RECOVERIES = /\b(back|sidestep|rotate)\b/; // behaviours of a robot that is stuck
+const RECOVERIES = /\b(back|sidestep|rotate)\b/; // behaviours of a stuck robot
 
 class Overlays {
   constructor(pitch, context, moment) {
@@ -15,7 +15,7 @@ class Overlays {
     for (const name of ["px", "py", "path", "ring", "disc", "outline", "label"]) this[name] = pitch[name].bind(pitch);
   }
 
-  // The field of view and the blobs in it, or rays to what a camera that sees all round delivered.
+  // The field of view with its blobs, or rays to the percepts of an omnidirectional camera.
   drawSight(robot, thought) {
     const { c, recording } = this, more = thought ? thought.more : {};
     c.save();
@@ -47,7 +47,7 @@ class Overlays {
     }
   }
 
-  // Return the blobs that the camera delivered, by what they are of.
+  // Return the blobs of the camera, by kind of object.
   blobs(robot, more) {
     const names = ["landmarks", "own_goal", "opponent_goal", "teammates", "opponents", "ball"];
     const there = (boxes) => boxes.filter(({ left, right, high, low }) => left || right || high || low);
@@ -132,7 +132,7 @@ class Overlays {
     }
   }
 
-  // What a robot believes, dashed, with lines to what is true.
+  // The beliefs of a robot, dashed, with lines to the truth.
   drawBelief(robot, thought) {
     const { c, moment } = this, thin = 1.6 * this.ratio, dash = [5 * this.ratio, 4 * this.ratio], { own, ball } = thought;
     const link = (from, to, colour) => {
@@ -174,7 +174,7 @@ class Overlays {
   }
 }
 
-// What a robot does, in words: what its team calls it, or by its rank among those who go to the ball.
+// What a robot does, in its team's words, or by its rank among the robots that go to the ball.
 function roleOf(thought, keeper) {
   const said = decision(thought).split(", ").filter((word) => word && !(keeper && /^(attacker|supporter)$/.test(word)));
   if (said.length) return said.join(", ");

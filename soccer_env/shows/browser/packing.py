@@ -1,7 +1,4 @@
-"""Tables of whole numbers as text: changes from row to row, low bytes apart from high ones, deflated, base64.
-
-`unpack.js` reads them.
-"""
+"""Tables of whole numbers as text for `unpack.js`: changes from row to row, low bytes before high, deflated, base64."""
 
 import base64
 import zlib

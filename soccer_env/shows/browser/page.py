@@ -1,4 +1,4 @@
-"""The page: markup, style, scripts and data in one file that asks nothing of any network."""
+"""The page: markup, style, scripts and data in one file that loads nothing from a network."""
 
 from __future__ import annotations
 
@@ -23,13 +23,10 @@ ESCAPED = {ord(letter): f"\\u{ord(letter):04x}" for letter in "<>&\u2028\u2029"}
 
 
 def write_page(
-    replay: Replay,
-    path: str | os.PathLike[str],
-    anew: bool = False,
-    note: Callable[[int], None] | None = None,
+    replay: Replay, path: str | os.PathLike[str], anew: bool = False, note: Callable[[int], None] | None = None,
     flags: OverlayFlags | None = None,
-) -> Path:
-    """Write the first match of a replay as a page; `note` is told of each control step. See `Replay.html`."""
+) -> Path:  # fmt: skip
+    """Write the first match of a replay as a page; `note` is called after each control step. See `showing.html`."""
     target = Path(path)
     if target.suffix.lower() != ".html":
         raise ValueError(f"the path of a page must end with .html, got {str(path)!r}")
@@ -38,18 +35,18 @@ def write_page(
     return target
 
 
-def page_of(found: dict[str, Any]) -> str:
-    """Return the page that shows what `collect` found."""
-    home, away = found["teams"]
+def page_of(contents: dict[str, Any]) -> str:
+    """Return the page that shows the contents, a result of `collect`."""
+    home, away = contents["teams"]
     scripts = "\n".join(part(name) for name in SCRIPTS)
     filled = {
         "TITLE": html.escape(f"{home} - {away}"),
         "STYLE": part("look.css"),
-        "DATA": as_script(found),
+        "DATA": as_script(contents),
         "SCRIPT": f'"use strict";\n(() => {{\n{scripts}\n}})();',
     }
     page = part("page.html")
-    pieces = page.split("%%")  # text, name, text, name, ..., text: what is filled in is not looked at again
+    pieces = page.split("%%")  # text, name, text, name, ..., text: filled-in text is not scanned again
     return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
 
 

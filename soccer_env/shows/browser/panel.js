@@ -1,4 +1,4 @@
-// The list of events and the record of the robot that was picked. All words are set as text, never as markup.
+// The list of events and the record of the selected robot. All words are set as text, never as markup.
 
 function element(name, words = "", kind = "") {
   const made = document.createElement(name);
@@ -25,13 +25,13 @@ const offBy = (truth, belief) => `wrong by ${metres(truth, belief)}`;
 const agoOf = (age) => (age < 0.05 ? "just then" : `${age.toFixed(1)} s before`);
 const COMMANDS = { forward: ["forward", "back"], left: ["to the left", "to the right"], turn: ["turn left", "turn right"], kick: ["kick", ""] };
 
-// Return where a thing is from a robot that stands at a pose.
+// Return the distance and direction of a thing from a pose.
 function placeOf(thing, pose) {
   const angle = Math.atan2(thing.y - pose.y, thing.x - pose.x) - pose.heading, turns = Math.round((2 * angle) / Math.PI);
   return `${metres(thing, pose)} ${["ahead", "to its left", "behind it", "to its right"][((turns % 4) + 4) % 4]}`;
 }
 
-// Return by how much a believed pose is turned from the true one, where that is worth a word.
+// Return the error of a believed heading in degrees, or "" if it is small.
 function turnedBy(truth, belief) {
   const turn = Math.atan2(Math.sin(belief.heading - truth.heading), Math.cos(belief.heading - truth.heading));
   const degrees = Math.abs((turn * 180) / Math.PI);
@@ -47,7 +47,7 @@ function commandOf(thought) {
   return said.filter(Boolean).join(", ") || "stand";
 }
 
-// Return how far a robot's belief is from the truth, as pairs of words.
+// Return a robot's beliefs and their errors, as pairs of words.
 function beliefOf(recording, thought) {
   const moment = recording.at(thought.step), robot = moment.robots[thought.robot], { own, ball } = thought;
   const pairs = [["itself", `${sureOf(own)}, ${offBy(robot, own)}${turnedBy(robot, own)}`]];
@@ -58,7 +58,7 @@ function beliefOf(recording, thought) {
   return pairs;
 }
 
-// Return what a field of a team's memory is called.
+// Return the name of a field of a team's memory.
 function called(path) {
   const name = path.split(".").pop();
   return NAMES[name] || name.replaceAll("_", " ");
@@ -108,7 +108,7 @@ function fieldOf(recording, r, time) {
   return [["field", fields.robots.includes(r) ? "none now: it plans no way" : "its team computes no forces"]];
 }
 
-// The picture of the camera with a box for each blob in it, or null where nothing of it was noted.
+// Return the picture of the camera with a box for each blob, or null if it was not noted.
 function cameraPicture(recording, robot, moment, thought) {
   if (!thought.more.head || !(recording.image[0] > 0)) return null;
   const canvas = element("canvas"), [width, height] = recording.image, zoom = 2, c = canvas.getContext("2d");
@@ -125,7 +125,7 @@ function cameraPicture(recording, robot, moment, thought) {
   return canvas;
 }
 
-// Return what the scorer of a goal believed and decided at the last note before it played the ball, as pairs of words.
+// Return beliefs and decision of a goal's scorer at the last note before it played the ball, as pairs of words.
 function scorerThought(recording, [, , team, r, , goal]) {
   if (r < 0 || !recording.notes) return [];
   const thought = recording.thought(r, recording.noteBefore(goal.played));
@@ -142,14 +142,14 @@ function scorerThought(recording, [, , team, r, , goal]) {
   return pairs;
 }
 
-// Return when a scorer's belief was noted, in words.
+// Return the time of a scorer's beliefs, in words.
 function askedWhen(recording, { how, played }) {
   const verb = /kick/.test(how) ? "it kicked" : "it played the ball";
   if (!recording.notes) return "what it believed is not in this replay";
   return `${((played - recording.noteBefore(played)) / recording.rate).toFixed(2)} s before ${verb} it believed`;
 }
 
-// A goal: the score after it, who scored, how, and what the scorer believed.
+// A goal: the score after it, the scorer, how it fell, and the scorer's beliefs.
 function goalWords(recording, event) {
   const [step, , , r, words, goal] = event, text = element("span");
   const first = element("span", "", "headline"), score = element("b", goal.score.join(" : "));
@@ -166,7 +166,7 @@ function goalWords(recording, event) {
   return text;
 }
 
-// The events that are asked for: goals alone, what the referee called too, or kicks as well.
+// The events of the selected kinds: goals, goals and calls, or all with kicks.
 function fillEvents(list, recording, asked, jump) {
   const kinds = { goals: ["goal", "penalty", "half"], calls: ["goal", "penalty", "half", "foul", "restart"] }[asked];
   list.replaceChildren();
@@ -183,7 +183,7 @@ function fillEvents(list, recording, asked, jump) {
   if (!list.children.length) list.append(element("li", "nothing happened"));
 }
 
-// Who scored for each team and when, below its name.
+// Scorers and times of goals, below the name of each team.
 function fillScorers(places, recording, jump) {
   places.forEach((place, team) => {
     const goals = recording.events.filter(([, kind, whose]) => kind === "goal" && whose === team);

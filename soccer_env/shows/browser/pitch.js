@@ -2,7 +2,7 @@
 
 const TEAM = ["#d0262c", "#2450c4"], LIGHT = ["#ff9a94", "#9cc0ff"], INK = "#101318", AMBER = "#ffbe28";
 const BALL = "#ff7a10", KEEPER = "#ffdc1e", STEEL = "#ced2d8", BELIEF = "#fff6be";
-const TRAIL = 2.5; // [s] of the ball's way behind it
+const TRAIL = 2.5; // [s] of the ball's trail
 
 class Pitch {
   constructor(canvas, recording) {
@@ -14,7 +14,7 @@ class Pitch {
     document.documentElement.style.setProperty("--aspect", String(this.half[0] / this.half[1]));
   }
 
-  // Fit the field into the room that there is.
+  // Fit the field into the canvas.
   resize() {
     const ratio = Math.min(window.devicePixelRatio || 1, 2.5), box = this.canvas.getBoundingClientRect();
     this.canvas.width = Math.max(1, Math.round(box.width * ratio));

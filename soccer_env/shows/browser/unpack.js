@@ -1,6 +1,6 @@
 // Data out of the page: see packing.py.
 
-// Return packed bytes; there must be so many.
+// Return packed bytes; throw an error unless there are `count` of them.
 async function unpackBytes(text, count) {
   const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));

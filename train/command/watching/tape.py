@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from soccer_env.match import Match
-from soccer_env.render.overlays.scene import Shot, shot_of
+from soccer_env.render.overlays.cast import Shot, shot_of
 from soccer_env.replay import Thoughts
 
 KEPT = 6000  # shots in memory, some 16 kB each

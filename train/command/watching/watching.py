@@ -6,12 +6,12 @@ import numpy as np
 
 from soccer_env.render import Window, check_display
 from soccer_env.render.closeup import Closeup
+from soccer_env.render.overlays.cast import Cast, cast_of
 from soccer_env.render.overlays.flags import part_of_flags
 from soccer_env.render.overlays.layers import overlays_of
 from soccer_env.render.overlays.onlooker import Reel
-from soccer_env.render.overlays.panel import Help
-from soccer_env.render.overlays.scene import Cast, cast_of
-from soccer_env.render.overlays.ways import TRAVELLED
+from soccer_env.render.overlays.panels import Help
+from soccer_env.render.overlays.paths import TRAVELLED
 from soccer_env.replay import Replay, Thoughts
 from soccer_env.thoughts.thought import Reader
 from soccer_env.train.command.watching.deck import HELP, Deck

@@ -14,7 +14,7 @@ from soccer_env import Match
 from soccer_env.render import Picture, Window
 from soccer_env.render.closeup import Closeup
 from soccer_env.render.colours import TEAMS
-from soccer_env.render.overlays.scene import Cast, cast_of
+from soccer_env.render.overlays.cast import Cast, cast_of
 from soccer_env.replay import Recorder, Thoughts
 from soccer_env.thoughts.thought import Reader
 from soccer_env.train.command.command_line import main

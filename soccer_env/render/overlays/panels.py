@@ -1,4 +1,4 @@
-"""What stands in a corner of a picture: words, and the picture of a camera with the blobs in it."""
+"""Panels of a picture: words, key help, and the picture of a camera with its blobs."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class Words:
 
     lines: tuple[str, ...]
     unit: float
-    above_bench: bool = False  # robots that do not play stand below
+    above_bench: bool = False  # inactive robots are drawn below
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Write them, the last at the bottom."""
+        """Write the lines, the last at the bottom."""
         size = letters(self.unit)
         room = canvas.width - 4.0 * GAP
         for at, line in enumerate(reversed(self.lines)):
@@ -48,7 +48,7 @@ class Help:
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Write them, as large as they fit."""
+        """Write the lines, as large as they fit."""
         size = min(26.0, 0.82 * canvas.height / len(self.lines), 0.042 * canvas.width)
         wide = max(canvas.word_width(line, size) for line in self.lines) + 4.0 * GAP
         high = (1.2 * len(self.lines) + 0.6) * size
@@ -95,7 +95,7 @@ class CameraPicture:
         canvas.text(f"camera of {self.look.name}", (left + 3.0, top + 0.6 * tall), tall, WHITE, "left", wide - 6.0)
 
     def _corner(self, canvas: Canvas, view: View, wide: float, high: float) -> tuple[float, float]:
-        """Return left and top of the corner that is farthest from the ball and the robot."""
+        """Return left and top of the corner farthest from the ball and the robot."""
         robot, ball = self.look.shot.robots[self.look.row], self.look.shot.ball
         near = [view.pixel(float(one["x"]), float(one["y"])) for one in (robot, ball)]
         margin = view.margin

@@ -1,4 +1,4 @@
-"""Who plays, and what is drawn of one moment: a live match and a replay give the same."""
+"""`Cast`: the league and teams of a match; `Shot`: one moment of it. From a live match or a replay."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from soccer_env.teams import Explanation, explanation_of, shipped_team
 from soccer_env.thoughts.thought import Reader, Thought
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.recorded import Recorded
+    from soccer_env.thoughts.thoughts import Recorded
 
 PIXELS = re.compile(r"([1-9]\d{1,3})x([1-9]\d{1,3})")
 
 
 class Shot(NamedTuple):
-    """What is drawn of the first match at one moment, in copies."""
+    """Copies of the records of the first match at one moment."""
 
     match: np.void
     ball: np.void
     robots: np.ndarray  # (R,)
-    note: np.ndarray | None = None  # (R, C) int16 what robots think, see `soccer_env.thoughts`
+    note: np.ndarray | None = None  # (R, C) int16 thoughts of the robots, see `soccer_env.thoughts`
 
 
 def shot_of(match: Match, note: np.ndarray | None = None) -> Shot:
@@ -43,8 +43,8 @@ def shot_of(match: Match, note: np.ndarray | None = None) -> Shot:
 class Camera(NamedTuple):
     """A camera on a head."""
 
-    view: float  # [rad] how wide it sees
-    neck: float  # [m] ahead of the robot's middle where the head turns
+    view: float  # [rad] width of the field of view
+    neck: float  # [m] axis of the head, ahead of the robot's middle
     width: float  # [px] of its picture
     height: float  # [px]
 
@@ -55,10 +55,10 @@ class Camera(NamedTuple):
 
 
 def camera_of(sensors: object) -> Camera | None:
-    """Return the camera that the settings of sensors describe, None for one that sees all round or is not known."""
-    given = sensors if isinstance(sensors, Mapping) else {}
-    view, neck = given.get("view_width"), given.get("neck_ahead")
-    pixels = PIXELS.fullmatch(str(given.get("resolution")))
+    """Return the camera of some sensor settings; None for an omnidirectional or unknown camera."""
+    settings = sensors if isinstance(sensors, Mapping) else {}
+    view, neck = settings.get("view_width"), settings.get("neck_ahead")
+    pixels = PIXELS.fullmatch(str(settings.get("resolution")))
     if not isinstance(view, (int, float)) or not isinstance(neck, (int, float)) or pixels is None:
         return None
     if not (0.0 < view < pi and abs(neck) < 1.0):
@@ -67,7 +67,7 @@ def camera_of(sensors: object) -> Camera | None:
 
 
 class Part(NamedTuple):
-    """A team as far as it explains itself: what it is called, and what it was set to."""
+    """A team: its name, its explanation and its settings."""
 
     name: str
     explanation: Explanation | None
@@ -76,7 +76,7 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True)
 class Cast:
-    """What stays the same in a match: the league, who plays, and what notes mean."""
+    """The constant facts of a match: the league, the teams, and the meaning of notes."""
 
     league: League
     agents: Sequence[str]
@@ -90,18 +90,18 @@ class Cast:
 
     @property
     def rays(self) -> list[str]:
-        """Return the groups of notes that are drawn as rays: what is sighted, not what a ranger meets."""
+        """Return the groups of notes that are drawn as rays: sightings, without the obstacle of a ranger."""
         groups = [] if self.reader is None else self.reader.groups
         return [name for name, _, parts in groups if parts == POLAR and name != "obstacle"]
 
     def thought(self, shot: Shot, r: int) -> Thought | None:
-        """Return what robot r thinks, None where nobody noted it."""
+        """Return the thought of robot r, None if it was not noted."""
         if self.reader is None or shot.note is None:
             return None
         return self.reader.thought(shot.note, r)
 
     def picked(self, flags: OverlayFlags, shot: Shot) -> int:
-        """Return the row of the robot that is looked into; ValueError for one that does not play."""
+        """Return the row of the selected robot; ValueError for an unknown robot."""
         agent = flags.agent
         if agent is not None:
             if agent not in self.agents:
@@ -113,12 +113,12 @@ class Cast:
         return int(np.argmin(away))
 
     def thinkers(self, shot: Shot) -> np.ndarray:
-        """Return who believes anything (R,); everybody if nobody does."""
+        """Return flags (R,) of the robots with beliefs; all True if no robot has beliefs."""
         everybody = np.ones(len(shot.robots), bool)
         if self.reader is None or shot.note is None:
             return everybody
-        found = self.reader.thinks(shot.note)
-        return found if found.any() else everybody
+        thinking = self.reader.thinks(shot.note)
+        return thinking if thinking.any() else everybody
 
 
 def cast_of(match: Match, reader: Reader | None) -> Cast:
@@ -128,27 +128,19 @@ def cast_of(match: Match, reader: Reader | None) -> Cast:
         for r in squad.players.tolist():
             explanation = None if squad.lineup is not None else explanation_of(squad.team)
             parts[r] = Part(squad.team.name, explanation, getattr(squad.team, "settings", None))
-    sensors = match.league.sensors
-    return Cast(
-        match.league,
-        match.agents,
-        camera_of(plain(sensors)),
-        bool(getattr(sensors, "HAS_RANGER", False)),
-        parts,
-        reader,
-        match.batch.constants,
-        "nobody here believes anything",
-        directions_of(plain(sensors)),
-    )
+    league, sensors = match.league, plain(match.league.sensors)
+    ranger, why = bool(getattr(league.sensors, "HAS_RANGER", False)), "nobody here believes anything"
+    camera, directions = camera_of(sensors), directions_of(sensors)
+    return Cast(league, match.agents, camera, ranger, parts, reader, match.batch.constants, why, directions)
 
 
 def cast_of_replay(replay: Recorded, match: Match, reader: Reader | None) -> Cast:
-    """Return the cast of a replay; `match` is the one that it plays. Teams are known by name, with their own settings.
+    """Return the cast of a replay, whose running match is `match`. Teams are found by name, with their own settings.
 
-    Only shipped teams are asked: a name in a file loads nothing else.
+    Only shipped teams are looked up: a name in a file loads nothing else.
     """
-    given, sensors = replay.settings, replay.settings["league"].get("sensors")
-    teams = given.get("teams")
+    settings, sensors = replay.settings, replay.settings["league"].get("sensors")
+    teams = settings.get("teams")
     parts = {}
     for row, agent in enumerate(match.agents):
         name = str(teams[agent]) if isinstance(teams, dict) and agent in teams else None
@@ -164,6 +156,6 @@ def cast_of_replay(replay: Recorded, match: Match, reader: Reader | None) -> Cas
 
 
 def directions_of(sensors: object) -> int:
-    """Return in how many directions the settings of sensors look for white lines."""
+    """Return the number of directions in which sensors look for white lines."""
     lines = sensors.get("lines") if isinstance(sensors, Mapping) else None
     return lines if isinstance(lines, int) and 1 <= lines <= LINES else LINES

@@ -1,4 +1,4 @@
-"""Every robot's role and recovery state in words, and the beam of its ranger."""
+"""Role and recovery state of every robot in words, and the beams of the rangers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.render.canvas import Canvas
 from soccer_env.render.colours import AMBER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.render.overlays.belief import letters
-from soccer_env.render.overlays.scene import Cast, Shot
+from soccer_env.render.overlays.cast import Cast, Shot
 from soccer_env.render.overlays.shapes import Label, Overlay, Points, Polyline
 from soccer_env.render.view import View
 
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     from soccer_env.render.overlays.layers import Look
 
 BEAM: Colour = (255, 84, 150)
-READING: Colour = (255, 186, 214)  # of a beam: words in its own colour cannot be read on blue
+READING: Colour = (255, 186, 214)  # of the words of a beam: in its own colour they cannot be read on blue
 FIELD_ROLES = ("attacker", "supporter")
-RECOVERIES = ("back", "sidestep", "rotate")  # behaviours of a robot that is stuck
+RECOVERIES = ("back", "sidestep", "rotate")  # behaviours of a stuck robot
 PLATE = 2.5  # [1] half the width of the mark of a fall, in sizes of the letters beside it
 COUNTED = {"detour": "goes round", "wriggle": "wriggles", "back_off": "backs off"}  # [s] left of such a recovery
 
 
 @dataclass(frozen=True, eq=False)
 class Tags:
-    """Words under robots or places, or above them or farther off where others or the mark of a fall stand already."""
+    """Words under robots or places; above them or farther away if other words or the mark of a fall are in the way."""
 
     tags: tuple[tuple[tuple[float, float], str, Colour], ...]  # place of a robot [m], words, colour
     away: float  # [m] from a robot's middle to its words
@@ -56,7 +56,7 @@ class Tags:
 
 
 def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
-    """Return the words of every robot whose team tells what it does; amber for one that gets itself free."""
+    """Return the words for what each robot does, if its team explains it; amber for a robot in recovery."""
     tags: list[tuple[tuple[float, float], str, Colour]] = []
     lie = shot.robots[(shot.robots["fallen"] > 0.0) & (shot.robots["active"] == 1)]
     fallen = tuple((float(robot["x"]), float(robot["y"])) for robot in lie)
@@ -72,9 +72,9 @@ def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit), fallen)] if tags else []
 
 
-def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
-    """Return what a robot does, in words, and whether it gets itself free; `said`, `numbers` as in `Thought`."""
-    words = [word for word in said if not (keeper and word in FIELD_ROLES)]
+def words_of(team_words: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
+    """Return what a robot does in words, and whether it recovers; words and numbers as in `Thought`."""
+    words = [word for word in team_words if not (keeper and word in FIELD_ROLES)]
     words = [word for word in words if not any(other != word and other.startswith(word) for other in words)]
     if not words and "rank" in numbers:
         words = ["goalkeeper" if keeper else FIELD_ROLES[min(1, int(numbers["rank"]))]]
@@ -86,8 +86,8 @@ def words_of(said: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, 
 
 
 def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
-    """Return the beam of every ranger that reads something, as long as it reads, along the camera's axis."""
-    found: list[Overlay] = []
+    """Return the beam of every ranger with a reading, as long as the reading, along the axis of the camera."""
+    overlays: list[Overlay] = []
     tags: list[tuple[tuple[float, float], str, Colour]] = []
     neck = cast.camera.neck if cast.camera is not None else 0.0
     for row, robot in enumerate(shot.robots):
@@ -98,14 +98,14 @@ def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
         gaze = heading + (float(thought.groups["head"][0, 0]) / CENTI if "head" in thought.groups else 0.0)
         start = (float(robot["x"]) + neck * cos(heading), float(robot["y"]) + neck * sin(heading))
         end = (start[0] + thought.infrared * cos(gaze), start[1] + thought.infrared * sin(gaze))
-        found.append(Polyline([start, end], BEAM, 2.2 * unit))
-        found.append(Points([end], BEAM, 3.6 * unit))
+        overlays.append(Polyline([start, end], BEAM, 2.2 * unit))
+        overlays.append(Points([end], BEAM, 3.6 * unit))
         tags.append((end, f"{thought.infrared:.2f} m", READING))
-    return [*found, Tags(tuple(tags), 0.5 * cast.league.body.reach, letters(unit))] if tags else []
+    return [*overlays, Tags(tuple(tags), 0.5 * cast.league.body.reach, letters(unit))] if tags else []
 
 
 def mark_of_picked(look: Look) -> Overlay:
-    """Return a ring round the robot that is looked into."""
+    """Return a ring around the selected robot."""
     robot = look.shot.robots[look.row]
     reach = look.cast.league.body.reach
     corners = [
