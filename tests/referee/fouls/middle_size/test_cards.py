@@ -5,7 +5,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from soccer_env.referee.fouls.middle_size.cards import OUT, YELLOW, book
+from soccer_env.referee.fouls.middle_size.book import OUT, YELLOW, book
 from soccer_env.types import AWAY, HOME
 from tests.scenes.referee import Referee
 from tests.scenes.staging import asking, stand
