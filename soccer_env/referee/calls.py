@@ -158,8 +158,8 @@ def drop_place(ball, k):
     * A ball at a board is moved straight away from the board until a robot has room between the two, at most by the
       rules' `drop_way`; in a corner, away from both boards. So neither team loses the pitch that it has won.
     * A ball before a goal is dropped where it lay, on the line of the goal area parallel to the goal line, so that no
-      robot gets a free shot from nearer. The laws of football have it so (Law 8, remembered); the legged league has only
-      a penalty area, and its book of 2008 puts a ball that is stuck with a goalkeeper on the centre spot.
+      robot gets a free shot from nearer. The laws of football have it so (Law 8, remembered); the legged league only
+      has a penalty area, and its book of 2008 puts a ball that is stuck with a goalkeeper on the centre spot.
     """
     side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
     depth, width = k.pitch_goal_area_depth, k.pitch_goal_area_width

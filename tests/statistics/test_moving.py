@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.statistics.maps import BALL
-from soccer_env.statistics.moving import MAKES, STUCK, WANTS
+from soccer_env.statistics.players import MAKES, STUCK, WANTS
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE, LOOK
 from soccer_env.types import HOME, Phase
 from tests.statistics.counted_steps import KICKER, SECOND, Steps
