@@ -82,7 +82,7 @@ def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> Non
 
 
 def start_dribble(league: League, ball: Any, robots: Any, draw: Draw, others: int) -> tuple[Any, list[Any], float]:
-    """Put the ball between the paws of home's last robot; return robot, opponents, and the goal's direction [rad]."""
+    """Put the ball between the paws of home's last robot; return it, the opponents and the way to goal [rad]."""
     row, rows = last_of(robots, HOME), last_rows(robots, AWAY, others)
     send_away(league, robots, row, *rows)
     robot = robots[row]
@@ -158,8 +158,8 @@ def place_gap(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 def place_far_post_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
     """Shoot from one side just inside the other post, as hard as a legged robot kicks.
 
-    The goalkeeper stands on the line from the ball to the middle of its goal and faces the ball. Kicks too slow to reach
-    the goal are left out.
+    The goalkeeper stands on the line from the ball to the middle of its goal and faces the ball. Kicks too slow to
+    reach the goal are left out.
     """
     goal, side = league.pitch.length / 2, draw.side()
     away, angle = draw.between(0.8, 1.1), side * draw.between(0.3, 0.8)

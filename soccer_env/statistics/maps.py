@@ -33,7 +33,7 @@ MAP_TEXTS = {  # of what `maps_of` returns; places are in the frame in which the
 
 @compiled
 def note_place(thing, layer, direction, k, maps):
-    """Count a robot or the ball in its cell of the heat map; a place beyond a line counts in the cell at the line."""
+    """Count a robot or the ball in its cell of the heat map; beyond a line, in the cell at the line."""
     along = int((direction * thing.x / k.pitch_length + 0.5) * CELLS_LONG)
     across = int((direction * thing.y / k.pitch_width + 0.5) * CELLS_WIDE)
     along, across = min(max(along, 0), CELLS_LONG - 1), min(max(across, 0), CELLS_WIDE - 1)
@@ -56,7 +56,7 @@ def note_shot(match, row, team, outcome, tally, trail):
 def maps_of(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any]:
     """Return the maps of one match (a record of STATISTICS) from a team's side, as plain lists that can be added.
 
-    rows: numbers of robots of home and away in the record. Heat maps have shape (16, 24), passes (players, players), players
+    rows: robots of home and of away in the record. Heat maps have shape (16, 24), passes (players, players), players
     (players, 3); MAP_TEXTS says what each map holds.
     """
     maps = record["maps"]
