@@ -58,14 +58,12 @@ SMOOTH_BODY = Body(  # of one piece: 270 x 155 mm with the forelegs; about 255 x
 
 # With legs: 264 mm long (250 to 274 remembered) and 158 mm wide (152 to 156 remembered).  MS51
 #
-# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Legs are
-# as far aside. Ahead they are not: a forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind, in the
-# stance of the walk of the University of Pennsylvania of 2004 (Tekkotsu, touretzkyds/Tekkotsu, Motion/UPennWalkMC.cc:
-# STANCE_FORE_Y0 = 60, STANCE_HIND_Y0 = -45), whose robot, the ERS-7, has legs 5 to 10 % longer.
-#
-# Posts right under the shoulders would hold the ball 78 mm ahead of the centre, where the camera could never see it:
-# from 142 mm ahead it would lie 135 degrees below the horizon, and at the lowest tilt of 82 degrees the picture ends
-# at 106.
+# Shoulders and hips are 59.5 mm ahead of and behind the centre, 59.2 mm aside (kinematics of the ERS-210), like the
+# legs. A forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind its hip: the stance of the walk of
+# the University of Pennsylvania of 2004 (touretzkyds/Tekkotsu, Motion/UPennWalkMC.cc: STANCE_FORE_Y0 = 60,
+# STANCE_HIND_Y0 = -45), whose robot, the ERS-7, has legs 5 to 10 % longer. Posts right under the shoulders would hold
+# the ball 78 mm ahead of the centre, where the camera, 142 mm ahead, never sees it: 135 degrees below the horizon,
+# while at the lowest tilt of 82 degrees the picture ends at 106.
 BODY = Body(
     mass=1.45,  # [kg] 1.4 to 1.5, remembered
     disc_radius=0.039,  # [m] half the width of the trunk between the legs: shoulders less a leg's thickness, assumed

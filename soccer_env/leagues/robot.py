@@ -6,9 +6,7 @@ from math import hypot
 from soccer_env.guards.checking import ABOVE_ZERO, ANY, SHARE, Range
 from soccer_env.leagues.checks import PYTHON_ONLY, Part, is_convex
 
-GAIT = 0
-WHEELS_OMNI = 1
-WHEELS_DIFFERENTIAL = 2
+GAIT, WHEELS_OMNI, WHEELS_DIFFERENTIAL = 0, 1, 2
 DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
 MOST_CORNERS = 8  # room for corners of a hull in the constants
 

@@ -3,5 +3,5 @@
     head_camera.py     a camera on a moving head: pixels, directions, and the place of the camera
     mirror_camera.py   the hyperbolic mirror: the distance on the ground that a pixel shows
 
-perception/ draws the pictures, belief/ reads them.
+The sensors of perception/ draw pictures with this geometry; belief/ reads the pictures.
 """

@@ -11,8 +11,7 @@ from soccer_env.random_numbers import uniform
 from soccer_env.referee.set_pieces import defender_place, has_to_pass, out_of_area, receiver_place, way_to_receiver
 from soccer_env.types import NO_TEAM, Phase, RobotStream
 
-KICK_OFF = int(Phase.KICK_OFF)
-PENALTY_KICK = int(Phase.PENALTY_KICK)
+KICK_OFF, PENALTY_KICK = int(Phase.KICK_OFF), int(Phase.PENALTY_KICK)
 PLACEMENT = int(RobotStream.PLACEMENT)
 DEFENDERS = 4  # opponents with places of their own at a restart whose taker has to pass
 ROW = 4  # field players side by side

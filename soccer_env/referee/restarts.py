@@ -20,8 +20,7 @@ from soccer_env.referee.places import MARGIN, is_allowed, is_clear, is_free, new
 from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase
 
-KICK_OFF = int(Phase.KICK_OFF)
-DROP_BALL = int(Phase.DROP_BALL)
+KICK_OFF, DROP_BALL = int(Phase.KICK_OFF), int(Phase.DROP_BALL)
 STEP_ASIDE, STEPS_ASIDE = (
     0.01,
     60,

@@ -15,8 +15,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.types import Phase
 
-KICK_OFF = int(Phase.KICK_OFF)
-PENALTY_KICK = int(Phase.PENALTY_KICK)
+KICK_OFF, PENALTY_KICK = int(Phase.KICK_OFF), int(Phase.PENALTY_KICK)
 PASS = 2.0  # [m] from the ball to the receiver of the pass, assumed
 UPFIELD = 3.0  # [m] behind the halfway line; from farther back the pass goes forward, assumed
 WING = 2.2  # [m] from the middle, the aim of a forward pass, assumed

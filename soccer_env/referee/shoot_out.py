@@ -14,9 +14,7 @@ from soccer_env.geometry import direction_of
 from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
-PLAY = int(Phase.PLAY)
-PENALTY_KICK = int(Phase.PENALTY_KICK)
-OVER = int(Phase.OVER)
+PLAY, PENALTY_KICK, OVER = int(Phase.PLAY), int(Phase.PENALTY_KICK), int(Phase.OVER)
 AT_REST = 0.05  # [m/s] a ball slower than this has come to rest, assumed
 SCORED, MISSED = 1, 2
 
