@@ -42,7 +42,7 @@ MAX_LEAP = 0.25  # [m] of the ball in a substep: half of a board's thickness; a 
 
 @dataclass(frozen=True)
 class Pitch(Part):
-    """The field of play and what stands around it; see the map at the head of this file. Lengths in metres."""
+    """The field of play, its goals and boards; see the map at the head of this file. Lengths in metres."""
 
     BOUNDS = dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO)
     ORDER = (("goal_width", "less than", "width"),)
@@ -129,7 +129,7 @@ class League(Part):
     family: str  # by which teams, scenes and policies know it: "legged", "middle-size" or your own
     control_rate: int  # [1/s] control steps
     team_size: int  # players a side in the league's own matches
-    pitch: Pitch  # the field of play and what stands around it
+    pitch: Pitch  # the field of play, goals and boards
     ball: BallModel  # the ball and how it rolls
     body: Body  # shape and mass of a robot
     materials: Materials  # elasticity and friction of each pair that collides

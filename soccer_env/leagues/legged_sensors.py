@@ -67,7 +67,7 @@ class LeggedSensors(Options):
     patch_high: float = 1.0  # [m] greatest height, assumed
     patch_away: float = 0.5  # [m] distance from the boards, assumed
     red_as_orange: float = 0.02  # [1] probability that a frame shows an orange spot on a sticker, assumed
-    board_height: float = 0.10  # [m] boards hide what lies lower behind them, assumed
+    board_height: float = 0.10  # [m] boards hide lower things behind them, assumed
     goal_height: float = 0.30  # [m] league rules, remembered, unverified
     landmark_radius: float = 0.05  # [m] cylinders about 10 cm wide, remembered, unverified
     landmark_low: float = 0.20  # [m] lower edge of the colours, remembered, unverified

@@ -35,7 +35,7 @@ class Entry:
 
     name: str  # unique in its layout
     meaning: str = ""  # in a line, for lists
-    scale: str = ""  # what 1 stands for
+    scale: str = ""  # the meaning of 1
     frame: Frame | None = None  # None: unknown
     axis: Axis = ""  # of the frame; "" for a number without a direction
     group: str = ""  # the object that it describes

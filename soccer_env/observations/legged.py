@@ -36,7 +36,7 @@ BLOB = (
 )
 LANDMARK = tuple(replace(entry, frame=CAMERA, axis=SIDE) for entry in BLOB)  # landmarks stand on both sides
 COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
-RANGER_ROW, TOUCH_ROW, BLOB_ROW = record_of(RANGER), record_of(TOUCH), record_of(BLOB)  # what the writers below fill
+RANGER_ROW, TOUCH_ROW, BLOB_ROW = record_of(RANGER), record_of(TOUCH), record_of(BLOB)  # for the writers below
 RANGER_SIZE, TOUCH_SIZE, BLOB_SIZE = len(RANGER), len(TOUCH), len(BLOB)
 
 

@@ -25,7 +25,7 @@ MARKER = (Entry("teammate", "1 team-mate, -1 opponent, by its marker", "1", NONE
 LINE = "distance of the first white line in this direction, 1 if none is seen"
 HALF = 2.0  # [m] half-way point of the soft scale for distances in the mirror's picture, assumed
 THINGS = ("ball", "own_goal", "opponent_goal")
-SIGHTING_ROW, MARKER_ROW = record_of(SIGHTING), record_of(MARKER)  # what the writers below fill
+SIGHTING_ROW, MARKER_ROW = record_of(SIGHTING), record_of(MARKER)  # for the writers below
 SIGHTING_SIZE, MARKER_SIZE = len(SIGHTING), len(MARKER)
 
 

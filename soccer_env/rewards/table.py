@@ -21,7 +21,7 @@ class Term:
     """A reward term of every match."""
 
     name: str
-    text: str  # what it pays, for lists
+    text: str  # its meaning, for lists
     function: Callable[..., Any]  # a kernel with the arguments of its kind, see rewards/__init__.py
     kind: str  # "potential", "event" or "cost"
     weight: float  # default

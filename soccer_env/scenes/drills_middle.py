@@ -22,7 +22,6 @@ from soccer_env.scenes.drills_legged import PATIENT, last_rows, put_inside, touc
 from soccer_env.scenes.scene import Draw, Scene, last_of, put, send_away
 from soccer_env.types import AWAY, HOME
 
-FAMILY = ("middle-size",)
 STEP = 1.2  # [m] between two obstacles of the challenge, along the pitch
 ASIDE = 0.35  # [m] of obstacles beside the straight way, to either side in turn
 OBSTACLES = 4
@@ -113,7 +112,7 @@ def attack(
 
 def drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
     """Return a drill of the middle-size league without whistles."""
-    return Scene(name, description, place, success, limit, True, families=FAMILY, rules=PATIENT, **more)
+    return Scene(name, description, place, success, limit, True, families=("middle-size",), rules=PATIENT, **more)
 
 
 DRILLS_MIDDLE = (

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.physics.engine import reseat
+from soccer_env.physics.engine import pools
 from tests.scenes.staging import LEAGUES
 
 TOUCH = {"legged-2001": 0.3, "middle-size-2006": 0.6}  # [m] between the centres of robots that may touch
@@ -78,4 +78,4 @@ def test_where_it_cannot_be_put_back_a_space_is_made(way: str, monkeypatch: pyte
 
 
 def test_the_counter_of_shapes_is_found_in_this_pymunk() -> None:
-    assert reseat.layout_fits()
+    assert pools.layout_fits()

@@ -16,7 +16,7 @@ POST = np.dtype(
     [  # a leg, or a tip of a guide
         ("stand_x", "f8"),  # [m] robot frame, where it stands, in the middle of its stroke
         ("stand_y", "f8"),  # [m] robot frame
-        ("x", "f8"),  # [m] robot frame, where it is at the beginning of the control step
+        ("x", "f8"),  # [m] robot frame, its place at the start of the control step
         ("y", "f8"),  # [m] robot frame
         ("vx", "f8"),  # [m/s] over the robot's body, in its frame
         ("vy", "f8"),  # [m/s]
