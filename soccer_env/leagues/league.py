@@ -155,10 +155,8 @@ class League(Part):
             check_kind(self.sensors)
         self._check_leap()
         if self.pitch.board_foot > self.highest_foot:
-            raise ValueError(
-                f"Pitch.board_foot must be at most {self.highest_foot:.4f}, got {self.pitch.board_foot}: "
-                f"the ball has to meet the upright board"
-            )
+            limit = f"at most {self.highest_foot:.4f}, got {self.pitch.board_foot}"
+            raise ValueError(f"Pitch.board_foot must be {limit}: the ball has to meet the upright board")
         if self.body.legs and self.drive.gait_steps % 2 != 0:
             raise ValueError(f"Drive.gait_steps must be even for a body with legs, got {self.drive.gait_steps}")
         if self.block.raise_time > 0.0 and not self.body.legs:
