@@ -4,16 +4,16 @@ legged_2001.py        the Sony legged league of 2001
 legged_sensors.py     the sensors of legged robots, and their memory
 middle_size_2006.py   the middle-size league of 2006
 omni_sensors.py       the sensors of middle-size robots, and their memory
-league.py             what a league is, and a map of the pitch
-rules.py              which rules are called, their numbers, and sets of them
+league.py             League, and a map of the pitch
+rules.py              the rules: switches, numbers, and sets of rules
 legged_rules.py       fouls of the legged league
 middle_size_rules.py  fouls of the middle size
-materials.py          what bounces and rubs how much: elasticity and friction of each pair that meets
-robot.py              what its robots are: body, drive, kicker, block, head
-robot_kind.py         what a kind of robot is, and where each is declared
+materials.py          elasticity and friction of each pair of things that collide
+robot.py              the parts of a robot: body, drive, kicker, block, head
+robot_kind.py         RobotKind, and the place where each kind is declared
 constants.py          the numbers of a league as one record for kernels
 options.py            settings that are checked, changed by name and turned into a record
-pose_memory.py        the settings of a robot's own pose, alike in all leagues
+pose_memory.py        the settings of a robot's estimate of its own pose
 checks.py             checks of the numbers of a league
 """
 
@@ -28,21 +28,15 @@ from soccer_env.leagues.rules import Rules
 LEAGUES: dict[str, League] = {
     league.name: league
     for league in (
-        legged_2001.LEAGUE,
-        middle_size_2006.LEAGUE,
-        legged_2001.INNER,
-        legged_2001.SMOOTH,
-        legged_2001.BLOCK,
+        legged_2001.LEAGUE, middle_size_2006.LEAGUE, legged_2001.INNER, legged_2001.SMOOTH, legged_2001.BLOCK,
         middle_size_2006.OLD_BASE,
     )
-}
-
-
+}  # fmt: skip
 RETIRED = {"legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the body without them"}
 
 
 def find_league(league: str | League) -> League:
-    """Return the league of a name or of MODULE:NAME, or the league itself; ValueError says which names exist."""
+    """Return a league by name or MODULE:NAME, or the object itself; ValueError lists the names."""
     league = of_module("league", league, League) or league
     if isinstance(league, League):
         return league
@@ -53,19 +47,6 @@ def find_league(league: str | League) -> League:
 
 
 __all__ = [
-    "LEAGUES",
-    "BallModel",
-    "Block",
-    "Body",
-    "Drive",
-    "Head",
-    "Kicker",
-    "League",
-    "Materials",
-    "Pair",
-    "Pitch",
-    "Rules",
-    "Slots",
-    "Substeps",
-    "find_league",
-]
+    "LEAGUES", "BallModel", "Block", "Body", "Drive", "Head", "Kicker", "League", "Materials", "Pair", "Pitch", "Rules",
+    "Slots", "Substeps", "find_league",
+]  # fmt: skip

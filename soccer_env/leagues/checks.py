@@ -1,4 +1,4 @@
-"""What the parts of a league have in common: numbers of 0 or more, unless a part says otherwise."""
+"""The base class of the parts of a league, and checks of their numbers: 0 or more, unless a part says otherwise."""
 
 import re
 
@@ -6,12 +6,12 @@ import numpy as np
 
 from soccer_env.guards.checking import FROM_ZERO, Checked, refuse
 
-PYTHON_ONLY = {"kernels": False}  # metadata of a field that no compiled kernel reads: it is not among the constants
+PYTHON_ONLY = {"kernels": False}  # metadata of a field that is left out of the constants: no kernel reads it
 FAMILY = re.compile(r"[a-z0-9][a-z0-9-]{0,63}")
 
 
 class Part(Checked):
-    """A settings record that a league is made of."""
+    """A part of a league: a record of settings."""
 
     NUMBER = FROM_ZERO
 

@@ -1,7 +1,7 @@
-"""The numbers of a league as one flat record, for compiled kernels, in which it is called `k`.
+"""The numbers of a league as one flat record, which compiled kernels call `k`.
 
-A number of one of a league's parts is in the record as part_field: k.ball_radius is league.ball.radius. Which those
-are is said where they are declared: all that hold a float, but for those marked `field(metadata=PYTHON_ONLY)`.
+A number of a league's part is in the record as part_field: k.ball_radius is league.ball.radius. The record holds all
+float fields of the parts, except those declared with `field(metadata=PYTHON_ONLY)`.
 """
 
 from collections.abc import Callable
@@ -36,13 +36,13 @@ NUMBERS = {
     if type_of(field) == "float" and field.metadata != PYTHON_ONLY
 }
 WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
-    "corners": lambda league: len(league.body.corners),  # how many the hull has
+    "corners": lambda league: len(league.body.corners),  # corners of the hull
     "legs": lambda league: league.body.legs,  # 1: posts swing with the gait
     "walled": lambda league: league.pitch.walled,  # 1: boards on the lines
     "ranger": has_ranger,  # 1: robots have an infrared ranger
     "drive_kind": lambda league: DRIVE_KINDS[league.drive.kind],
     "gait_steps": lambda league: league.drive.gait_steps,
-    "slip_steps": lambda league: max(1, round(league.drive.slip_time * league.control_rate)),  # that a slip holds for
+    "slip_steps": lambda league: max(1, round(league.drive.slip_time * league.control_rate)),  # of one drawn slip
     "delay_steps": lambda league: league.delay_steps,
     "keeper_kicks": lambda league: league.kicker.keeper_kicks,
     "substeps_least": lambda league: league.substeps.least,
@@ -53,9 +53,9 @@ WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     **{f"rules_{name}": partial(switch_of, name=name) for name in SWITCHES},  # 1: the rule is called
 }
 OF_THE_MATCH = [  # settings of a match, filled in by `Settings.constants`
-    ("placement_by_driving", "i8"),  # 1: robots drive to their places at a restart; 0: they are put there
+    ("placement_by_driving", "i8"),  # 1: robots drive to their places at a restart; 0: the referee puts them there
     ("end_at_goal", "i8"),  # 1: the episode ends at the first goal
-    ("drill", "i8"),  # how the drill of the scene is judged, 0 none; see scenes/judging.py
+    ("drill", "i8"),  # the success test of the drill, 0: no drill; see scenes/judging.py
     ("drill_time", "f8"),  # [s] limit of the drill
 ]
 CONSTANTS = np.dtype(

@@ -1,4 +1,4 @@
-"""What a league is: frozen dataclasses whose every number has a unit and a source, checked on construction.
+"""League: frozen dataclasses whose numbers have units and sources, and are checked on construction.
 
 Map of a pitch; the field frame has its origin at the centre spot, x to the right, y up. Lengths in metres:
 
@@ -36,13 +36,13 @@ from soccer_env.leagues.rules import Rules
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
 MAX_RATE = 1000  # [1/s] control steps
-MAX_ROUNDS = 100_000  # of the contact solver in a control step: one of more would take longer than anybody waits
-MAX_LEAP = 0.25  # [m] of the ball in a substep: half of a board's thickness, beyond which it comes out behind
+MAX_ROUNDS = 100_000  # of the contact solver in a control step: more would take too long
+MAX_LEAP = 0.25  # [m] of the ball in a substep: half of a board's thickness; a longer leap ends behind the board
 
 
 @dataclass(frozen=True)
 class Pitch(Part):
-    """The field of play and what stands around it; see the map at the head of this file. Lengths in metres."""
+    """The field of play, its goals and boards; see the map at the head of this file. Lengths in metres."""
 
     BOUNDS = dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO)
     ORDER = (("goal_width", "less than", "width"),)
@@ -58,8 +58,8 @@ class Pitch(Part):
     goal_area_depth: float = 0.0  # [m] from the goal line; 0: there is no goal area
     goal_area_width: float = 0.0  # [m]
     band_side: float = 0.0  # [m] room for robots beyond a touchline
-    band_end: float = 0.0  # [m] the same beyond a goal line
-    board_foot: float = 0.0  # [m] how far the sloped foot of a board reaches into the pitch, and how high: 45 degrees
+    band_end: float = 0.0  # [m] room for robots beyond a goal line
+    board_foot: float = 0.0  # [m] depth and height of the sloped foot of a board, at 45 degrees
     post_radius: float = 0.02  # [m]
     line: float = field(default=0.025, metadata=PYTHON_ONLY)  # [m] width of the lines
 
@@ -73,10 +73,10 @@ class BallModel(Part):
     radius: float  # [m]
     mass: float  # [kg]
     rolling: float  # [m/s2] constant deceleration of a rolling ball
-    sliding: float  # [m/s2] deceleration while it slides
-    pivot: float  # [rad/s2] at which its spin about the vertical slows down
+    sliding: float  # [m/s2] deceleration of a sliding ball
+    pivot: float  # [rad/s2] deceleration of its spin about the vertical
     shell: float  # [1] inertia over mass times radius squared: 2/5 solid, 2/3 a hollow shell
-    top_speed: float  # [m/s] nothing moves it faster
+    top_speed: float  # [m/s] limit of its speed
 
 
 @dataclass(frozen=True)
@@ -85,8 +85,8 @@ class Slots(Part):
 
     NUMBER = Range(0, MAX_TEAM)
 
-    teammates: int  # the nearest are kept
-    opponents: int  # the same
+    teammates: int  # slots, for the nearest
+    opponents: int  # slots, for the nearest
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -96,7 +96,7 @@ class Slots(Part):
 
 @dataclass(frozen=True)
 class Substeps(Part):
-    """How finely the physics cuts a control step."""
+    """The substeps of the physics in a control step."""
 
     BOUNDS = {
         "travel": ABOVE_ZERO,
@@ -104,12 +104,12 @@ class Substeps(Part):
     }
     ORDER = (("least", "at most", "close"), ("close", "at most", "most"), ("iterations", "at most", "jam_iterations"))
 
-    least: int  # substeps of a control step
-    close: int  # the least while a robot is within reach of the ball or of another robot
-    most: int  # while something moves fast
+    least: int  # fewest substeps of a control step
+    close: int  # fewest while a robot is within reach of the ball or of another robot
+    most: int  # most substeps, while something moves fast
     travel: float  # [m] that the fastest body may move in a substep
     iterations: int  # rounds of the contact solver
-    jam_iterations: int  # the same while the ball touches two things or more, or legs hold each other
+    jam_iterations: int  # rounds while the ball touches two things or more, or legs hold each other
     slop: float = field(metadata=PYTHON_ONLY)  # [m] overlap of bodies that is left alone
 
     def __post_init__(self) -> None:
@@ -125,26 +125,26 @@ class League(Part):
 
     BOUNDS = {"control_rate": Range(1, MAX_RATE), "team_size": Range(1, MAX_TEAM)}
 
-    name: str  # what lists, files and results call it
-    family: str  # what teams, scenes and policies go by: "legged", "middle-size" or one of your own
+    name: str  # in lists, files and results
+    family: str  # by which teams, scenes and policies know it: "legged", "middle-size" or your own
     control_rate: int  # [1/s] control steps
     team_size: int  # players a side in the league's own matches
-    pitch: Pitch  # the field of play and what stands around it
-    ball: BallModel  # how it rolls
+    pitch: Pitch  # the field of play, goals and boards
+    ball: BallModel  # the ball and how it rolls
     body: Body  # shape and mass of a robot
-    materials: Materials  # elasticity and friction of each pair that meets
+    materials: Materials  # elasticity and friction of each pair that collides
     drive: Drive  # legs or wheels
     kicker: Kicker  # how hard and how well robots kick
     head: Head  # where the camera can look
-    rules: Rules  # which are called, and their numbers
+    rules: Rules  # switches and numbers
     slots: Slots  # room for other players in tracks and observations
-    substeps: Substeps  # how finely the physics cuts a control step
+    substeps: Substeps  # of the physics in a control step
     evaluation_minutes: float  # [min] of play in an evaluation
-    evaluation_placement: Literal["instant", "drive"] = "instant"  # how robots reach their places in one
-    source: str = ""  # where the numbers are from
+    evaluation_placement: Literal["instant", "drive"] = "instant"  # how robots reach their places in an evaluation
+    source: str = ""  # of the numbers
     block: Block = Block()  # of goalkeepers that spread their forelegs
-    sensors: Any = None  # Options whose KIND says whose they are: a LeggedSensors, an OmniSensors, see robot_kind.py
-    memory: Any = None  # Options, what goes with the sensors: a LeggedMemory, an OmniMemory
+    sensors: Any = None  # Options such as LeggedSensors, OmniSensors; their KIND names the RobotKind, see robot_kind.py
+    memory: Any = None  # Options that go with the sensors, such as LeggedMemory, OmniMemory
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -155,10 +155,8 @@ class League(Part):
             check_kind(self.sensors)
         self._check_leap()
         if self.pitch.board_foot > self.highest_foot:
-            raise ValueError(
-                f"Pitch.board_foot must be at most {self.highest_foot:.4f}, got {self.pitch.board_foot}: "
-                f"the ball has to meet the upright board"
-            )
+            limit = f"at most {self.highest_foot:.4f}, got {self.pitch.board_foot}"
+            raise ValueError(f"Pitch.board_foot must be {limit}: the ball has to meet the upright board")
         if self.body.legs and self.drive.gait_steps % 2 != 0:
             raise ValueError(f"Drive.gait_steps must be even for a body with legs, got {self.drive.gait_steps}")
         if self.block.raise_time > 0.0 and not self.body.legs:
@@ -169,11 +167,10 @@ class League(Part):
             raise ValueError("Body.reach is too large for the pitch: robots need room to be placed")
 
     def __repr__(self) -> str:
-        """Return what tells it from others at a glance; `in_full` has every number."""
+        """Return the league in short; `in_full` returns every number."""
         size = f"{self.pitch.length:g} x {self.pitch.width:g} m"
-        return (
-            f"<League {self.name}: {self.family}, {size}, {self.team_size} a side, {self.control_rate} steps a second>"
-        )
+        teams = f"{self.team_size} a side, {self.control_rate} steps a second"
+        return f"<League {self.name}: {self.family}, {size}, {teams}>"
 
     def in_full(self) -> str:
         """Return every number of the league, as Python writes it."""
@@ -189,7 +186,7 @@ class League(Part):
             )
 
     def must_be_of(self, families: tuple[str, ...], who: str) -> None:
-        """Raise ValueError, for a team or scene, unless the league is of one of these families; empty: all will do."""
+        """Raise ValueError, naming a team or scene, unless the league's family is among `families`; empty: any."""
         if families and self.family not in families:
             raise ValueError(f"{who} is for {' and '.join(families)} leagues, {self.name!r} is {self.family}")
 
@@ -210,7 +207,7 @@ class League(Part):
 
     @property
     def foot(self) -> float:
-        """Return how far the feet of boards keep robots off the boards [m]: those with legs."""
+        """Return the distance [m] at which the feet of boards keep robots with legs off the boards."""
         return self.pitch.board_foot if self.body.legs else 0.0
 
     @property

@@ -28,7 +28,7 @@ PITCH = Pitch(
     penalty_width=1.0,  # [m] league rules, remembered, unverified
     circle=0.15,  # [m] radius; 300 mm across in the 2004 rule book
     walled=True,  # league rules of 2001 to 2004
-    board_foot=0.024,  # [m] sloped feet are remembered; height assumed: just below 24.6 mm, so the ball meets the board
+    board_foot=0.024,  # [m] sloped feet are remembered; height assumed: below 24.6 mm, so that the ball meets the board
     post_radius=0.02,  # [m] assumed
     line=0.025,  # [m] 2004 rule book
 )
@@ -58,14 +58,12 @@ SMOOTH_BODY = Body(  # of one piece: 270 x 155 mm with the forelegs; about 255 x
 
 # With legs: 264 mm long (250 to 274 remembered) and 158 mm wide (152 to 156 remembered).  MS51
 #
-# Shoulders and hips are 59.5 mm ahead of the centre and behind it, 59.2 mm aside (kinematics of the ERS-210). Legs are
-# as far aside. Ahead they are not: a forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind, in the
-# stance of the walk of the University of Pennsylvania of 2004 (Tekkotsu, touretzkyds/Tekkotsu, Motion/UPennWalkMC.cc:
-# STANCE_FORE_Y0 = 60, STANCE_HIND_Y0 = -45), whose robot, the ERS-7, has legs 5 to 10 % longer.
-#
-# Posts right under the shoulders would hold the ball 78 mm ahead of the centre, where the camera could never see it:
-# from 142 mm ahead it would lie 135 degrees below the horizon, and at the lowest tilt of 82 degrees the picture ends
-# at 106.
+# Shoulders and hips are 59.5 mm ahead of and behind the centre, 59.2 mm aside (kinematics of the ERS-210), like the
+# legs. A forepaw stands 60 mm ahead of its shoulder, a hind paw 45 mm behind its hip: the stance of the walk of
+# the University of Pennsylvania of 2004 (touretzkyds/Tekkotsu, Motion/UPennWalkMC.cc: STANCE_FORE_Y0 = 60,
+# STANCE_HIND_Y0 = -45), whose robot, the ERS-7, has legs 5 to 10 % longer. Posts right under the shoulders would hold
+# the ball 78 mm ahead of the centre, where the camera, 142 mm ahead, never sees it: 135 degrees below the horizon,
+# while at the lowest tilt of 82 degrees the picture ends at 106.
 BODY = Body(
     mass=1.45,  # [kg] 1.4 to 1.5, remembered
     disc_radius=0.039,  # [m] half the width of the trunk between the legs: shoulders less a leg's thickness, assumed
@@ -86,7 +84,7 @@ BODY = Body(
 
 MATERIALS = Materials(
     ball_board=Pair(0.7, 0.3),  # hard hollow plastic on painted wood, assumed
-    ball_post=Pair(0.7, 0.3),  # the same: the ends of boards
+    ball_post=Pair(0.7, 0.3),  # the ends of the same boards
     ball_net=Pair(0.05, 0.3),  # assumed: a goal catches the ball
     ball_robot=Pair(0.5, 0.3),  # plastic on plastic shells and rubber paws of jointed legs, assumed
     robot_robot=Pair(0.1, 0.4),  # jointed legs give way, assumed
@@ -100,11 +98,11 @@ DRIVE = Drive(
     sideways=0.08,  # [m/s] assumed
     turn=0.8,  # [rad/s] assumed
     acceleration=0.24,  # [m/s2] twice the top speed a second, CMPack'02 walk
-    turn_acceleration=1.6,  # [rad/s2] the same
+    turn_acceleration=1.6,  # [rad/s2] twice the top turn rate a second, CMPack'02 walk
     traction=3.0,  # [m/s2] rubber paws on carpet, all four, assumed
-    thrust=1.5,  # [m/s2] half of it: a trot stands on two of four paws
+    thrust=1.5,  # [m/s2] half the traction: a trot stands on two of four paws
     turn_traction=30.0,  # [rad/s2] assumed
-    turn_thrust=15.0,  # [rad/s2] half of it, as thrust
+    turn_thrust=15.0,  # [rad/s2] half the turn traction
     delay=0.1,  # [s] 0.1 to 0.2, assumed
     gait_steps=8,  # half a second, Sacks 2001, 4.3.2
     slip=0.08,  # 8 %, assumed
@@ -121,28 +119,28 @@ KICKER = Kicker(
     recharge=0.5,  # [s] assumed
     spread=10.0 * pi / 180.0,  # [rad] assumed
     speed_spread=0.15,  # assumed: a leg repeats its swing to 10 to 20 %
-    miss=0.5,  # assumed: a ball against a paw is missed every second time
+    miss=0.5,  # assumed: every second kick at a ball beside a paw misses
     reach=0.03,  # [m] assumed
     half_width=0.045,  # [m] between the paws
     keeper_kicks=True,
 )
 
-# The block of a goalkeeper, on in the variant legged-2001-block alone.  MS53
+# The block of a goalkeeper, only in the variant legged-2001-block.  MS53
 #
 # The motion is the goalkeeper's block in the middle of CMPack'03, a team with the same robot: `b_gcntr.mot` in Tekkotsu
-# 4.0 (tools/convertmot/cmpack03-littleendian; its format is in tools/convertmot/convertmot.cc). The body is let down,
-# nose first, and both forepaws go to (120, +-170) mm from its centre, are left there for 500 ms and drawn in. With that
-# place out of reach the inverse kinematics of the robot (Motion/OldKinematics.cc) stretches the leg towards it: seen
-# from above a straight line from the shoulder through the knee at (91, 113) to the paw, aside the full 170 mm.
+# 4.0 (tools/convertmot/cmpack03-littleendian; its format is in tools/convertmot/convertmot.cc). The body is lowered,
+# nose first; both forepaws move to (120, +-170) mm from its centre, stay there for 500 ms and are drawn in. That place
+# is out of reach, so the inverse kinematics of the robot (Motion/OldKinematics.cc) stretches the leg towards it: seen
+# from above a straight line from the shoulder through the knee at (91, 113) to the paw, 170 mm aside.
 #
-# The file asks for 200 ms to get there, which the joints cannot do: from the stance (angles by the same kinematics) the
+# The file gives 200 ms for the way out, too little for the joints: from the stance (angles by the same kinematics) the
 # rotator has to turn by 77.3 degrees, the shoulder by 57.6, the knee by 50.9, at 2.81, 2.50 and 2.84 rad/s
-# (Shared/ERS210Info.h): 0.48, 0.40 and 0.31 s. The dive to one side of the same team (`b_gdive.mot`) is left out: it
-# topples the robot, and how far it then lies aside follows from no kinematics.
+# (Shared/ERS210Info.h): 0.48, 0.40 and 0.31 s. The team's dive to one side (`b_gdive.mot`) is left out: it topples the
+# robot, and kinematics alone does not say how far the robot then lies aside.
 BLOCK_MOTION = Block(
     raise_time=0.48,  # [s] the rotator's 77.3 degrees at 2.81 rad/s
     hold_time=0.5,  # [s] b_gcntr.mot
-    recover_time=0.48,  # [s] the same way back
+    recover_time=0.48,  # [s] the rotator's way back
     paw_x=0.12,  # [m] b_gcntr.mot
     paw_y=0.17,  # [m] b_gcntr.mot
     shoulder_x=0.0595,  # [m] ERS-210 kinematics
@@ -173,7 +171,7 @@ RULES = Rules(
     goal_kick_x=0.5,  # [m] unused on a walled field
     goal_kick_y=0.3,  # [m] unused on a walled field
     drop_way=0.3,  # [m] about a robot's length, assumed
-    contact_time=15.0,  # [s] "after a set time", Sacks 2001, 1; as a stuck ball, assumed  MS55
+    contact_time=15.0,  # [s] "after a set time", Sacks 2001, 1; assumed: the time of a stuck ball  MS55
     pardon=True,
     pushing=True,
     keeper_pushing=True,

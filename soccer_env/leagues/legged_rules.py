@@ -1,7 +1,4 @@
-"""Fouls of the legged league, each whistled by a module of referee/fouls/legged/.
-
-The robot is taken out and comes back at the halfway line.
-"""
+"""Fouls of the legged league, each with a module in referee/fouls/legged/: the guilty robot is taken out."""
 
 from dataclasses import dataclass
 
@@ -10,27 +7,27 @@ from soccer_env.leagues.checks import Part
 
 @dataclass(frozen=True)
 class LeggedFouls(Part):
-    """What is whistled in the legged league, and the numbers of it."""
+    """The fouls of the legged league: switches and numbers."""
 
-    removal_time: float = 30.0  # [s] that a robot is out
+    removal_time: float = 30.0  # [s] for which a robot is out
     pardon: bool = False  # a kick-off ends all penalties that run
     pushing: bool = False  # a robot walks into an opponent off the ball for `pushing_time`
     pushing_time: float = 3.0  # [s] in contact
     pushing_exempt: float = 0.5  # [m] the robot nearest to the ball may push for it within this distance
-    keeper_pushing: bool = False  # the same into the goalkeeper in its own penalty area, even for the ball
+    keeper_pushing: bool = False  # a robot walks into the goalkeeper in its own penalty area, even for the ball
     keeper_pushing_time: float = 1.0  # [s] in contact
-    annulled_push: float = 0.5  # [s] of a push or hold that is not yet a foul, after which a goal by it does not count
-    annulled_time: float = 3.0  # [s] after the whistle for which the attack cannot score
+    annulled_push: float = 0.5  # [s] of a push or hold after which a goal by the robot's team does not count
+    annulled_time: float = 3.0  # [s] after the whistle in which the whistled team cannot score
     holding: bool = False  # a robot keeps the ball from all others for `holding_time`
     holding_time: float = 3.0  # [s]
     keeper_holding_time: float = 5.0  # [s] in its own area
     carrying: bool = False  # a robot carries the ball for `carrying_distance`
-    carrying_distance: float = 0.5  # [m] that a ball may be carried
+    carrying_distance: float = 0.5  # [m] for which a robot may carry the ball
     illegal_defender: bool = False  # a field player stays in its own penalty area for `illegal_defender_time`
     illegal_defender_time: float = 1.0  # [s] in its own penalty area
     illegal_attacker: bool = False  # a robot stays in the opponents' penalty area for `illegal_attacker_time`
     illegal_attacker_time: float = 10.0  # [s] in the opponents' penalty area while the ball is elsewhere
-    leaving_field: bool = False  # a robot stands in a goal for `leaving_time`, but for a goalkeeper in its own
+    leaving_field: bool = False  # a robot stands in a goal for `leaving_time`, except a goalkeeper in its own
     leaving_time: float = 5.0  # [s] in a goal
     falling: bool = False  # a robot lies for `fallen_time`
     fallen_time: float = 5.0  # [s] on the ground
@@ -39,4 +36,4 @@ class LeggedFouls(Part):
     local_stuck_time: float = 30.0  # [s]
     local_stuck_radius: float = 0.5  # [m] within which play does not move on
     global_stuck: bool = False  # nobody touches the ball for `global_stuck_time`
-    global_stuck_time: float = 30.0  # [s] that nobody touches the ball
+    global_stuck_time: float = 30.0  # [s] without a touch of the ball

@@ -1,4 +1,4 @@
-"""The sensors of an ERS-210 and the memory that Sacks's software keeps, as numbers with their sources.
+"""The sensors of an ERS-210, and the memory of Sacks's software, as numbers with their sources.
 
 Every number was written down before the first claim was measured with it. "assumed" marks a guess of ours.
 """
@@ -20,9 +20,9 @@ PLAYER_BLOBS = {"largest": 0, "combined": 1}
 PLAYER_VIEWS = {"front": 0, "side": 1}
 PROBABILITIES = ("ball_miss", "player_miss", "sticker_miss", "landmark_miss", "red_as_orange", "audio_loss")
 LENGTHS = ("patch_size", "goal_height", "landmark_radius", "head_size", "trunk_height", "infrared_far")
-PATCHES_MOST = 64  # that a sketch of the picture has room for, with all that is orange besides
-STICKERS_MOST = 3  # on a side of the trunk, that a sketch of the picture has room for
-AVERAGED_MOST = 6  # estimates of the ball's position that a robot's memory has room for
+PATCHES_MOST = 64  # room in a sketch of the picture, shared with other orange things
+STICKERS_MOST = 3  # on a side of the trunk: room in a sketch of the picture
+AVERAGED_MOST = 6  # estimates of the ball's position: room in a robot's memory
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class LeggedSensors(Options):
     """Camera, infrared ranger, odometry, touch, tilt and loudspeaker of an ERS-210.  MS04, MS05, MS06, MS37"""
 
     KIND = "legged"
-    HAS_RANGER = True  # an infrared ranger, whose obstacle stands in beliefs and observations of them
+    HAS_RANGER = True  # an infrared ranger, whose obstacle is in beliefs and in observations of beliefs
     NAMES = {"resolution": RESOLUTIONS}
     BOUNDS = {
         **dict.fromkeys(PROBABILITIES, (0.0, 1.0)), **dict.fromkeys(LENGTHS, (0.001, GREATEST)),
@@ -47,17 +47,17 @@ class LeggedSensors(Options):
 
     resolution: str = "88x72"  # [px] the layer of the paper's "low resolution camera" (claim S15)
     view_width: float = 57.6 * DEGREE  # [rad] ERS-210 data sheet
-    view_height: float = 47.8 * DEGREE  # [rad] the same
+    view_height: float = 47.8 * DEGREE  # [rad] ERS-210 data sheet
     neck_ahead: float = 0.075  # [m] neck pivot ahead of the body's centre, CMPack'02 kinematics
-    neck_height: float = 0.155  # [m] neck pivot over the ground: 105 mm stance and 50 mm, the same
-    camera_ahead: float = 0.0666  # [m] camera ahead of the pivot, head level, the same
-    camera_up: float = 0.048  # [m] camera above the pivot, head level, the same
+    neck_height: float = 0.155  # [m] neck pivot over the ground: 105 mm stance and 50 mm, CMPack'02 kinematics
+    camera_ahead: float = 0.0666  # [m] camera ahead of the pivot, head level, CMPack'02 kinematics
+    camera_up: float = 0.048  # [m] camera above the pivot, head level, CMPack'02 kinematics
     dither: float = 0.45  # [px] sd of a blob's width, height and place: walk and threshold flicker, 0.3 to 0.6 assumed
     scale_error: float = 0.03  # [1] sd of a robot's own scale of sizes, drawn once an episode, assumed
     ball_miss: float = 0.02  # [1] probability that a frame misses the ball, assumed
-    player_miss: float = 0.02  # [1] the same for a whole player, all its stickers, assumed: as the ball  MS37
-    sticker_miss: float = 0.03  # [1] the same for a single sticker, assumed: either way 5 %, as a landmark  MS37
-    landmark_miss: float = 0.05  # [1] the same for goals and landmarks, assumed
+    player_miss: float = 0.02  # [1] probability that a frame misses a whole player, assumed: as the ball  MS37
+    sticker_miss: float = 0.03  # [1] probability that a frame misses one sticker, assumed: 5 % with player_miss  MS37
+    landmark_miss: float = 0.05  # [1] probability that a frame misses a goal or landmark, assumed
     # CMVision, the vision library of those years, drops regions below CMV_MIN_AREA = 10 or 20 of 320x240 pixels: as
     # shares of the picture 0.8 or 1.7 of 88x72.
     least_area: float = 2.0  # [px] at 88x72, smaller regions of any colour are dropped, assumed: as `area_small`  MS14
@@ -67,11 +67,11 @@ class LeggedSensors(Options):
     patch_high: float = 1.0  # [m] greatest height, assumed
     patch_away: float = 0.5  # [m] distance from the boards, assumed
     red_as_orange: float = 0.02  # [1] probability that a frame shows an orange spot on a sticker, assumed
-    board_height: float = 0.10  # [m] boards hide what lies lower behind them, assumed
+    board_height: float = 0.10  # [m] boards hide lower things behind them, assumed
     goal_height: float = 0.30  # [m] league rules, remembered, unverified
     landmark_radius: float = 0.05  # [m] cylinders about 10 cm wide, remembered, unverified
-    landmark_low: float = 0.20  # [m] of the colours, the same
-    landmark_high: float = 0.40  # [m] the same
+    landmark_low: float = 0.20  # [m] lower edge of the colours, remembered, unverified
+    landmark_high: float = 0.40  # [m] upper edge of the colours, remembered, unverified
     trunk_height: float = 0.18  # [m] of a robot's trunk, assumed
     trunk_low: float = 0.05  # [m] underside of the trunk between the legs, assumed
     head_size: float = 0.09  # [m] cube that stands for the head, assumed
@@ -93,17 +93,17 @@ class LeggedSensors(Options):
     head_sticker_middle: float = 0.225  # [m] height of the head stickers' middle, head level, assumed
     head_down: float = 30.0 * DEGREE  # [rad] lower heads hide stickers, Sacks 2001, 4.3.3; assumed
     infrared_near: float = 0.10  # [m] readings below are discarded, Sacks 2001, 2  MS05
-    infrared_far: float = 0.90  # [m] readings above are discarded, the same  MS05
+    infrared_far: float = 0.90  # [m] readings above are discarded, Sacks 2001, 2  MS05
     infrared_noise: float = 0.004  # [m] sd close by, assumed so that the law crosses the size law at 40 cm
-    infrared_growth: float = 0.018  # [m] sd at 0.4 m, the same
-    infrared_power: float = 3.0  # [1] growth with the distance over 0.4 m, the same
-    infrared_pointing: float = 1.5 * DEGREE  # [rad] sd of the beam's direction, the same
+    infrared_growth: float = 0.018  # [m] sd at 0.4 m, assumed like infrared_noise
+    infrared_power: float = 3.0  # [1] growth with the distance over 0.4 m, assumed like infrared_noise
+    infrared_pointing: float = 1.5 * DEGREE  # [rad] sd of the beam's direction, assumed
     odometry_noise: float = 0.03  # [1] sd of each component of a step's displacement, assumed; slip comes on top
     pose_noise: float = 0.08  # [m] sd of the noisy pose made by perception/body.py, assumed
-    pose_turn_noise: float = 0.10  # [rad] the same
-    pose_time: float = 1.0  # [s] correlation time of its errors, assumed
-    place_noise: float = 0.03  # [m] sd of where a robot is put at a restart against where it is told, assumed
-    place_turn_noise: float = 0.05  # [rad] the same
+    pose_turn_noise: float = 0.10  # [rad] sd of the heading of the noisy pose, assumed
+    pose_time: float = 1.0  # [s] correlation time of the errors of the noisy pose, assumed
+    place_noise: float = 0.03  # [m] sd between a robot's place at a restart and the place that it is told, assumed
+    place_turn_noise: float = 0.05  # [rad] sd between its heading and the heading that it is told, assumed
     audio_period: float = 1.0  # [s] between two words of 4 bits: 4 bits a second, assumed
     audio_delay: float = 0.5  # [s] assumed
     audio_loss: float = 0.2  # [1] share of words that are not understood, assumed
@@ -111,25 +111,25 @@ class LeggedSensors(Options):
 
 @dataclass(frozen=True)
 class LeggedMemory(PoseMemory):
-    """What a robot of Sacks's team keeps of its percepts; every rule is a switch.  [Sacks 2001, 3, 4.1]  MS52"""
+    """The memory of a robot of Sacks's team; every rule is a switch.  [Sacks 2001, 3, 4.1]  MS52"""
 
     NAMES = {
         "ball_range": RANGES, "ball_size": SIZES, "odometry": ODOMETRY, "radial_from": POSITIONS,
         "angular_from": POSITIONS, "slots": SLOTS, "player_blob": PLAYER_BLOBS, "player_view": PLAYER_VIEWS,
     }  # fmt: skip
     BOUNDS = {"averaged": (1, AVERAGED_MOST)}
-    # Two readings have to make a velocity; a ball that was near must not need a smaller blob than one that was far.
+    # A velocity needs two readings; after a near sighting the ball must not need a smaller blob than after a far one.
     ORDER = (("velocity_interval", "at most", "velocity_gap"), ("area_small", "at most", "area_large"))
 
-    fading: float = 10.0  # [1/s] loss of confidence (0 to 100) of what is not seen, assumed  MS03
+    fading: float = 10.0  # [1/s] loss of confidence (0 to 100) in an object out of sight, assumed  MS03
     ball_range: str = "size"  # infrared: the ranger alone, the experiment of 3.1.1  MS09
     ball_size: str = "closer"  # the closer of height and width  MS11
     under_head: bool = True  # height / tan(tilt) when the ball is almost under the head  MS10
-    under_head_tilt: float = 55.0 * DEGREE  # [rad] down to the ball from where that holds, assumed
+    under_head_tilt: float = 55.0 * DEGREE  # [rad] down to the ball, from which under_head holds, assumed
     infrared_override: bool = True  # the ranger wins below a share of the size range  MS12
     infrared_share: float = 2.0 / 3.0  # [1] Sacks 2001, 3.1.1
     centred: float = 0.0  # [rad] off the blob at which it is still "in the center of the camera image", 3.1.1  MS12
-    horizon: bool = True  # what lies much above the horizontal is no ball  MS13
+    horizon: bool = True  # a blob much above the horizontal is no ball  MS13
     horizon_angle: float = 5.0 * DEGREE  # [rad] "much above", assumed
     double_area: bool = True  # a larger least area after a near sighting  MS14
     area_small: float = 2.0  # [px] at 88x72, least area, assumed
@@ -141,21 +141,21 @@ class LeggedMemory(PoseMemory):
     averaged: int = 4  # estimates in the filtered position; 1 switches the filter off  MS16
     averaged_within: float = 1.0  # [s] older estimates drop out of the filtered position, assumed  MS16
     velocity_interval: float = 1.0 / 3.0  # [s] Sacks 2001, 3.2  MS17
-    velocity_gap: float = 1.5  # [s] longest time between two sightings for a velocity, the same  MS17
+    velocity_gap: float = 1.5  # [s] longest time between two sightings for a velocity, Sacks 2001, 3.2  MS17
     velocity_gate: bool = True  # False: a velocity after every gap  MS17
     radial_from: str = "filtered"  # footnote 4  MS18
     angular_from: str = "raw"  # footnote 4  MS18
-    slots: str = "all"  # nearest: the old memory, the nearest player of each team alone  MS28
+    slots: str = "all"  # nearest: the old memory, only the nearest player of each team  MS28
     grouping: float = 3.0  # [mean sizes] gap within which two blobs are one player  MS29
     distance_power: float = 3.0  # [1] of the matching  MS30, MS31
     angle_power: float = 1.0  # [1] of the matching, 0 switches the angle off  MS30, MS31
-    empty_distance: float = 1.0  # [m] that an empty slot is taken to be from a player that is seen, assumed  MS30
-    empty_angle: float = 1.0  # [rad] the same, assumed  MS30
+    empty_distance: float = 1.0  # [m] distance of an empty slot from a player in sight, assumed  MS30
+    empty_angle: float = 1.0  # [rad] angle between an empty slot and a player in sight, assumed  MS30
     uncertainty_least: float = 0.5  # just seen  MS32
     uncertainty_most: float = 100.0  # not seen in a long time  MS32
     uncertainty_growth: float = 100.0 / 30.0  # [1/s] assumed: a long time is half a minute  MS32
     player_blob: str = "largest"  # combined: the box round all blobs of a player  MS34
-    player_view: str = "front"  # the view that the height table was made from  MS33
+    player_view: str = "front"  # the view from which the height table was made  MS33
     player_infrared: bool = True  # MS35
     player_infrared_far: float = 0.40  # [m] "its maximum reliable range", Sacks 2001, 4.1.2  MS35, MS49
     player_odometry: bool = True  # MS36
@@ -163,10 +163,10 @@ class LeggedMemory(PoseMemory):
     obstacle_share: float = 2.0 / 3.0  # [1] of the nearest player's distance: "significantly", assumed as in MS12
     obstacle_margin: float = 0.02  # [m] above ball and boards, twice the error of a near reading's height, assumed
     ghost_time: float = 20.0  # [s] unseen after which a slot counts as empty, assumed
-    dribbling_distance: float = 0.20  # [m] a ball nearer than this and ahead is being dribbled, assumed: chest and ball
+    dribbling_distance: float = 0.20  # [m] a ball ahead and nearer than this is being dribbled, assumed: chest and ball
     search_after: float = 1.0  # [s] unseen before the head searches, assumed
     search_period: float = 3.0  # [s] of one sweep of the searching head, assumed
-    # Of the own pose, all assumed; PoseMemory says what they mean.
+    # The own pose, all assumed; PoseMemory defines these fields.
     pose_every: int = 4
     pose_range_noise: float = 0.25
     pose_slip: float = 0.15

@@ -1,4 +1,4 @@
-"""What happens between two things that meet: elasticity and friction of each pair of materials."""
+"""Elasticity and friction of each pair of things that collide."""
 
 from dataclasses import dataclass, fields
 
@@ -8,12 +8,12 @@ from soccer_env.leagues.checks import Part
 
 @dataclass(frozen=True)
 class Pair(Part):
-    """Two surfaces that meet in a blow, or lean on each other."""
+    """Two surfaces that collide, or lean on each other."""
 
     BOUNDS = {"elasticity": SHARE}
 
-    elasticity: float  # [1] speed at which they part over that at which they met, along the normal
-    friction: float  # [1] Coulomb's: most impulse along the surface over that along the normal
+    elasticity: float  # [1] speed after over speed before a blow, along the normal
+    friction: float  # [1] Coulomb's: greatest impulse along the surface over impulse along the normal
 
     def text(self) -> str:
         """Return both numbers in short, for lists."""
@@ -22,13 +22,13 @@ class Pair(Part):
 
 @dataclass(frozen=True)
 class Materials(Part):
-    """Every pair that meets in a match. Boards, posts and nets are alike to robots, and so is all of a robot."""
+    """Every pair that collides in a match. Robots meet boards, posts and nets alike; all parts of a robot are alike."""
 
-    ball_board: Pair  # and the boards on the lines of a walled pitch
-    ball_post: Pair  # of a goal
-    ball_net: Pair  # behind the goal line
-    ball_robot: Pair  # any part of it
-    robot_robot: Pair  # any parts of two
+    ball_board: Pair  # all boards
+    ball_post: Pair  # posts of a goal
+    ball_net: Pair  # the back of a goal
+    ball_robot: Pair  # any part of the robot
+    robot_robot: Pair  # any parts of two robots
     robot_board: Pair  # boards, posts and nets
 
     def __post_init__(self) -> None:

@@ -1,4 +1,4 @@
-"""The sensors of a middle-size robot of 2006 and the tracking of its world model, as numbers with their sources.
+"""The sensors of a middle-size robot of 2006, and the tracking of its world model, as numbers with their sources.
 
 Every number was written down before the first claim was measured with it. "assumed" marks a guess of ours.
 """
@@ -9,8 +9,8 @@ from soccer_env.leagues.options import GREATEST, Options
 from soccer_env.leagues.pose_memory import PoseMemory
 from soccer_env.records.percepts import LINES
 
-LEAST = 1e-3  # [m, s, 1] of lengths, times and widths that are divided by
-MOST_DELAY = 3  # [frames] that a picture may be late
+LEAST = 1e-3  # [m, s, 1] least divisor: of lengths, times and widths
+MOST_DELAY = 3  # [frames] by which a picture may be late
 PROBABILITIES = (
     *("ball_miss", "player_miss", "false_balls", "line_miss", "goal_miss", "barrier_miss", "radio_loss"),
     *("light_drift", "odometry_noise"),
@@ -35,37 +35,37 @@ class OmniSensors(Options):
     ORDER = (("hidden_radius", "less than", "mirror_edge"),)
 
     image: int = 580  # [px] across, Heinemann et al. 2006, 2  MH02
-    camera_height: float = 0.75  # [m] of the one point that all sight goes through: the mirror's focus, assumed
+    camera_height: float = 0.75  # [m] of the mirror's focus, the single viewpoint, assumed
     mirror_edge: float = 10.0  # [m] distance of the ground at the image's edge, assumed
-    # It hardly matters: of radii within the picture none differs by more than 2 % between 1.1 and 1.3.
+    # The value hardly matters: between 1.1 and 1.3 no radius within the picture differs by more than 2 %.
     mirror_eccentricity: float = 1.3  # [1] of the hyperbola, optics/mirror_camera.py, assumed
-    # A ball at the kicker (0.29 m) is hidden by the own body, one that touches the flank (0.33 m) is seen.
+    # The own body hides a ball at the kicker (0.29 m), but not a ball at the flank (0.33 m).
     hidden_radius: float = 0.30  # [m] ground that the own body hides, assumed
     pixel_noise: float = 0.7  # [px] sd of a blob's place in the image, assumed
-    ball_range: float = 8.0  # [m] at which half of the frames show the ball, assumed
-    player_range: float = 9.0  # [m] the same for players, assumed
+    ball_range: float = 8.0  # [m] distance at which half of the frames show the ball, assumed
+    player_range: float = 9.0  # [m] distance at which half of the frames show a player, assumed
     detection_width: float = 1.0  # [m] over which detection falls off, assumed
     ball_miss: float = 0.02  # [1] probability that a frame misses a near ball, assumed
-    player_miss: float = 0.05  # [1] the same for a player, assumed
+    player_miss: float = 0.05  # [1] probability that a frame misses a near player, assumed
     false_balls: float = 0.01  # [1/frame] wrong balls, assumed
     ball_coloured: bool = True  # False: a plain ball, found half as often and mistaken more often, assumed  MH24
     light_drift: float = 0.0  # [1] amplitude of the change of light (1: from dark to glaring); 0: constant light  MH07
-    light_period: float = 120.0  # [s] of that change, assumed
-    colour_table: str = "adaptive"  # trained online by what stands at known places; fixed: a static one  MH07
-    table_time: float = 2.0  # [s] in which colours of now replace those of before in the adapting table, assumed
-    table_width: float = 0.25  # [1] difference of light at which a table misses half of what it should see, assumed
-    lines: int = 24  # directions in which white lines are looked for, assumed
+    light_period: float = 120.0  # [s] period of the change of light, assumed
+    colour_table: str = "adaptive"  # trained online on objects at known places; fixed: a static table  MH07
+    table_time: float = 2.0  # [s] in which new colours replace old ones in the adaptive table, assumed
+    table_width: float = 0.25  # [1] difference of light at which a table misses half of the objects, assumed
+    lines: int = 24  # directions of the search for white lines, assumed
     line_range: float = 4.0  # [m] assumed
     line_miss: float = 0.2  # [1] assumed
     goal_miss: float = 0.1  # [1] assumed
     camera_delay: int = 1  # [frames] from exposure to percept, assumed: the image is taken and searched
     odometry_noise: float = 0.02  # [1] sd of each component of a step's displacement, assumed; slip comes on top
-    barrier_miss: float = 0.01  # [1] frames in which the light barrier at the kicker errs, assumed
+    barrier_miss: float = 0.01  # [1] share of frames in which the light barrier at the kicker errs, assumed
     pose_noise: float = 0.10  # [m] sd of the noisy pose made by perception/body.py, assumed
-    pose_turn_noise: float = 0.05  # [rad] the same
-    pose_time: float = 1.0  # [s] correlation time of its errors, assumed
-    place_noise: float = 0.05  # [m] sd of where a robot is put at a restart against where it is told, assumed
-    place_turn_noise: float = 0.05  # [rad] the same
+    pose_turn_noise: float = 0.05  # [rad] sd of the heading of the noisy pose, assumed
+    pose_time: float = 1.0  # [s] correlation time of the errors of the noisy pose, assumed
+    place_noise: float = 0.05  # [m] sd between a robot's place at a restart and the place that it is told, assumed
+    place_turn_noise: float = 0.05  # [rad] sd between its heading and the heading that it is told, assumed
     radio_period: float = 0.1  # [s] between two messages, assumed  MH05
     radio_delay: float = 0.06  # [s] assumed  MH05
     radio_loss: float = 0.05  # [1] share of messages that are lost, assumed  MH05
@@ -81,19 +81,19 @@ class OmniMemory(PoseMemory):
         **dict.fromkeys(("ball_agility", "player_agility"), (0.0, 1e3)),
     }  # fmt: skip
 
-    fading: float = 25.0  # [1/s] loss of confidence (0 to 100) of what is not seen, assumed
+    fading: float = 25.0  # [1/s] loss of confidence (0 to 100) in an object out of sight, assumed
     filter: str = "kalman"  # least-squares: a fading line fit; none: the last reading  MH06
     ball_agility: float = 4.0  # [m/s2] sd of a ball's unforeseen acceleration, assumed
-    player_agility: float = 3.0  # [m/s2] the same for players, assumed
+    player_agility: float = 3.0  # [m/s2] sd of a player's unforeseen acceleration, assumed
     window: float = 8.0  # [frames] of the least-squares fit: 3 to 10, Tribots 2005
-    surprise: float = 0.5  # [m] a prediction that errs by more starts a track anew, Tribots 2005
-    surprise_count: int = 2  # readings in a row that must surprise, so that one outlier does not, assumed
-    gate: float = 1.0  # [m] beyond which a reading belongs to no player that is known, assumed
+    surprise: float = 0.5  # [m] error of a prediction above which a track starts anew, Tribots 2005
+    surprise_count: int = 2  # readings in a row that must surprise before a track starts anew, assumed
+    gate: float = 1.0  # [m] distance beyond which a reading belongs to no known player, assumed
     delay_compensation: bool = True
-    shared: bool = True  # what team-mates tell fills in for what is not seen  MH05
+    shared: bool = True  # messages of team-mates fill in for objects out of sight  MH05
     shared_age: float = 0.5  # [s] unseen before a team-mate's ball is believed, assumed
     ghost_time: float = 1.0  # [s] unseen after which an opponent is forgotten, assumed
-    # Of the own pose, all assumed; PoseMemory says what they mean.
+    # The own pose, all assumed; PoseMemory defines these fields.
     pose_every: int = 5
     pose_line_noise: float = 0.20  # [m] sd that a line point is trusted to, assumed
     pose_range_noise: float = 0.10

@@ -18,9 +18,9 @@ T = TypeVar("T", bound="Options")
 
 
 class Options(Checked):
-    """A frozen dataclass whose fields are numbers, switches (bool), or one of some names; see class attributes.
+    """A frozen dataclass whose fields are numbers, switches (bool), or names from a list; see class attributes.
 
-    What may stand in a field is checked and listed by the same tables; BOUNDS of a class add to its parents'.
+    The same tables check and list the allowed values; BOUNDS of a class add to its parents'.
     """
 
     NAMES: ClassVar[Mapping[str, Mapping[str, int]]] = {}  # the names that a field may take, and their codes
@@ -28,7 +28,7 @@ class Options(Checked):
 
     @classmethod
     def allowed(cls, name: str, kind: str) -> str:
-        """Return in words what a field may hold."""
+        """Return the allowed values of a field in words."""
         if name in cls.NAMES:
             return ", ".join(cls.NAMES[name])
         if kind == "bool":
@@ -40,7 +40,7 @@ class Options(Checked):
         return ", ".join(words)
 
     def changed(self: T, changes: Mapping[str, Any]) -> T:
-        """Return the settings with some of them changed by name; ValueError for an unknown name says which exist."""
+        """Return the settings with changes by name; ValueError for an unknown name lists the names."""
         known = [field.name for field in fields(self)]  # type: ignore[arg-type]
         for name in changes:
             if name not in known:
@@ -49,7 +49,7 @@ class Options(Checked):
         return replace(self, **changes)  # type: ignore[type-var]
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:
-        """Yield name, value, what is allowed, and the note beside each field in its source; inherited fields last."""
+        """Yield name, value, allowed values and source comment of each field; inherited fields last."""
         notes = notes_of(type(self))
         inherited = {field.name for kind in kinds_of(type(self))[1:] for field in fields(kind)}  # type: ignore[arg-type]
         for field in sorted(fields(self), key=lambda field: field.name in inherited):  # type: ignore[arg-type]
@@ -58,20 +58,20 @@ class Options(Checked):
 
     def record(self) -> np.ndarray:
         """Return the (1,) record for compiled code: f8 for numbers, i8 for whole numbers, switches and codes."""
-        found = np.zeros(1, record_type(type(self)))
+        record = np.zeros(1, record_type(type(self)))
         for field in fields(self):  # type: ignore[arg-type]
             value = getattr(self, field.name)
-            found[field.name] = self.NAMES[field.name][value] if field.name in self.NAMES else value
-        return found
+            record[field.name] = self.NAMES[field.name][value] if field.name in self.NAMES else value
+        return record
 
 
 def kinds_of(kind: type[Options]) -> tuple[type[Options], ...]:
-    """Return a settings class and those settings classes that it inherits from, nearest first."""
+    """Return a settings class and its parent settings classes, nearest first."""
     return kind.__mro__[: kind.__mro__.index(Options)]
 
 
 def notes_of(kind: type) -> dict[str, str]:
-    """Return the comment beside each field of a settings class, or else beside the field that it inherits."""
+    """Return the comment beside each field of a settings class, inherited fields included."""
     notes: dict[str, str] = {}
     for parent in reversed(kind.__mro__):
         notes |= own_notes(parent) if is_dataclass(parent) else {}
@@ -80,12 +80,12 @@ def notes_of(kind: type) -> dict[str, str]:
 
 def own_notes(kind: type) -> dict[str, str]:
     """Return the comment beside each field that a settings class declares itself."""
-    found = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in inspect.getsource(kind).splitlines())
-    return {match[1]: match[2] for match in found if match}
+    matches = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in inspect.getsource(kind).splitlines())
+    return {match[1]: match[2] for match in matches if match}
 
 
 def record_type(kind: type[Options]) -> np.dtype:
-    """Return the dtype of a kind's record; one object for each kind, so that kernels are compiled once."""
+    """Return the dtype of a settings class; one object for each class, so that kernels are compiled once."""
     if kind not in RECORD_TYPES:
         columns = [(field.name, "f8" if type_of(field) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
         RECORD_TYPES[kind] = np.dtype(columns)

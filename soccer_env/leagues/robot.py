@@ -1,4 +1,4 @@
-"""What the robots of a league are: body, drive, kicker, block and head, checked on construction."""
+"""The parts of a league's robots: body, drive, kicker, block and head, checked on construction."""
 
 from dataclasses import dataclass, field
 from math import hypot
@@ -6,39 +6,39 @@ from math import hypot
 from soccer_env.guards.checking import ABOVE_ZERO, ANY, SHARE, Range
 from soccer_env.leagues.checks import PYTHON_ONLY, Part, is_convex
 
-GAIT = 0
-WHEELS_OMNI = 1
-WHEELS_DIFFERENTIAL = 2
+GAIT, WHEELS_OMNI, WHEELS_DIFFERENTIAL = 0, 1, 2
 DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
-MOST_CORNERS = 8  # of a hull, that the constants have room for
+MOST_CORNERS = 8  # room for corners of a hull in the constants
 
 
 @dataclass(frozen=True)
 class Body(Part):
     """A robot's outline seen from above, its origin at the centre of mass, x forward.
 
-    A convex hull (corners), a disc or a capsule, with two round posts in front, its tips, that form the pocket for the
-    ball, and two behind if hind_y is above 0. With legs the four are where its legs stand in the middle of a step: they
-    swing with the gait.
+    A convex hull (corners), a disc or a capsule, with two round posts in front, the tips, that form the pocket for the
+    ball, and two posts behind if hind_y is above 0. With legs the four posts are the places of the legs in mid-stroke,
+    and swing with the gait.
     """
 
     BOUNDS = {**dict.fromkeys(("mass", "reach"), ABOVE_ZERO), **dict.fromkeys(("tip_x", "disc_x", "hind_x"), ANY)}
 
     mass: float  # [kg]
-    disc_radius: float  # [m] 0: the hull is given by its corners
+    disc_radius: float  # [m] 0: the body is a hull with corners
     disc_x: float  # [m] centre of the disc
     corners: tuple[tuple[float, float], ...]  # [m] corners of the hull, counter-clockwise; empty for a disc
     tip_x: float  # [m] centres of the tips, at +-tip_y
     tip_y: float  # [m]
     tip_radius: float  # [m]
-    front: float  # [m] x of the surface that a ball in the pocket rests on
+    front: float  # [m] x of the surface that touches a ball in the pocket
     reach: float  # [m] greatest distance of the outline from the origin
     height: float  # [m]
-    disc_back: float = 0.0  # [m] how far the disc is drawn out backwards to a capsule; 0: a disc
+    disc_back: float = 0.0  # [m] length of a capsule's spine, from the disc backwards; 0: a disc
     hind_x: float = 0.0  # [m] centres of the hind posts, at +-hind_y, as thick as the tips
     hind_y: float = 0.0  # [m] 0: none
     legs: bool = False  # True: posts swing with the gait, and meet the feet of boards
-    inertia: float = field(default=0.0, metadata=PYTHON_ONLY)  # [m2] moment over mass; 0: that of the hull or disc
+    inertia: float = field(
+        default=0.0, metadata=PYTHON_ONLY
+    )  # [m2] moment over mass; 0: computed from the hull or disc
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -68,7 +68,7 @@ class Body(Part):
 
     @property
     def posts(self) -> tuple[tuple[float, float], ...]:
-        """Return the centres of the posts [m]: left fore, right fore, left hind, right hind, those that there are."""
+        """Return the centres of the existing posts [m]: left fore, right fore, left hind, right hind."""
         pairs = [(self.tip_x, self.tip_y)] if self.tip_radius > 0.0 else []
         pairs += [(self.hind_x, self.hind_y)] if self.hind_y > 0.0 else []
         return tuple((x, side * y) for x, y in pairs for side in (1.0, -1.0))
@@ -92,15 +92,15 @@ class Drive(Part):
     backward: float  # [m/s] top speed back
     sideways: float  # [m/s] top speed to either side
     turn: float  # [rad/s] top turn rate
-    acceleration: float  # [m/s2] at which a walk changes
+    acceleration: float  # [m/s2] of a walk
     turn_acceleration: float  # [rad/s2]
-    traction: float  # [m/s2] force that the ground bears under a robot that stands, over mass
-    thrust: float  # [m/s2] the same while it walks or drives
-    turn_traction: float  # [rad/s2] torque that the ground bears under a robot that stands, over moment of inertia
-    turn_thrust: float  # [rad/s2] the same while it walks or drives
+    traction: float  # [m/s2] force that the ground bears under a standing robot, over mass
+    thrust: float  # [m/s2] force that the ground bears under a moving robot, over mass
+    turn_traction: float  # [rad/s2] torque that the ground bears under a standing robot, over moment of inertia
+    turn_thrust: float  # [rad/s2] torque that the ground bears under a moving robot, over moment of inertia
     delay: float = field(metadata=PYTHON_ONLY)  # [s] from a command to the motion, 0 to 0.2
-    gait_steps: int  # control steps of a gait step, in which the walk cannot change; 1 for wheels
-    slip: float  # [1] deviation of a walk from its command
+    gait_steps: int  # control steps for which the walk is latched; 1 for wheels
+    slip: float  # [1] relative deviation of a walk from its command
     slip_time: float = field(metadata=PYTHON_ONLY)  # [s] for which a drawn slip holds
     fall: float  # [1/(N s)] probability of a fall for each unit of pushing impulse; 0 off
     fall_time: float  # [s] on the ground
@@ -115,12 +115,12 @@ class Kicker(Part):
 
     slowest: float  # [m/s] ball speed at the smallest strength
     fastest: float  # [m/s] ball speed at strength 1
-    least: float  # [1] strengths below this are ignored
+    least: float  # [1] least strength; kicks below it are ignored
     wind_up: float  # [s] during which the robot stands
-    recharge: float  # [s] until it can kick again
+    recharge: float  # [s] until the robot can kick again
     spread: float  # [rad] deviation of the direction of a ball that lies well
     speed_spread: float  # [1] deviation of the speed, as a share of it
-    miss: float  # [1] probability of missing a ball that lies as badly as it can be kicked at all
+    miss: float  # [1] probability of missing a ball that lies as badly as possible
     reach: float  # [m] how far ahead of the front the ball's near side may lie
     half_width: float  # [m] how far aside the ball's centre may lie
     keeper_kicks: bool  # False: a goalkeeper has no kicker
@@ -130,16 +130,15 @@ class Kicker(Part):
 class Block(Part):
     """How a goalkeeper with legs blocks: it lies down on its chest, forelegs spread; all zero: it cannot.  MS53
 
-    The motion runs off once it is asked for: legs out, held there, and in again. Places are seen from above, as those
-    of `Body`.
+    Once started, the motion runs to its end: legs out, held, and in again. Places are seen from above, as in `Body`.
     """
 
     raise_time: float = 0.0  # [s] from the stance to the spread forelegs
-    hold_time: float = 0.0  # [s] that they stay there
+    hold_time: float = 0.0  # [s] for which the forelegs stay spread
     recover_time: float = 0.0  # [s] back to the stance
     paw_x: float = 0.0  # [m] centres of the spread forepaws, at +-paw_y
     paw_y: float = 0.0  # [m]
-    shoulder_x: float = 0.0  # [m] where the forelegs begin, at +-shoulder_y
+    shoulder_x: float = 0.0  # [m] upper ends of the forelegs, at +-shoulder_y
     shoulder_y: float = 0.0  # [m]
 
     def __post_init__(self) -> None:

@@ -1,19 +1,19 @@
-"""Observations for learners: one flat float32 vector in [-1, 1] a robot, the same layout at every team size.
+"""Observations for learners: a flat float32 vector in [-1, 1] for each robot, with one layout for every team size.
 
-Own goal behind, opponent's goal ahead, everything else relative to the robot. A layout is a list of entries; each says
-its name, its meaning, its scale, its frame and axis (so that mirrors know its sign) and whom or what it tells of.
+Own goal behind, opponent's goal ahead, all else relative to the robot. A layout is a list of entries; an entry has a
+name, a meaning, a scale, a frame and an axis (from which mirrors take its sign), and a group.
 
-    truth.py         observe="truth": everything, without error
-    belief.py        observe="belief": what the robot believes, with confidences and ages
-    percepts.py      observe="percepts": what its sensors delivered in this frame, without memory; of every robot
-      legged.py        ... what the legged robots see
-      omni.py          ... what the middle-size robots see
-    body.py          what a body feels exactly: part of all three
-    entry.py         Entry: one number and what it means; layouts as records
-    scales.py        what their scales are in numbers, in a league
-    own.py           observations of a user's own, and those that differ by team
+    truth.py         observe="truth": the whole state, without error
+    belief.py        observe="belief": the robot's belief, with confidences and ages
+    percepts.py      observe="percepts": the readings of the sensors in this frame; the part of all robots
+      legged.py        ... pictures of legged robots
+      omni.py          ... pictures of middle-size robots
+    body.py          exact readings of the own body, part of all three
+    entry.py         Entry: one number and its meaning; layouts as records
+    scales.py        scales in numbers, for a league
+    own.py           a user's own observations, and observations that differ by team
     row.py           part of an observation as a record, for the compiled writers
-    reflection.py    what a left-right mirror does to observations and actions
+    reflection.py    the signs of observations and actions in a left-right mirror
 """
 
 from collections.abc import Callable, Sequence
@@ -29,45 +29,40 @@ OBSERVE = BUILT_IN
 
 
 def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
-    """Return the entries of a robot's observation in a league, in order, of one of ours or a user's own."""
+    """Return the entries of a built-in observation in a league, or of a user's own, in order."""
     if isinstance(observe, str):
         return LAYOUTS[observe](league)
     entries = getattr(observe, "entries", None)
-    found = [Entry(name) for name in getattr(observe, "names", ())] if entries is None else list(entries)
-    wrong = [entry for entry in found if not isinstance(entry, Entry)]
+    listed = [Entry(name) for name in getattr(observe, "names", ())] if entries is None else list(entries)
+    wrong = [entry for entry in listed if not isinstance(entry, Entry)]
     if wrong:
         raise ValueError(f"entries of observe must be of soccer_env.observations.Entry, got {wrong[0]!r}")
-    return found
+    return listed
 
 
 def names_of(league: League, observe: str | Observation) -> list[str]:
-    """Return the name of each number of an observation, ours or a user's own."""
+    """Return the names of the entries of an observation, built-in or a user's own."""
     return [entry.name for entry in layout(league, observe)]
-
-
-def percept_entries(league: League) -> list[Entry]:
-    """Return the entries of what a robot of a league senses, in order."""
-    return kind_of(league.sensors).entries(league)
 
 
 LAYOUTS: dict[str, Callable[[League], list[Entry]]] = {
     "truth": truth.entries,
-    "percepts": percept_entries,
+    "percepts": lambda league: kind_of(league.sensors).entries(league),
     "belief": belief.entries,
 }
 
 
 @cache
 def every_entry(observe: str) -> dict[str, Entry]:
-    """Return every entry that observations of the truth or of beliefs have in whatever league, by name."""
-    found = {"truth": truth.every_entry, "belief": belief.every_entry, "percepts": list[Entry]}[observe]()
-    return {entry.name: entry for entry in found}
+    """Return every entry that an observation has in any league, by name; none for percepts."""
+    listed = {"truth": truth.every_entry, "belief": belief.every_entry, "percepts": list[Entry]}[observe]()
+    return {entry.name: entry for entry in listed}
 
 
 def entries_named(observe: str, names: Sequence[str]) -> list[Entry]:
-    """Return what names of a policy's inputs mean; of an unknown name, and of percepts, the name alone.
+    """Return the entries of a policy's inputs by name; for unknown names and for percepts, entries with a name only.
 
-    What robots sense depends on their kind, so that names alone do not tell.
+    The meaning of a percept depends on the kind of robot, not only on its name.
     """
     known = every_entry(observe)
     return [known.get(name) or Entry(name) for name in names]

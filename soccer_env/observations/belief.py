@@ -1,7 +1,6 @@
-"""observe="belief": what a robot believes, in the order of observe="truth", with confidences and ages.
+"""observe="belief": a robot's belief, in the order of observe="truth", with confidences and ages.
 
-Where the truth says where things are, a belief says where the robot thinks they are. What a robot feels of its own
-body (gait phase, head, kicker, its last command) is exact.
+Places and speeds come from the belief. Readings of the own body (gait phase, head, kicker, last command) are exact.
 
 `k`: the league's constants.
 """
@@ -47,12 +46,8 @@ OBSTACLE = of_group(  # of robots with an infrared ranger
 )
 FIXED = OWN + OWN_MORE + BALL + BALL_MORE + GOALS + GAME
 BELIEVED_PLAYER = PLAYER + PLAYER_MORE
-FIXED_ROW = record_of(FIXED)
-OBSTACLE_ROW = record_of(OBSTACLE)
-PLAYER_ROW = record_of(BELIEVED_PLAYER)
-FIXED_SIZE = len(FIXED)
-OBSTACLE_SIZE = len(OBSTACLE)
-PLAYER_SIZE = len(BELIEVED_PLAYER)
+FIXED_ROW, OBSTACLE_ROW, PLAYER_ROW = record_of(FIXED), record_of(OBSTACLE), record_of(BELIEVED_PLAYER)
+FIXED_SIZE, OBSTACLE_SIZE, PLAYER_SIZE = len(FIXED), len(OBSTACLE), len(BELIEVED_PLAYER)
 
 
 def entries(league: League) -> list[Entry]:
@@ -61,13 +56,13 @@ def entries(league: League) -> list[Entry]:
 
 
 def every_entry() -> list[Entry]:
-    """Return the entries that observations of beliefs can have, in whatever league."""
+    """Return all entries of observations of beliefs in any league."""
     return [*FIXED, *OBSTACLE, *slot_entries(MAX_TEAM, MAX_TEAM, BELIEVED_PLAYER)]
 
 
 @compiled
 def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_length, rows, first, last):
-    """Write the observations (M, R, n) of some robots of a slice of matches; of `robots` only what a body feels."""
+    """Write observations (M, R, n) of the robots in `rows`; from `robots` only exact readings of the own body."""
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for m in range(first, last):
@@ -90,7 +85,7 @@ def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_
 
 @compiled
 def write_body(robot, belief, row, k):
-    """Write what the robot believes and feels of itself."""
+    """Write the believed pose of the robot and the readings of its body."""
     own = belief.own
     row.own_x = clip(own.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(own.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
@@ -107,7 +102,7 @@ def write_body(robot, belief, row, k):
 
 @compiled
 def write_ball(ball, row, k, diagonal):
-    """Write where the ball is believed to lie and to go."""
+    """Write the believed place and speed of the ball."""
     near, slow = NEAR * diagonal, SLOW * k.ball_top_speed
     distance = sqrt(ball.x * ball.x + ball.y * ball.y)
     away = max(distance, 1e-9)
@@ -124,7 +119,7 @@ def write_ball(ball, row, k, diagonal):
 
 @compiled
 def write_goals(own, row, k, diagonal):
-    """Write where the two goals lie, seen from the believed pose."""
+    """Write the places of the two goals, relative to the believed pose."""
     cosine, sine = cos(own.heading), sin(own.heading)
     goal = 0.5 * k.pitch_length
     ahead, left = into_frame(goal - own.x, -own.y, cosine, sine)
@@ -146,7 +141,7 @@ def write_game(situation, row, half_length):
 
 @compiled
 def write_obstacle(obstacle, row, diagonal):
-    """Write the obstacle that the ranger has found; zeros without one.  MS49"""
+    """Write the obstacle in front of the ranger; zeros without an obstacle.  MS49"""
     near, bearing = NEAR * diagonal, np.float64(obstacle.bearing)
     there = 1.0 if obstacle.distance > 0.0 else 0.0
     row.obstacle_near = there * near / (obstacle.distance + near)
@@ -155,7 +150,7 @@ def write_obstacle(obstacle, row, diagonal):
 
 @compiled
 def write_player(track, row, k, diagonal):
-    """Write one slot; an empty one is zeros."""
+    """Write one slot; an empty slot is zeros."""
     used = 1.0 if track.present == 1 else 0.0
     speed = 1.0 / k.drive_forward
     row.present = used
@@ -167,11 +162,11 @@ def write_player(track, row, k, diagonal):
 
 @compiled
 def soft(value, half):
-    """Return the value on a scale that never ends at 1: `half` gives one half."""
+    """Return the value on a soft scale that approaches 1: `half` gives one half."""
     return value / (abs(value) + half)
 
 
 @compiled
 def soft_age(age):
-    """Return an age on a soft scale; one without end is 1."""
+    """Return an age on a soft scale; an infinite age is 1."""
     return 1.0 if age == inf else age / (age + AGE)

@@ -1,4 +1,4 @@
-"""The part of every observation that a body feels exactly: gait, head, kicker and its own last command.
+"""Exact readings of the own body, part of every observation: gait, head, kicker and last command.
 
 `k`: the league's constants.
 """
@@ -42,7 +42,7 @@ def write_joints(robot, row, k):
 
 @compiled
 def write_duty(upright, active, keeper, row):
-    """Write the numbers of `DUTY` from what is 1 or 0."""
+    """Write the numbers of `DUTY` from flags of 1 or 0."""
     row.upright = 2.0 * upright - 1.0
     row.active = 2.0 * active - 1.0
     row.keeper = 2.0 * keeper - 1.0

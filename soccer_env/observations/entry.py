@@ -1,8 +1,8 @@
-"""What an observation is: named numbers in [-1, 1], each of which says what it means.
+"""The entries of an observation: named numbers in [-1, 1], each with its meaning.
 
-An entry's frame and its axis in it tell what the symmetries of the game do to it: a left-right mirror turns round what
-is measured to the left or counter-clockwise, a half-turn of the field what lies along the axes of the field. Its group
-tells whom or what it speaks of.
+The frame and axis of an entry give its sign under the symmetries of the game: a left-right mirror negates numbers
+measured to the left or counter-clockwise, a half-turn of the field numbers along the field's axes. The group names the
+object that an entry describes.
 """
 
 from collections.abc import Iterable, Sequence
@@ -23,9 +23,9 @@ CAMERA: Frame = "camera"  # y to the left in the picture
 X: Axis = "x"
 Y: Axis = "y"
 TURN: Axis = "turn"
-SIDE: Axis = "side"  # of a row of things from one side to the other: a mirror puts another entry in its place
+SIDE: Axis = "side"  # for a row of things from one side to the other: a mirror exchanges the entries
 
-OWN_COMMAND = "last command"  # the group of what the robot itself asked of its body
+OWN_COMMAND = "last command"  # the group of the robot's own command
 TEAMMATE, OPPONENT = "teammate", "opponent"  # the groups of the slots for other players
 
 
@@ -33,14 +33,14 @@ TEAMMATE, OPPONENT = "teammate", "opponent"  # the groups of the slots for other
 class Entry:
     """One number of an observation or of a state, in [-1, 1]."""
 
-    name: str  # each different
+    name: str  # unique in its layout
     meaning: str = ""  # in a line, for lists
-    scale: str = ""  # what 1 stands for
-    frame: Frame | None = None  # None: nobody has said
-    axis: Axis = ""  # of that frame; "" for what has no direction in it
-    group: str = ""  # whom or what it tells of
-    slot: int | None = None  # which of its group's slots; None: the group has no slots
-    present: bool = False  # above 0 where its slot is in use; an empty slot is zeros
+    scale: str = ""  # the meaning of 1
+    frame: Frame | None = None  # None: unknown
+    axis: Axis = ""  # of the frame; "" for a number without a direction
+    group: str = ""  # the object that it describes
+    slot: int | None = None  # index among the slots of its group; None: the group has no slots
+    present: bool = False  # True: above 0 while its slot is in use; an empty slot is zeros
 
     def __post_init__(self) -> None:
         if self.frame is None and self.axis:
@@ -48,14 +48,14 @@ class Entry:
 
     @property
     def mirror(self) -> int | None:
-        """Return what a left-right mirror multiplies it by, 1 or -1; None if that is not known, or no such thing."""
+        """Return its factor in a left-right mirror, 1 or -1; None if unknown, or if entries change places."""
         if self.frame is None or self.axis == SIDE:
             return None
         return -1 if self.axis in (Y, TURN) else 1
 
     @property
     def half_turn(self) -> int | None:
-        """Return what a half-turn of the field multiplies it by, 1 or -1; None if that is not known."""
+        """Return its factor in a half-turn of the field, 1 or -1; None if unknown."""
         if self.frame is None:
             return None
         return -1 if self.frame == FIELD and self.axis in (X, Y) else 1
@@ -64,9 +64,9 @@ class Entry:
 class Observation(Protocol):
     """A user's own observation: `soccer_v0.parallel_env(observe=MyObservation())`.
 
-    What mirrors observations or attends to players asks for `entries` that say their frame or their slot. Numbers of
-    `names` and `entries` lie in [-1, 1] unless `low` and `high` say otherwise; `space` is of any shape, or a Dict.
-    With `needs_beliefs = False` no robot senses for its sake.
+    Mirrors need `entries` with frames, attention needs `entries` with slots. Numbers of `names` and `entries` lie in
+    [-1, 1], or in [`low`, `high`] if these are given; `space` has any shape, or is a Dict. `needs_beliefs = False` says
+    that the observation reads no beliefs.
     """
 
     names: Sequence[str]  # one for each number, or instead:
@@ -74,12 +74,12 @@ class Observation(Protocol):
     space: Any  # or instead: a gymnasium Box of what one robot observes, or a Dict of such
 
     def __call__(self, match: Any) -> Any:
-        """Return (M, R, ...) of all robots from a match's records, or a dict of such, as the space is one."""
+        """Return (M, R, ...) for all robots from the records of a match, or a dict of such arrays for a Dict."""
         ...
 
 
 def of_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
-    """Return the entries of a group, with its name."""
+    """Return the entries with the name of their group."""
     return tuple(replace(entry, group=group) for entry in entries)
 
 
@@ -94,25 +94,20 @@ def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[
 
 
 def things(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries of `count` things of one name, numbered if there are several."""
+    """Return the entries of `count` things of one name, numbered if `count` is above 1."""
     return [
-        replace(
-            entry,
-            name=f"{one}_{entry.name}",
-            meaning=f"{one.replace('_', ' ')}: {entry.meaning}",
-            group=name,
-            slot=slot,
-        )
+        replace(entry, name=f"{one}_{entry.name}", meaning=f"{words}: {entry.meaning}", group=name, slot=slot)
         for slot, one in ([(i, f"{name}_{i}") for i in range(count)] if count > 1 else [(None, name)])
+        for words in [one.replace("_", " ")]
         for entry in rows
     ]
 
 
 def slots_of(league: League) -> tuple[int, int]:
-    """Return the slots that a league has for team-mates and opponents."""
+    """Return the numbers of a league's slots for team-mates and opponents."""
     return league.slots.teammates, league.slots.opponents
 
 
 def record_of(entries: Iterable[Entry]) -> np.dtype:
-    """Return the record whose fields are the entries, in order: what kernels write by name."""
+    """Return the record with the entries as fields, in order, which kernels write by name."""
     return np.dtype([(entry.name, "f4") for entry in entries])

@@ -34,21 +34,21 @@ BLOB = (
     Entry("width", "width", "the picture's width", NONE),
     Entry("height", "height", "the picture's height", NONE),
 )
-LANDMARK = tuple(replace(entry, frame=CAMERA, axis=SIDE) for entry in BLOB)  # some stand left, some right of the field
+LANDMARK = tuple(replace(entry, frame=CAMERA, axis=SIDE) for entry in BLOB)  # landmarks stand on both sides
 COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
-RANGER_ROW, TOUCH_ROW, BLOB_ROW = record_of(RANGER), record_of(TOUCH), record_of(BLOB)  # what the writers below fill
+RANGER_ROW, TOUCH_ROW, BLOB_ROW = record_of(RANGER), record_of(TOUCH), record_of(BLOB)  # for the writers below
 RANGER_SIZE, TOUCH_SIZE, BLOB_SIZE = len(RANGER), len(TOUCH), len(BLOB)
 
 
 def entries(league: League) -> list[Entry]:
-    """Return the entries of a legged robot's observation, in order; the same in every league."""
+    """Return the entries of a legged robot's observation, in order; they are equal in every league."""
     blobs = [entry for colour in COLOURS for entry in things(colour, BLOBS, BLOB)]
     return [*BODY, *RANGER, *TOUCH, *blobs, *things("landmarks", LANDMARKS, LANDMARK), *GAME]
 
 
 @compiled
 def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
-    """Write the observations (M, R, n) of some legged robots; of `beliefs` only what they are told of the game."""
+    """Write the observations (M, R, n) of legged robots; from `beliefs` only the state of the match."""
     k, s = constants[0], sensors[0]
     for m in range(first, last):
         for r in rows:
@@ -68,21 +68,21 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
 
 @compiled
 def write_ranger(percept, row, s):
-    """Write what the infrared ranger says."""
+    """Write the reading of the infrared ranger."""
     row.infrared_valid = 1.0 if percept.infrared > 0.0 else 0.0
     row.infrared = clip(percept.infrared / s.infrared_far, 0.0, 1.0)
 
 
 @compiled
 def write_touch(touch, row):
-    """Write which touch sensors are pressed."""
+    """Write the touch sensors."""
     row.touch_head, row.touch_chin, row.touch_back = touch.head, touch.chin, touch.back
     row.touch_feet = 0.25 * touch.feet
 
 
 @compiled
 def write_blobs(blobs, observation, s, at):
-    """Write the blobs of a colour from `at` on; return where they end."""
+    """Write the blobs of a colour from index `at` on; return the index after them."""
     width, height = 44.0 * 2.0**s.resolution, 36.0 * 2.0**s.resolution
     for i in range(blobs.shape[0]):
         blob, row = blobs[i], part(observation, at, BLOB_ROW)

@@ -25,7 +25,7 @@ MARKER = (Entry("teammate", "1 team-mate, -1 opponent, by its marker", "1", NONE
 LINE = "distance of the first white line in this direction, 1 if none is seen"
 HALF = 2.0  # [m] half-way point of the soft scale for distances in the mirror's picture, assumed
 THINGS = ("ball", "own_goal", "opponent_goal")
-SIGHTING_ROW, MARKER_ROW = record_of(SIGHTING), record_of(MARKER)  # what the writers below fill
+SIGHTING_ROW, MARKER_ROW = record_of(SIGHTING), record_of(MARKER)  # for the writers below
 SIGHTING_SIZE, MARKER_SIZE = len(SIGHTING), len(MARKER)
 
 
@@ -39,7 +39,7 @@ def entries(league: League) -> list[Entry]:
 
 @compiled
 def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
-    """Write the observations (M, R, n) of some middle-size robots; of `beliefs` only what they are told of the game."""
+    """Write the observations (M, R, n) of middle-size robots; from `beliefs` only the state of the match."""
     k, s = constants[0], sensors[0]
     for m in range(first, last):
         for r in rows:
@@ -61,7 +61,7 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
 
 @compiled
 def write_sighting(sighting, observation, at):
-    """Write where something lies in the mirror's picture at `at`; return where it ends."""
+    """Write a sighting in the mirror's picture from index `at` on; return the index after it."""
     row, seen = part(observation, at, SIGHTING_ROW), 1.0 if sighting.seen == 1 else 0.0
     row.seen = seen
     row.cos, row.sin = seen * cos(sighting.bearing), seen * sin(sighting.bearing)

@@ -1,7 +1,7 @@
-"""Observations of a user's own: of any shape, with bounds of any size, in dicts, and other ones for each team.
+"""A user's own observations: any shape, any bounds, dicts, and different observations for the two teams.
 
-form     Part, or a dict of forms: what one robot observes
-Sides    what home observes and what away does
+form     Part, or a dict of forms: the observation of one robot
+Sides    the observations of home and of away
 """
 
 import math
@@ -23,7 +23,7 @@ WHAT = f"a name, {OBJECTS}"
 
 @dataclass(frozen=True)
 class Sides:
-    """What the robots of each team observe: names, or objects of a user's own."""
+    """The observations of home and of away: names, or a user's own objects."""
 
     home: Any
     away: Any
@@ -31,7 +31,7 @@ class Sides:
 
 @dataclass(frozen=True)
 class Part:
-    """Numbers of one shape that a robot observes, with the least and the greatest that each may be."""
+    """Numbers of one shape that a robot observes, with their bounds."""
 
     shape: tuple[int, ...]
     low: np.ndarray
@@ -39,7 +39,7 @@ class Part:
     dtype: np.dtype
 
     def limits(self, at: tuple[int, ...]) -> str:
-        """Return in words which numbers are allowed at a place."""
+        """Return the allowed numbers at an index in words."""
         low, high = (np.broadcast_to(bound, self.shape)[at] for bound in (self.low, self.high))
         return f"numbers in [{low:g}, {high:g}]" if np.isfinite([low, high]).any() else "finite numbers"
 
@@ -48,7 +48,7 @@ Form = Part | dict[str, Any]  # whose values are forms
 
 
 def check_observe(observe: Any) -> Any:
-    """Return what observations are built from, the sides of a mapping as Sides; ValueError says what is allowed."""
+    """Return a valid `observe`, a mapping as Sides; ValueError says what is allowed."""
     if isinstance(observe, Mapping):
         check_names("side of observe", observe, ("home", "away"))
         home, away = (check_observe(observe.get(side, "truth")) for side in ("home", "away"))
@@ -67,7 +67,7 @@ def check_observe(observe: Any) -> Any:
 
 
 def form_of(observe: Any, numbers: int) -> Form:
-    """Return what one robot observes: a vector of so many numbers unless a user's own object has a `space`."""
+    """Return the form of one robot's observation: that of the `space` of a user's object, else a vector."""
     if not isinstance(observe, str) and hasattr(observe, "space"):
         return form_of_space(observe.space, "space of observe")
     low, high = (np.asarray(getattr(observe, name, usual), float) for name, usual in (("low", -1.0), ("high", 1.0)))
@@ -80,7 +80,7 @@ def form_of(observe: Any, numbers: int) -> Form:
 
 
 def form_of_space(space: Any, what: str) -> Form:
-    """Return the form that a gymnasium space stands for; ValueError unless it is a Box, or a Dict of such."""
+    """Return the form of a gymnasium space; ValueError unless it is a Box, or a Dict of Boxes."""
     if isinstance(getattr(space, "spaces", None), Mapping) and space.spaces:
         return {name: form_of_space(part, f"{what}[{name!r}]") for name, part in space.spaces.items()}
     if not all(hasattr(space, name) for name in ("low", "high", "shape", "dtype")):
@@ -89,7 +89,7 @@ def form_of_space(space: Any, what: str) -> Form:
 
 
 def space_of(form: Form) -> Any:
-    """Return a new gymnasium space of what one robot observes."""
+    """Return a new gymnasium space of one robot's observation."""
     from gymnasium import spaces
 
     if isinstance(form, dict):
@@ -99,12 +99,12 @@ def space_of(form: Form) -> Any:
 
 
 def size_of(form: Form) -> int:
-    """Return how many numbers one robot observes."""
+    """Return the number of numbers that one robot observes."""
     return sum(map(size_of, form.values())) if isinstance(form, dict) else math.prod(form.shape)
 
 
 def zeros(form: Form, matches: int, robots: int) -> Any:
-    """Return what robots of M matches observe, all zero: an array (M, R, ...) or a dict of such."""
+    """Return zero observations of M matches: an array (M, R, ...) or a dict of such arrays."""
     if isinstance(form, dict):
         return {name: zeros(part, matches, robots) for name, part in form.items()}
     return np.zeros((matches, robots, *form.shape), form.dtype)
@@ -121,7 +121,7 @@ def copied(seen: Any) -> Any:
 
 
 def fill(form: Form, into: Any, values: Any, what: str, agents: list[str], rows: slice) -> None:
-    """Write what a user's function returned, for the robots of some rows; ValueError names the robot and the value."""
+    """Write the result of a user's function for the robots in `rows`; ValueError names the robot and the value."""
     if isinstance(form, dict):
         if not isinstance(values, Mapping) or set(values) != set(form):
             got = f"the keys {', '.join(map(str, values))}" if isinstance(values, Mapping) else brief(values)
@@ -144,7 +144,7 @@ def check_within(part: Part, numbers: np.ndarray, what: str, agents: list[str]) 
 
 
 def as_numbers(values: Any, shape: tuple[int, ...], what: str, agents: list[str]) -> np.ndarray:
-    """Return numbers of a shape (M, R, ...), or one number for all; ValueError says who the robots are."""
+    """Return values as numbers (M, R, ...), one number for all robots included; ValueError names the robots."""
     try:
         numbers = np.asarray(values)
     except ValueError:

@@ -1,7 +1,7 @@
-"""observe="percepts": what a robot's sensors delivered in this frame, without any memory.
+"""observe="percepts": the readings of a robot's sensors in this frame, without any memory.
 
-What a robot feels of its body comes first, then what its kind of robot sees (legged.py, omni.py), at the end what it
-is told of the game. Where it stands is among it only while the noisy pose is a percept (`pose="percept"`).
+First the readings of its body, then the picture of its kind of robot (legged.py, omni.py), last the state of the match.
+The robot's own pose is included only while the noisy pose is a percept (`pose="percept"`).
 
 `k`: the league's constants.
 """
@@ -41,7 +41,7 @@ BODY_ROW, BODY_SIZE = record_of(BODY), len(BODY)
 
 @compiled
 def write_body(body, robot, row, k):
-    """Write what the robot feels of itself."""
+    """Write the readings of the robot's own body."""
     known = 1.0 if body.pose > 0 else 0.0
     row.pose_known = known
     row.own_x = known * clip(body.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)

@@ -1,4 +1,4 @@
-"""What a left-right mirror does to observations and actions: it turns signs round."""
+"""The signs of observations and actions in a left-right mirror."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ ACTIONS = (1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 1.0)  # forward, left, turn, kick, h
 
 
 def observation_signs(entries: Sequence[Entry]) -> np.ndarray:
-    """Return 1 or -1 (n,) for each entry; ValueError names one that does not say, or that changes places."""
+    """Return 1 or -1 for each entry (n,); ValueError names an entry without a frame, or one that changes places."""
     for entry in entries:
         if entry.frame is None:
             raise ValueError(

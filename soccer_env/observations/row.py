@@ -1,4 +1,4 @@
-"""A part of an observation as a record, so that kernels write each number by the name of its entry."""
+"""Part of an observation as a record: kernels write each number by the name of its entry."""
 
 from typing import Any
 
@@ -9,17 +9,17 @@ NUMBER = np.dtype("f4").itemsize  # [bytes]
 
 
 def part(row: Any, at: int, record: Any) -> Any:
-    """Return the numbers of a row (n,) from `at` on as a record, inside a compiled function; writes reach the row.
+    """Return the numbers of a row (n,) from index `at` on as a record, whose writes reach the row.
 
-    `record` is what `entry.record_of` returned. Unlike a view of a slice, which costs tens of nanoseconds for its
-    checks, it costs nothing: the caller sees to it that the row is long enough.
+    `record` comes from `entry.record_of`. In compiled code this costs nothing, while the checks of a view of a slice
+    cost tens of nanoseconds; the caller makes sure that the row is long enough.
     """
     return row[at : at + record.itemsize // NUMBER].view(record).view(np.recarray)[0]
 
 
 @intrinsic
 def _part(context, row, at, record):
-    """Return the address of a number as that of a record."""
+    """Return the address of a number as the address of a record."""
 
     def generate(target, builder, signature, arguments):
         array = target.make_array(signature.args[0])(target, builder, arguments[0])

@@ -1,6 +1,6 @@
-"""What the scales of observations and states are in numbers, in a league: `own_x` is 1 at 1.8 m.
+"""The scales of observations and states in numbers, for a league: `own_x` is 1 at 1.8 m.
 
-An entry says its scale in words, as they hold in every league. Here the words become numbers with their units.
+Entries have scales in words that hold in every league. Here a league's numbers and units replace the words.
 """
 
 import re
@@ -14,14 +14,14 @@ from soccer_env.types import Phase
 
 
 def in_numbers(entry: Entry, league: League) -> str:
-    """Return what a 1 of an entry stands for, or the formula of a soft scale, with numbers and units."""
+    """Return the value of an entry's 1, or the formula of its soft scale, with numbers and units."""
     known = words(league)
     pattern = "|".join(re.escape(text) for text in sorted(known, key=len, reverse=True))
     return re.sub(pattern, lambda found: known[found[0]], entry.scale).removeprefix("soft: ")
 
 
 def words(league: League) -> dict[str, str]:
-    """Return the words that scales are said in, each with its number in a league."""
+    """Return the number in a league for each phrase that scales use."""
     pitch, drive, fastest = league.pitch, league.drive, league.ball.top_speed
     diagonal = hypot(pitch.length, pitch.width)
     return {
@@ -46,14 +46,14 @@ def words(league: League) -> dict[str, str]:
 
 
 def words_of_sensors(sensors: Any) -> dict[str, str]:
-    """Return those of the sensors of a kind of robot."""
-    found = {}
+    """Return the number for each phrase about the sensors of a kind of robot."""
+    numbers = {}
     if hasattr(sensors, "infrared_far"):
-        found["its greatest valid range"] = f"{sensors.infrared_far:.4g} m"
+        numbers["its greatest valid range"] = f"{sensors.infrared_far:.4g} m"
     if hasattr(sensors, "line_range"):
-        found["greatest range"] = f"{sensors.line_range:.4g} m"
+        numbers["greatest range"] = f"{sensors.line_range:.4g} m"
     if hasattr(sensors, "resolution"):
         width, height = map(int, sensors.resolution.split("x"))  # [px]
-        found |= {"the picture's width": f"{width} px", "the picture's height": f"{height} px"}
-        found |= {"half the picture's width": f"{width // 2} px", "half the picture's height": f"{height // 2} px"}
-    return found
+        numbers |= {"the picture's width": f"{width} px", "the picture's height": f"{height} px"}
+        numbers |= {"half the picture's width": f"{width // 2} px", "half the picture's height": f"{height // 2} px"}
+    return numbers

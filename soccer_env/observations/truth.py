@@ -1,4 +1,4 @@
-"""observe="truth": everything a robot could wish to know, without error.
+"""observe="truth": the whole state of the match, without error.
 
 Other players fill the league's slots, nearest first; players beyond the slots are dropped, farthest first. `entries`
 names every number, and the compiled writers below write each by its name.
@@ -35,7 +35,7 @@ PLAY = int(Phase.PLAY)
 NEAR = 0.1  # [1] of the pitch's diagonal: half-way point of the soft scale for positions, assumed
 SLOW = 0.1  # [1] of the ball's top speed: half-way point of the soft scale for ball speeds, assumed
 
-DIAGONAL = "diagonal of the pitch"
+DIAGONAL, SOFT_SPEED = "diagonal of the pitch", "soft: v / (|v| + a tenth of its top speed)"
 
 OWN = (
     *of_group(
@@ -62,10 +62,8 @@ BALL = of_group(
     Entry("ball_cos", "cosine of the ball's bearing", "1", ROBOT, X),
     Entry("ball_sin", "sine of the ball's bearing", "1", ROBOT, Y),
     Entry("ball_near", "nearness of the ball", "soft: a / (distance + a), a = a tenth of the diagonal", NONE),
-    Entry(
-        "ball_vx", "ball speed over the ground, along the robot", "soft: v / (|v| + a tenth of its top speed)", ROBOT, X
-    ),
-    Entry("ball_vy", "ball speed over the ground, to the left", "soft: v / (|v| + a tenth of its top speed)", ROBOT, Y),
+    Entry("ball_vx", "ball speed over the ground, along the robot", SOFT_SPEED, ROBOT, X),
+    Entry("ball_vy", "ball speed over the ground, to the left", SOFT_SPEED, ROBOT, Y),
 )
 GOALS = of_group(
     "goals",
@@ -92,7 +90,7 @@ PLAYER = (
     Entry("sin", "sine of its heading, seen from the robot", "1", ROBOT, Y),
 )
 FIXED = OWN + BALL + GOALS + GAME
-FIXED_ROW = record_of(FIXED)  # what writers fill
+FIXED_ROW = record_of(FIXED)  # the records that writers fill
 GAME_ROW = record_of(GAME)
 PLAYER_ROW = record_of(PLAYER)
 FIXED_SIZE, PLAYER_SIZE = len(FIXED), len(PLAYER)
@@ -104,7 +102,7 @@ def entries(league: League) -> list[Entry]:
 
 
 def every_entry() -> list[Entry]:
-    """Return the entries that observations of the truth can have, in whatever league."""
+    """Return all entries of observations of the truth in any league."""
     return [*FIXED, *slot_entries(MAX_TEAM, MAX_TEAM, PLAYER)]
 
 
@@ -124,10 +122,10 @@ def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
         write_ball(robots[r], ball, row, k, axes[r, 0], axes[r, 1], diagonal)
         write_goals(match, robots[r], row, k, axes[r, 0], axes[r, 1], 1.0 / diagonal)
         write_game(match, robots[r], row)
-        found = nearest_players(robots, r, 1, k.teammate_slots, rows, squares)
-        at = write_players(robots, r, observation, k, axes, 1.0 / diagonal, at, rows, found, k.teammate_slots)
-        found = nearest_players(robots, r, 0, k.opponent_slots, rows, squares)
-        write_players(robots, r, observation, k, axes, 1.0 / diagonal, at, rows, found, k.opponent_slots)
+        count = nearest_players(robots, r, 1, k.teammate_slots, rows, squares)
+        at = write_players(robots, r, observation, k, axes, 1.0 / diagonal, at, rows, count, k.teammate_slots)
+        count = nearest_players(robots, r, 0, k.opponent_slots, rows, squares)
+        write_players(robots, r, observation, k, axes, 1.0 / diagonal, at, rows, count, k.opponent_slots)
 
 
 @compiled
@@ -142,7 +140,7 @@ def observe_slice(matches, balls, robots, observations, constants, first, last):
 
 @compiled
 def write_own(match, robot, row, k, cosine, sine):
-    """Write what the robot knows of itself."""
+    """Write the robot's own pose, speed and body."""
     side = direction_of(match, robot.team)
     row.own_x = clip(side * robot.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(side * robot.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
@@ -159,7 +157,7 @@ def write_own(match, robot, row, k, cosine, sine):
 
 @compiled
 def write_ball(robot, ball, row, k, cosine, sine, diagonal):
-    """Write where the ball lies and how it moves."""
+    """Write the place and speed of the ball."""
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
     near = NEAR * diagonal
@@ -176,7 +174,7 @@ def write_ball(robot, ball, row, k, cosine, sine, diagonal):
 
 @compiled
 def write_goals(match, robot, row, k, cosine, sine, scale):
-    """Write where the two goals lie."""
+    """Write the places of the two goals."""
     goal = 0.5 * k.pitch_length * direction_of(match, robot.team)
     ahead, left = into_frame(goal - robot.x, -robot.y, cosine, sine)
     row.goal_x, row.goal_y = clip(ahead * scale, -1.0, 1.0), clip(left * scale, -1.0, 1.0)
@@ -197,14 +195,11 @@ def write_game(match, robot, row):
 
 
 @compiled
-def write_players(robots, r, observation, k, axes, scale, at, rows, found, slots):
-    """Write the `found` players of a kind, nearest first, into their slots from `at` on; the rest of them are zeros.
-
-    Return where the slots end.
-    """
+def write_players(robots, r, observation, k, axes, scale, at, rows, count, slots):
+    """Write `count` players of a team, nearest first, into slots from index `at`, then zeros; return the end."""
     cosine, sine = axes[r, 0], axes[r, 1]
     speed = 1.0 / k.drive_forward
-    for slot in range(found):
+    for slot in range(count):
         other, row = rows[slot], part(observation, at + slot * PLAYER_SIZE, PLAYER_ROW)
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         row.present = 1.0
@@ -215,6 +210,6 @@ def write_players(robots, r, observation, k, axes, scale, at, rows, found, slots
         ahead, left = into_frame(axes[other, 0], axes[other, 1], cosine, sine)
         row.cos, row.sin = clip(ahead, -1.0, 1.0), clip(left, -1.0, 1.0)
     end = at + slots * PLAYER_SIZE
-    for column in range(at + found * PLAYER_SIZE, end):
+    for column in range(at + count * PLAYER_SIZE, end):
         observation[column] = 0.0
     return end

@@ -1,7 +1,7 @@
-"""What a camera and the robot that reads its pictures share: which pixel shows which direction or distance.
+"""The geometry of cameras, shared by sensors and beliefs: the direction or distance that a pixel shows.
 
-    head_camera.py     Geometry of a camera on a moving head: pixels, directions, and where the camera stands.
-    mirror_camera.py   The hyperbolic mirror: which pixel shows which distance on the ground.
+    head_camera.py     a camera on a moving head: pixels, directions, and the place of the camera
+    mirror_camera.py   the hyperbolic mirror: the distance on the ground that a pixel shows
 
-Neither knows what stands in the picture: that is perception/'s, and what it means is belief/'s.
+The sensors of perception/ draw pictures with this geometry; belief/ reads the pictures.
 """

@@ -1,11 +1,10 @@
-"""Geometry of a camera on a moving head: pixels, directions, and where the camera stands.  MS08
+"""The geometry of a camera on a moving head: pixels, directions, and the place of the camera.  MS08
 
 Picture coordinates are pixels from the image's centre, u to the left, v up. Directions are a bearing (0 straight ahead
 of the robot, left positive) and an elevation above the horizontal, both in the robot's frame. The head turns by pan
-(left positive) about the vertical through the neck, then by tilt (up positive); it does not roll. `s` is the record of
-a LeggedSensors.
+(left positive) about the vertical through the neck, then by tilt (up positive); it does not roll.
 
-`s`: settings of the sensors.
+`s`: settings of the sensors, the record of a LeggedSensors.
 """
 
 from math import atan2, cos, sin, sqrt, tan
@@ -48,23 +47,23 @@ def tilt_at(share, low, high):
 
 @compiled
 def share_of_tilt(tilt, low, high):
-    """Return at which share of its range a tilt [rad] is: -1 the lowest, 1 the highest, beyond them more."""
+    """Return the share of its range at which a tilt [rad] is: -1 the lowest, 1 the highest, not clipped."""
     return (tilt - 0.5 * (high + low)) / (0.5 * (high - low))
 
 
 @compiled
 def tilted(ahead, up, level, steep, pivot):
-    """Return how far ahead of the neck a point of a tilted head is, and how high [m].
+    """Return the distance ahead of the neck and the height of a point of a tilted head [m, m].
 
-    ahead, up: where the point is from the neck's pivot while the head is level [m]; level, steep: cosine and sine of
-    the tilt; pivot: height of the neck's pivot [m], 0 for heights above it.
+    ahead, up: the point from the neck's pivot while the head is level [m]; level, steep: cosine and sine of the tilt;
+    pivot: height of the neck's pivot [m], 0 for heights above it.
     """
     return ahead * level - up * steep, pivot + up * level + ahead * steep
 
 
 @compiled
 def camera_place(pan, tilt, s):
-    """Return where the camera is: ahead, left, height [m], robot frame."""
+    """Return the place of the camera: ahead, left, height [m], robot frame."""
     forward, height = tilted(s.camera_ahead, s.camera_up, cos(tilt), sin(tilt), s.neck_height)
     return s.neck_ahead + forward * cos(pan), forward * sin(pan), height
 

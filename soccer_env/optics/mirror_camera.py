@@ -1,19 +1,19 @@
-"""The hyperbolic mirror: which pixel shows which distance on the ground.  [Heinemann et al. 2006, 2]  MH02
+"""The hyperbolic mirror: the distance on the ground that a pixel shows.  [Heinemann et al. 2006, 2]  MH02
 
     F1, h above the ground   inner focus of the hyperbola, behind the mirror: a ray from the ground towards it ...
     mirror                   ... meets the hyperboloid, which reflects it into ...
     F2, below it             ... the outer focus, where the perspective camera stands and looks up
 
-So there is one viewpoint, F1 [Baker, Nayar 1999]. With the hyperbola's eccentricity e, seen from above [Geyer,
+So there is a single viewpoint, F1 [Baker, Nayar 1999]. Seen from above, with the hyperbola's eccentricity e [Geyer,
 Daniilidis 2000], directions are kept and
 
     radius in the image [px] = scale * d / (h + bend * sqrt(d^2 + h^2)),    bend = 2 e / (1 + e^2)    (1)
 
 where h is `camera_height`, and scale [px], the camera's focal length times (e^2 - 1) / (e^2 + 1), is such that the
-image's edge shows the ground at `mirror_edge`. Robot and camera share the curve: the sensor draws its pictures by it,
-and the robot, whose mirror was measured once, reads them by it.
+image's edge shows the ground at `mirror_edge`. The sensor draws its pictures with this curve, and the robot, whose
+mirror was measured once, reads them with it.
 
-`s`: settings of the sensors; `mirror`: what mirror_of makes of them.
+`s`: settings of the sensors; `mirror`: the result of `mirror_of`.
 """
 
 from math import sqrt
@@ -21,7 +21,7 @@ from typing import Any
 
 from soccer_env.compiled import compiled
 
-HORIZON = 0.98  # [1] of the radius at which the ground's horizon would lie; no reading is farther, assumed
+HORIZON = 0.98  # [1] of the radius of the ground's horizon; readings are limited to it, assumed
 
 
 @compiled

@@ -1,7 +1,7 @@
 """The ball on the carpet: it slides after a blow until it rolls, then slows down at a constant rate.
 
-Friction acts for half a control step before the contacts are solved and for half a step after: speed is then exact at
-the ends of a step, and the distance is v^2 / 2a to the last digit of the integration.
+Friction acts for half a control step before the contacts are solved and for half a step after them: the speed is then
+exact at the ends of a step, and the stopping distance is exactly v^2 / 2a.
 
 `k`: the league's constants.
 """
@@ -26,7 +26,7 @@ def slow_down(ball, k, seconds):
 
 @compiled
 def slide(ball, k, seconds, slip_x, slip_y, slip):
-    """Slide until the ball rolls or the time is up; return the time left [s].
+    """Let the ball slide until it rolls or the time is up; return the time left [s].
 
     Friction mu g slows the ball and, through its inertia shell * m r^2, spins it up by mu g / shell.
     """
@@ -56,7 +56,7 @@ def roll(ball, k, seconds):
 
 @compiled
 def limit_speed(ball, k):
-    """Hold the ball at its top speed."""
+    """Limit the ball to its top speed."""
     speed = length(ball.vx, ball.vy)
     if speed > k.ball_top_speed:
         ball.vx *= k.ball_top_speed / speed
@@ -65,5 +65,5 @@ def limit_speed(ball, k):
 
 @compiled
 def hold(ball):
-    """Let the ball lie still."""
+    """Stop the ball."""
     ball.vx = ball.vy = ball.roll_x = ball.roll_y = ball.spin = 0.0

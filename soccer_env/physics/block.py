@@ -1,15 +1,15 @@
 """A goalkeeper's block: it lies down on its chest with its forelegs spread, and cannot walk meanwhile.  MS53
 
-Asked for by the kick of a legged goalkeeper's command while the ball is out of its kicker's reach, in leagues whose
-`Block` says how. The motion runs off once it has begun, at constant speeds as joints have them:
+A legged goalkeeper blocks when its command asks for a kick and its kicker does not reach the ball, in leagues with a
+`Block`. Once begun, the motion runs to its end, each joint at a constant speed:
 
     spread   1      ____________
                    /            \
              0    /              \
                raise    hold    recover         kick_clock counts down to 0, kick_strength is 0
 
-At spread 1 a foreleg is a straight line from shoulder to paw, seen from above; on the way there the part of it that is
-low enough for a ball grows from the paw inwards. Left out: the head, which keeps its height above the floor.
+At spread 1 a foreleg is a straight line from shoulder to paw, seen from above; before that the part of the leg that is
+low enough to stop a ball grows from the paw inwards. The head keeps its height: lowering it is left out.
 
 `k`: the league's constants.
 """
@@ -23,7 +23,7 @@ from soccer_env.physics.gait import LEGS, TIPS, most_swing, paw_offset, stance
 
 @compiled
 def may_block(robot, k):
-    """Tell whether a robot asks for a block that it can start: a goalkeeper whose kicker does not reach the ball."""
+    """Tell whether a robot asks for a block and can start one: a goalkeeper whose kicker does not reach the ball."""
     asks = robot.command.kick > 0.0 and robot.command.kick >= k.kicker_least
     able = robot.active == 1 and robot.fallen <= 0.0 and robot.keeper == 1 and k.block_raise_time > 0.0
     return asks and able and robot.has_ball == 0
@@ -31,20 +31,20 @@ def may_block(robot, k):
 
 @compiled
 def begin_block(robot, k):
-    """Start the motion."""
+    """Start a block."""
     robot.kick_clock = k.block_raise_time + k.block_hold_time + k.block_recover_time
     robot.kick_strength = 0.0
 
 
 @compiled
 def is_blocking(robot, k):
-    """Tell whether a robot is in a block, its legs on their way included."""
+    """Tell whether a robot is in a block, from its first motion to its last."""
     return k.block_raise_time > 0.0 and robot.kick_clock > 0.0 and robot.kick_strength == 0.0
 
 
 @compiled
 def spread_of(robot, k, later):
-    """Return how far a robot's forelegs are spread a time [s] from now: 0 not at all, 1 as far as they go."""
+    """Return how far a robot's forelegs will be spread after a time [s]: 0 not at all, 1 fully."""
     if not is_blocking(robot, k):
         return 0.0
     left = robot.kick_clock - later
@@ -54,7 +54,7 @@ def spread_of(robot, k, later):
 
 @compiled
 def paw_out(k, leg, spread, handedness):
-    """Return how far a block takes a paw off its stance [m, m], robot frame."""
+    """Return how far a block moves a paw from its stance [m, m], robot frame."""
     if leg >= TIPS:
         return 0.0, 0.0
     side = handedness if leg == 0 else -handedness
@@ -63,9 +63,9 @@ def paw_out(k, leg, spread, handedness):
 
 @compiled
 def paws_off_stance(robots, k, handedness, paws):
-    """Write how far the paws of robots (R,) are off their stance [m], by their stroke and by a block, into (R, 4, 2).
+    """Write the offsets of the paws of robots (R,) from their stance [m], due to stroke and block, into (R, 4, 2).
 
-    Left fore, right fore, left hind, right hind, in a mirrored match as well, where legs are numbered the other way.
+    The order is left fore, right fore, left hind, right hind, also in a mirrored match, which numbers the right first.
     """
     for r in range(robots.shape[0]):
         spread = spread_of(robots[r], k, 0.0)
@@ -78,23 +78,23 @@ def paws_off_stance(robots, k, handedness, paws):
 
 @compiled
 def leg_back(k, leg, spread, handedness):
-    """Return the vector [m, m] from a paw to the other end of what a ball meets of its leg, robot frame."""
+    """Return the vector [m, m] from a paw to the upper end of the part of its leg that stops a ball, robot frame."""
     side = handedness if leg == 0 else -handedness
     return spread * (k.block_shoulder_x - k.block_paw_x), side * spread * (k.block_shoulder_y - k.block_paw_y)
 
 
 @compiled
 def share_along(x, y, leg_x, leg_y):
-    """Return at which share of a leg, a vector from its paw, the point nearest to x, y lies, seen from the paw [m]."""
+    """Return the share of a leg, a vector from its paw, that lies nearest to x, y [m], seen from the paw."""
     size = leg_x * leg_x + leg_y * leg_y
     return clip((x * leg_x + y * leg_y) / size, 0.0, 1.0) if size > 0.0 else 0.0
 
 
 @compiled
 def forelegs_gap(robot, k, ahead, left, handedness, swings):
-    """Return the distance [m] of a point, robot frame, from the forelegs of a robot that blocks.
+    """Return the distance [m] of a point, robot frame, from the forelegs of a blocking robot.
 
-    In their stroke if it counts (swings 1), or in the middle of it (0).
+    `swings` 1 takes the legs where they are in their stroke, 0 in mid-stroke.
     """
     spread = spread_of(robot, k, 0.0)
     gap = 1e9
@@ -111,7 +111,7 @@ def forelegs_gap(robot, k, ahead, left, handedness, swings):
 
 @compiled
 def most_reach(k):
-    """Return the greatest distance [m] of a robot's outline from its origin, in a block if the league has one."""
+    """Return the greatest distance [m] of a robot's outline from its origin, blocking if the league has a block."""
     if k.block_raise_time <= 0.0:
         return k.body_reach
     return max(k.body_reach, length(k.block_paw_x, k.block_paw_y) + k.body_tip_radius)
@@ -119,5 +119,5 @@ def most_reach(k):
 
 @compiled
 def most_reach_walking(k):
-    """Return the same with legs in their stroke [m]."""
+    """Return the greatest distance [m] of a robot's outline from its origin, at any point of the legs' stroke."""
     return max(k.body_reach + most_swing(k), most_reach(k))

@@ -1,6 +1,6 @@
-"""Who touched what, from positions and velocities.
+"""Which robot touches the ball or another robot, judged by positions and velocities.
 
-Chipmunk's own contacts come in an order that differs between processes.
+Chipmunk's own list of contacts is not used: its order differs between processes.
 
 `k`: the league's constants.
 """
@@ -14,7 +14,7 @@ from soccer_env.geometry import clip, into_frame, length, point_of_frame
 from soccer_env.physics.block import forelegs_gap, is_blocking, most_reach, most_reach_walking, paw_out, spread_of
 from soccer_env.physics.gait import LEGS, TIPS, paw_offset, stance
 
-TOUCH_GAP = 0.004  # [m] assumed: a ball this near touches
+TOUCH_GAP = 0.004  # [m] assumed: a ball nearer than this touches
 KNOCK = 0.02  # [m/s] assumed: a change of velocity that friction does not explain
 
 
@@ -26,7 +26,7 @@ def ball_gap(robot, k, ball_x, ball_y):
 
 @compiled
 def paws_gap(robot, k, ball_x, ball_y, handedness):
-    """Return the distance [m] between the ball and a robot's outline with its legs where they are in a stroke.  MS51"""
+    """Return the distance [m] between the ball and a robot's outline, its legs where they are in the stroke.  MS51"""
     if k.legs == 0:
         return ball_gap(robot, k, ball_x, ball_y)
     ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
@@ -49,7 +49,7 @@ def outline_gap(robot, k, x, y):
 
 @compiled
 def outline_gap_of(robot, k, x, y, cosine, sine):
-    """Return the same, given the cosine and sine of the robot's heading."""
+    """Return `outline_gap`, given the cosine and sine of the robot's heading."""
     ahead, left = into_frame(x - robot.x, y - robot.y, cosine, sine)
     gap = trunk_gap(k, ahead, left)
     if is_blocking(robot, k):
@@ -72,7 +72,7 @@ def trunk_gap(k, ahead, left):
 
 @compiled
 def hull_gap(k, ahead, left):
-    """Return the distance [m] of a point from a robot's convex hull, the depth below 0 inside."""
+    """Return the distance [m] of a point from a robot's convex hull; inside, minus the depth."""
     inside = -1e9
     outside = 1e9
     for i in range(k.corners):
@@ -89,11 +89,11 @@ def hull_gap(k, ahead, left):
 
 @compiled
 def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
-    """Mark the robots that touch the ball; return the row of the one that touched it last (the nearest), or -1.
+    """Mark the robots that touch the ball; return the row of the nearest of them, as the last to touch it, or -1.
 
-    The knock [m/s] is the change of velocity that the contacts of this step made. A ball that was knocked may already
-    be on its way: the nearest robot that it was knocked away from, within the distance that the two can have moved
-    apart, touched it.
+    The knock [m/s] is the change of the ball's velocity by the contacts of this step. A knocked ball may have left its
+    robot already: the robot touched it if the ball moves away from the robot, and the gap is no wider than the two can
+    have moved apart.
     """
     nearest, least = -1, 1e9
     outline = most_reach_walking(k)
@@ -122,7 +122,7 @@ def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
 
 @compiled
 def find_collisions(robots, robot_events, touching, k):
-    """Mark the robots that touch another robot; bit `other` of touching (R,) [r] says whether r touches that one."""
+    """Mark the robots that touch another robot; bit `other` of touching[r] (R,) says whether r touches that robot."""
     near = 2.0 * most_reach(k) + TOUCH_GAP
     touching[:] = 0
     for r in range(robots.shape[0]):
@@ -137,15 +137,15 @@ def find_collisions(robots, robot_events, touching, k):
 
 @compiled
 def touches(touching, r, other):
-    """Tell whether robot r touches another, as `find_collisions` found."""
+    """Tell whether robot r touches another, from the bits that `find_collisions` set."""
     return (touching[r] >> other) & 1 == 1
 
 
 @compiled
 def robots_touch(robot, other, k):
-    """Tell whether the outlines of two robots touch, judged by the points of each against the outline of the other.
+    """Tell whether the outlines of two robots touch: a point of one robot on the outline of the other.
 
-    Legs are taken in mid-stroke, where they hold other robots (see `space.robot_shapes`).
+    Legs are taken in mid-stroke, where they hold other robots (see `solver/posts.py`).
     """
     cosine, sine = cos(robot.heading), sin(robot.heading)
     its_cosine, its_sine = cos(other.heading), sin(other.heading)
@@ -156,10 +156,7 @@ def robots_touch(robot, other, k):
 
 @compiled
 def points_touch(robot, other, k, cosine, sine, its_cosine, its_sine):
-    """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other.
-
-    The cosines and sines are those of the two headings.
-    """
+    """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other."""
     spread = spread_of(robot, k, 0.0)
     for leg in range(LEGS if k.body_hind_y > 0.0 else TIPS):
         x, y = stance(k, leg, 1.0)
@@ -181,6 +178,6 @@ def points_touch(robot, other, k, cosine, sine, its_cosine, its_sine):
 
 @compiled
 def disc_touches(robot, other, k, ahead, left, radius, cosine, sine, its_cosine, its_sine):
-    """Tell whether a disc of a robot, its middle given in the robot's frame [m], touches the outline of another."""
+    """Tell whether a disc of a robot, its centre in the robot's frame [m], touches the outline of another robot."""
     x, y = point_of_frame(robot.x, robot.y, ahead, left, cosine, sine)
     return outline_gap_of(other, k, x, y, its_cosine, its_sine) < radius + TOUCH_GAP

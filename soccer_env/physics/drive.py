@@ -1,7 +1,8 @@
-"""From commands to velocities: delay, gait or wheels, acceleration and traction.
+"""From commands to the velocities that legs or wheels want: delay, gait or wheels, acceleration and traction.
 
-A legged robot latches its walk when a gait step ends; wheels follow at every control step. What the legs or wheels
-want is compared with what the body does (it may be pushing something), and the ground bears only so much force.
+A legged robot latches its walk when a gait step ends; wheels follow at every control step. The body may move otherwise,
+for instance because it pushes something; the ground then accelerates it towards the wanted velocity with limited force.
+Paws swing with the gait (MS51) and spread for a block (MS53).
 
 `k`: the league's constants.
 """
@@ -14,7 +15,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, toward
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL, WHEELS_OMNI
 from soccer_env.optics.head_camera import tilt_at
-from soccer_env.physics.paws import aim_paws, note_paws
+from soccer_env.physics.block import paw_out, spread_of
+from soccer_env.physics.gait import LEGS, TIPS, paw_offset
 from soccer_env.random_numbers import normal
 from soccer_env.types import RobotStream
 
@@ -23,7 +25,7 @@ SLIP = int(RobotStream.SLIP)
 
 @compiled
 def drive(robot, k, step, handedness, stance):
-    """Turn a robot's command into what its legs or wheels want of the ground."""
+    """Turn a robot's command into the velocity that its legs or wheels want."""
     if k.legs == 1:
         note_paws(robot, k, stance, handedness)
     request_walk(robot, k, step)
@@ -42,7 +44,7 @@ def drive(robot, k, step, handedness, stance):
 
 @compiled
 def request_walk(robot, k, step):
-    """Put this step's command into the delay line [m/s, rad/s]; ahead and aside together stay within full effort."""
+    """Put this step's command into the delay line [m/s, rad/s], the length of (forward, left) limited to 1."""
     forward, left, turn = robot.command.forward, robot.command.left, robot.command.turn
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         left = 0.0
@@ -57,16 +59,16 @@ def request_walk(robot, k, step):
 
 @compiled
 def latch_walk(robot, k, step):
-    """Take the walk that was asked for a delay ago."""
-    asked = robot.delayed[(step + 1) % (k.delay_steps + 1)]
-    robot.target.forward = asked.forward
-    robot.target.left = asked.left
-    robot.target.turn = asked.turn
+    """Take the walk that was requested one delay ago as the target."""
+    walk = robot.delayed[(step + 1) % (k.delay_steps + 1)]
+    robot.target.forward = walk.forward
+    robot.target.left = walk.left
+    robot.target.turn = walk.turn
 
 
 @compiled
 def draw_slip(robot, k, handedness):
-    """Draw how far the coming steps fall short of the walk or beyond it."""
+    """Draw the ratio of the coming steps to the walk."""
     robot.slip.forward = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
     robot.slip.left = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
     robot.slip.turn = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
@@ -76,7 +78,7 @@ def draw_slip(robot, k, handedness):
 def change_walk(robot, k):
     """Bring the walk towards its target as fast as gait or motors allow.  MH01
 
-    A robot that kicks or blocks, lies on the ground or is out stands.
+    A robot that kicks, blocks, lies on the ground or is sent off stands.
     """
     stands = robot.kick_clock > 0.0 or robot.fallen > 0.0 or robot.active == 0
     ahead = (0.0 if stands else robot.target.forward) - robot.walk.forward
@@ -91,12 +93,12 @@ def change_walk(robot, k):
 
 @compiled
 def stand_on_ground(robot, k, stance):
-    """Say what the legs or wheels want of the ground in this control step, and how much it bears.  MH01
+    """Set the velocity that the legs or wheels want in this control step, and the force that the ground bears.  MH01
 
-    Who stands holds with all paws or wheels; who walks or drives has less: a trot stands on two of four paws, and
-    wheels give no more than their motors, but for those of a differential base, which do not roll sideways. The
-    force itself acts in the solver, in every substep. Wheels that others turn backwards brake with all that the
-    ground bears: of two that push each other none is carried off.
+    A standing robot holds with all paws or wheels. A moving one has less: a trot stands on two of four paws, and
+    wheels give no more than their motors, except sideways on a differential base. Wheels that others turn backwards
+    brake with the full traction, so that of two robots that push each other neither is carried off. The solver
+    applies the force in every substep.
     """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
     stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
@@ -112,9 +114,9 @@ def stand_on_ground(robot, k, stance):
 
 @compiled
 def is_driven_back(robot, k, stance):
-    """Tell whether others push a robot against the way that its wheels drive, faster than they make good in a step.
+    """Tell whether others push a robot against its wheels, faster than the motors make good in a control step.
 
-    A differential base, which turns to go elsewhere, keeps to what its motors give.
+    A differential base turns to go elsewhere: it never brakes with more than its motors give.
     """
     wanted = length(stance.vx, stance.vy)
     along = stance.vx * robot.vx + stance.vy * robot.vy
@@ -123,9 +125,9 @@ def is_driven_back(robot, k, stance):
 
 @compiled
 def keeps_standing(robot, k):
-    """Tell whether a robot stands: it has come to rest, and since then its legs or wheels want nothing else.
+    """Tell whether a robot stands: it has come to rest, and its legs or wheels have wanted no motion since then.
 
-    One that brakes has no more than its drive gives; one that stands and is pushed slides with all it has.
+    A braking robot has the thrust of its drive; a standing robot that is pushed resists with the full traction.
     """
     if robot.walk.forward != 0.0 or robot.walk.left != 0.0 or robot.walk.turn != 0.0:
         return False
@@ -135,9 +137,9 @@ def keeps_standing(robot, k):
 
 @compiled
 def move_head(robot, k, ball):
-    """Move the head towards what was asked, within its joint limits and speeds.  MS07
+    """Move the head towards the commanded pan and tilt, within its joint limits and speeds.  MS07
 
-    Left to itself it follows the gaze that the robot's belief asks for, or the true ball under ideal senses.
+    Without a head command it follows the gaze of the robot's belief, or the true ball under ideal senses.
     """
     if k.head_pan_limit <= 0.0:
         return
@@ -160,3 +162,35 @@ def gaze_at(robot, k, ball):
     ahead, left = into_frame(x, y, cosine, sine)
     down = k.head_camera_height - k.ball_radius
     return atan2(left, ahead), -atan2(down, max(length(ahead, left) - k.head_camera_ahead, 0.0))
+
+
+@compiled
+def note_paws(robot, k, stance, handedness):
+    """Note the places of a robot's paws before its gait goes on, and the spread of its forelegs in a block."""
+    for leg in range(LEGS):
+        paw = stance.posts[leg]
+        ahead, left = paw_offset(robot, k, leg, handedness)
+        paw.x, paw.y = paw.stand_x + ahead, handedness * paw.stand_y + left
+    stance.spread = spread_of(robot, k, 0.0)
+    if stance.spread > 0.0:
+        for leg in range(TIPS):
+            paw = stance.posts[leg]
+            ahead, left = paw_out(k, leg, stance.spread, handedness)
+            paw.x += ahead
+            paw.y += left
+
+
+@compiled
+def aim_paws(robot, k, stance, handedness):
+    """Set the velocity that moves each paw within a control step to its new place in the gait or block."""
+    spread = spread_of(robot, k, k.dt)
+    stance.spread_rate = (spread - stance.spread) / k.dt
+    for leg in range(LEGS):
+        paw = stance.posts[leg]
+        ahead, left = paw_offset(robot, k, leg, handedness)
+        if spread > 0.0:
+            out_x, out_y = paw_out(k, leg, spread, handedness)
+            ahead += out_x
+            left += out_y
+        paw.vx = (paw.stand_x + ahead - paw.x) / k.dt
+        paw.vy = (handedness * paw.stand_y + left - paw.y) / k.dt

@@ -1,4 +1,4 @@
-"""Between the records of a match and the rows of numbers that Chipmunk is given and gives back; the ball is row 0.
+"""Copy numbers between the records of a match and the arrays that the engine writes and reads; the ball is row 0.
 
 `k`: the league's constants.
 """
@@ -12,12 +12,12 @@ from soccer_env.geometry import length, wrap
 from soccer_env.physics.block import most_reach
 from soccer_env.physics.engine.memory import BODY_MASS_INVERSE, BODY_MOMENT_INVERSE, store
 
-HELD = 1e-9  # [1] share of its lightness that a ball has which the referee holds
+HELD = 1e-9  # [1] share of its inverse mass that a ball keeps while the referee holds it
 
 
 @compiled
 def count_substeps(ball, robots, k):
-    """Return how many substeps the fastest body needs, so that none travels too far in one, and more in a throng."""
+    """Return the number of substeps: enough that no body travels too far in one, and more where robots are close."""
     fastest = length(ball.vx, ball.vy)
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -29,7 +29,7 @@ def count_substeps(ball, robots, k):
 
 @compiled
 def anyone_close(ball, robots, k):
-    """Tell whether a robot is within reach of the ball or of another robot: where things press, overlaps grow."""
+    """Tell whether a robot is within reach of the ball or of another robot: there overlaps grow."""
     to_ball, to_robot = most_reach(k) + k.ball_radius, 2.0 * most_reach(k)
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -47,7 +47,7 @@ def anyone_close(ball, robots, k):
 
 @compiled
 def write_twists(ball, robots, velocities, solver, handedness):
-    """Copy the velocities of ball and robots into the rows that the physics is given, and the ball's roll."""
+    """Copy the velocities of ball and robots, and the ball's roll, from the records to the engine."""
     velocities[0, 0], velocities[0, 1], velocities[0, 2] = ball.vx, ball.vy, ball.spin
     solver.time = 0.0
     solver.handedness = handedness
@@ -59,7 +59,7 @@ def write_twists(ball, robots, velocities, solver, handedness):
 
 @compiled
 def weigh_ball(solver, held):
-    """Make the ball as heavy as if it were nailed down while the referee holds it, or as light as it is."""
+    """Make the ball immovable while the referee holds it, else give it its own mass."""
     share = HELD if held == 1 else 1.0
     store(solver.ball + BODY_MASS_INVERSE, share * solver.ball_lightness)
     store(solver.ball + BODY_MOMENT_INVERSE, share * solver.ball_ease)
@@ -67,7 +67,7 @@ def weigh_ball(solver, held):
 
 @compiled
 def read_records(ball, robots, bodies, solver):
-    """Copy what the physics says into the records."""
+    """Copy poses and velocities from the engine into the records."""
     ball.roll_x, ball.roll_y = solver.roll_x, solver.roll_y
     ball.x, ball.y, ball.angle = bodies[0, 0], bodies[0, 1], wrap(bodies[0, 2])
     ball.vx, ball.vy, ball.spin = bodies[0, 3], bodies[0, 4], bodies[0, 5]
@@ -79,7 +79,7 @@ def read_records(ball, robots, bodies, solver):
 
 @compiled
 def write_rows(ball, robots, bodies):
-    """Copy poses and velocities into the rows from which the physics is set."""
+    """Copy poses and velocities from the records into `bodies`, from which the engine sets its bodies."""
     bodies[0, 0], bodies[0, 1], bodies[0, 2] = ball.x, ball.y, ball.angle
     bodies[0, 3], bodies[0, 4], bodies[0, 5] = ball.vx, ball.vy, ball.spin
     for r in range(robots.shape[0]):
@@ -90,7 +90,7 @@ def write_rows(ball, robots, bodies):
 
 @compiled
 def write_rows_of(balls, robots, bodies, rows):
-    """Do what `write_rows` does for some matches."""
+    """Call `write_rows` for the matches in `rows`."""
     for m in rows:
         write_rows(balls[m], robots[m], bodies[m])
 

@@ -1,18 +1,18 @@
-r"""Where the paws of a walking robot are: a trot, in which diagonal pairs of legs swing in turn.  MS51
+r"""The paws of a walking robot: a trot, in which diagonal pairs of legs swing in turn.  MS51
 
-A cycle is a gait step. In half of it a paw stands on the ground while the body passes over it: seen from the body it
-goes back from half a stroke ahead of its stance to half a stroke behind. In the other half it swings forward again,
-over the ground at twice the speed of the walk. The left forepaw and the right hind paw swing first, then the others.
-In a mirrored match (handedness -1) left and right change places, also in the numbers of the legs: whatever goes through
-them in turn then does the mirrored thing.
+A cycle is a gait step. For half of it a paw stands on the ground while the body passes over it: seen from the body the
+paw goes back from half a stroke ahead of its stance to half a stroke behind. For the other half it swings forward,
+over the ground at twice the speed of the walk. The left forepaw and the right hind paw swing first, then the other two.
+In a mirrored match (handedness -1) left and right change places, also in the numbers of the legs, so that a loop over
+the legs does the mirrored thing.
 
     half a stroke ahead           /\          /\
     stance                       /  \        /  \      a paw that swings first
     half a stroke behind        /    \      /    \
                                0  1/2  1  3/2   2      gait steps
 
-The paper's robots walk in steps of half a second, each of which shifts them as a whole (Sacks 2001, 4.3.2); that they
-trot, and that paws go back and forth at constant speeds, is assumed.
+The paper's robots walk in steps of half a second, each of which shifts the robot as a whole (Sacks 2001, 4.3.2).
+Assumed: robots trot, and paws go back and forth at constant speeds.
 
 `k`: the league's constants.
 """
@@ -22,21 +22,21 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 
 LEGS = 4  # left fore, right fore, left hind, right hind; mirrored: right fore first
-TIPS = 2  # the fore ones: all that a body without legs has
+TIPS = 2  # the forelegs, or the two tips of a body without legs
 
 
 @compiled
 def stance(k, leg, handedness):
-    """Return where a leg stands in the middle of its stroke [m, m], robot frame."""
+    """Return the place of a leg in mid-stroke [m, m], robot frame."""
     side = handedness if leg % 2 == 0 else -handedness
     return (k.body_tip_x, side * k.body_tip_y) if leg < 2 else (k.body_hind_x, side * k.body_hind_y)
 
 
 @compiled
 def paw_offset(robot, k, leg, handedness):
-    """Return how far a paw is off its stance [m, m], robot frame, at the end of the control step.
+    """Return the offset of a paw from its stance [m, m], robot frame, at the end of the control step.
 
-    The stroke is what the ground under the stance does in half a gait step: with a turn each paw has its own.
+    The stroke is the way of the ground under the stance in half a gait step; when the robot turns, paws differ in it.
     """
     x, y = stance(k, leg, handedness)
     half = swing(robot.gait_phase, k.gait_steps, leg) * 0.25 * k.gait_steps * k.dt
@@ -45,7 +45,7 @@ def paw_offset(robot, k, leg, handedness):
 
 @compiled
 def swing(phase, gait_steps, leg):
-    """Return where in its stroke a leg is: 1 its fore end, -1 its hind end; `phase` control steps of a gait step."""
+    """Return the place of a leg in its stroke, 1 fore to -1 hind, `phase` control steps into a gait step."""
     done = (phase % gait_steps) / gait_steps
     ahead = 4.0 * done - 1.0 if done <= 0.5 else 3.0 - 4.0 * done
     return ahead if leg == 0 or leg == 3 else -ahead
@@ -53,6 +53,6 @@ def swing(phase, gait_steps, leg):
 
 @compiled
 def most_swing(k):
-    """Return how far a paw gets off its stance at most [m], at full speed and full turn rate; 0 without legs."""
+    """Return the greatest offset of a paw from its stance [m], at full speed and full turn rate; 0 without legs."""
     fastest = max(k.drive_forward, k.drive_backward, k.drive_sideways) + k.drive_turn * k.body_reach
     return 0.25 * k.gait_steps * k.dt * fastest if k.legs == 1 else 0.0

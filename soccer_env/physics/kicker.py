@@ -1,8 +1,8 @@
 """Kicks: an electromagnet that fires at once, or a leg that winds up while the robot stands.  MH04
 
-No two kicks are alike: direction and speed vary, and both a wider direction and a miss become likelier the worse the
-ball lies. A kick that misses gives the ball nothing. The robot recoils with the momentum that the ball gets; its turn
-by a kick beside its middle is left out, for wheels and paws bear it.
+Direction and speed vary from kick to kick; the worse the ball lies, the wider the direction spreads and the likelier is
+a miss, which leaves the ball alone. The robot recoils with the momentum of the ball. A kick off the robot's middle does
+not turn it: wheels and paws bear the torque.
 
 `k`: the league's constants.
 """
@@ -23,7 +23,7 @@ KICK = int(RobotStream.KICK)
 
 @compiled
 def work_kicker(robots, r, events, k, ball, handedness):
-    """Advance robot r's kicker by one control step: start a kick or a block that is asked for, or finish one."""
+    """Advance robot r's kicker by one control step: start a commanded kick or block, or finish one."""
     robot = robots[r]
     if robot.kick_clock < 0.0:
         robot.kick_clock = min(robot.kick_clock + k.dt, 0.0)
@@ -48,7 +48,7 @@ def work_kicker(robots, r, events, k, ball, handedness):
 
 @compiled
 def may_kick(robot, k):
-    """Tell whether the robot asks for a kick that it can start."""
+    """Tell whether the robot asks for a kick and can start it."""
     asks = robot.command.kick > 0.0 and robot.command.kick >= k.kicker_least
     able = robot.active == 1 and robot.fallen <= 0.0 and (robot.keeper == 0 or k.keeper_kicks == 1)
     return asks and able and robot.has_ball == 1
@@ -56,9 +56,9 @@ def may_kick(robot, k):
 
 @compiled
 def finish_kick(robots, r, events, k, ball, handedness):
-    """Push the ball off, if it still lies in the pocket; pushes of two robots at once add up, whoever comes first.
+    """Kick the ball, if it still lies in the pocket; the kicks of two robots in one step add up, in any order.
 
-    Each kick draws five numbers, whatever comes of it.
+    Each kick draws five random numbers, whether it hits or not.
     """
     robot = robots[r]
     robot.kick_clock = -k.kicker_recharge
@@ -84,14 +84,14 @@ def finish_kick(robots, r, events, k, ball, handedness):
 
 @compiled
 def kick_speed(k, strength):
-    """Return the mean speed [m/s] that a kick adds to the ball's: slowest at the least strength, fastest at 1."""
+    """Return the mean speed [m/s] that a kick gives the ball: slowest at the least strength, fastest at 1."""
     share = (strength - k.kicker_least) / max(1.0 - k.kicker_least, 1e-9)
     return k.kicker_slowest + (k.kicker_fastest - k.kicker_slowest) * min(share, 1.0)
 
 
 @compiled
 def lies_badly(robot, k, ball_x, ball_y):
-    """Return how badly a ball in the pocket lies for a kick: 0 at the middle of the front, 1 at the kicker's edge."""
+    """Return how badly a ball in the pocket lies for a kick: 0 in the middle of the front, 1 at the kicker's edge."""
     gap, left = place_at_kicker(robot, k, ball_x, ball_y)
     far, aside = gap / max(k.kicker_reach, 1e-9), abs(left) / max(k.kicker_half_width, 1e-9)
     return clip(max(far, aside), 0.0, 1.0)
@@ -101,8 +101,8 @@ def lies_badly(robot, k, ball_x, ball_y):
 def is_pinched(robots, r, k, ball, handedness):
     """Tell whether another robot touches the ball that robot r kicks.
 
-    Its body takes its share when the contacts are solved: the ball bounces between the two. The kicker itself cannot
-    swing through a ball that is held from behind, so that such a ball lies as badly as it can.
+    A kicker cannot swing through a ball that is held from behind: such a ball lies as badly as possible. The solver
+    lets the ball bounce between the two robots.
     """
     near = most_reach_walking(k) + k.ball_radius + TOUCH_GAP
     for other in range(robots.shape[0]):
@@ -127,14 +127,14 @@ def holds_ball(robot, k, ball_x, ball_y):
 
 @compiled
 def place_at_kicker(robot, k, ball_x, ball_y):
-    """Return how far ahead of the front the ball's near side lies, and how far to the left its centre [m, m]."""
+    """Return the distance of the ball's near side ahead of the front, and of its centre to the left [m, m]."""
     ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
     return ahead - k.body_front - k.ball_radius, left
 
 
 @compiled
 def kicked_by(ball, robots, robot_events):
-    """Return the row of the robot that kicked in this step (of several the one nearest to the ball), or -1."""
+    """Return the row of the robot that kicked in this step, the nearest to the ball of several, or -1."""
     row, least = -1, 0.0
     for r in range(robot_events.shape[0]):
         distance = length(ball.x - robots[r].x, ball.y - robots[r].y)

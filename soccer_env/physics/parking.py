@@ -1,4 +1,4 @@
-"""Where robots stand that do not play: well off the field, one beside the other."""
+"""Places of inactive robots: well off the field, side by side."""
 
 from __future__ import annotations
 
@@ -12,5 +12,5 @@ PARKED_STEP = 2.0  # [m]
 
 @compiled
 def parking_place(row):
-    """Return the pose [m, m, rad] of an inactive robot."""
+    """Return the pose [m, m, rad] of the inactive robot in a row."""
     return PARKED_X + PARKED_STEP * row, PARKED_X, 0.5 * pi

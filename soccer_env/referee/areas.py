@@ -1,4 +1,4 @@
-"""In which of the areas before the goals a robot stands, by its middle.
+"""Tell whether the centre of a robot stands in a goal area or penalty area.
 
 `k`: the league's constants.
 """
@@ -9,7 +9,7 @@ from soccer_env.geometry import direction_of
 
 @compiled
 def in_area(match, robot, team, k, depth, width):
-    """Tell whether a robot stands in an area [m, m] before the goal of a team."""
+    """Tell whether a robot stands in an area of depth and width [m, m] before the goal of a team."""
     inside = -direction_of(match, team) * robot.x > 0.5 * k.pitch_length - depth
     return inside and abs(robot.y) < 0.5 * width
 

@@ -1,36 +1,27 @@
-"""What the referee calls: touches, goals, out of play, stuck ball, the end of a half.
+"""The referee's calls: touches, goals, out of play, stuck and dropped balls, the end of a half.
 
-Each rule reads the truth of one match and either does nothing or notes an event and calls a restart; the restart is
-carried out by `referee.restarts`. Written for both teams at once through the direction in which home attacks.
+Each rule reads the truth of one match and either does nothing or notes an event and calls a restart, which
+`referee.restarts` carries out. The direction in which home attacks makes one rule serve both teams.
 
 `k`: the league's constants.
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.referee.dropping import drop_place
+from soccer_env.geometry import length
 from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot, is_own_goal
 from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.referee.shoot_out import begin_shoot_out, end_match, is_shoot_out_due, judge_penalty
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
-PLAY = int(Phase.PLAY)
-KICK_OFF = int(Phase.KICK_OFF)
-THROW_IN = int(Phase.THROW_IN)
-GOAL_KICK = int(Phase.GOAL_KICK)
-CORNER_KICK = int(Phase.CORNER_KICK)
-DROP_BALL = int(Phase.DROP_BALL)
-OVER = int(Phase.OVER)
-ASIDE = (
-    0.25  # [1] of the pitch's width from the middle at which a ball is dropped after a goal that is annulled, assumed
-)
+PLAY, OVER, DROP_BALL = int(Phase.PLAY), int(Phase.OVER), int(Phase.DROP_BALL)
+KICK_OFF, THROW_IN = int(Phase.KICK_OFF), int(Phase.THROW_IN)
+GOAL_KICK, CORNER_KICK = int(Phase.GOAL_KICK), int(Phase.CORNER_KICK)
+ASIDE = 0.25  # [1] of the pitch's width, from the middle to a ball dropped after an annulled goal, assumed
 
 
 @compiled
 def judge(match, ball, robots, events, k, toucher):
-    """Apply the rules to one match after the physics of a control step.
-
-    `toucher` is the row that touched the ball, or -1.
-    """
+    """Apply the rules to one match after a control step; `toucher` is the row that touched the ball, or -1."""
     events.ball_x, events.ball_y = ball.x, ball.y
     match.clock += k.dt if match.shoot_out == 0 else 0.0
     match.phase_clock += k.dt
@@ -58,14 +49,15 @@ def judge(match, ball, robots, events, k, toucher):
 
 @compiled
 def judge_ball(match, ball, robots, events, k):
-    """Look at the ball: a goal, out of play, stuck."""
+    """Call a goal, a ball out of play, or a stuck ball."""
     if goal_scored(ball, k):
         judge_goal(match, ball, robots, events, k)
     elif k.walled == 0 and k.rules_out_of_play == 1 and out_of_play(ball, k):
         give_restart_for_out(match, ball, events, k)
     elif k.rules_dropped_ball == 1 and ball_stuck(match, ball, k):
         events.stuck = 1
-        drop_ball(match, ball, events, k)
+        x, y = drop_place(ball, k)
+        call_restart(match, events, DROP_BALL, NO_TEAM, x, y)
 
 
 @compiled
@@ -82,7 +74,7 @@ def out_of_play(ball, k):
 
 @compiled
 def judge_goal(match, ball, robots, events, k):
-    """Count a goal for the team that attacks the side the ball is on, or annul it."""
+    """Count a goal for the team that attacks the goal with the ball, or annul the goal."""
     scorer = HOME if (ball.x > 0.0) == (match.home_direction > 0.0) else AWAY
     if goal_counts(match, ball, robots, k, scorer):
         give_goal(match, events, k, scorer)
@@ -90,7 +82,7 @@ def judge_goal(match, ball, robots, events, k):
     events.annulled = 1
     if is_kick_off_shot(match, k, scorer):
         call_restart(match, events, KICK_OFF, other_team(scorer), 0.0, 0.0)
-    elif k.walled == 1:  # as a ball that is out, on the halfway line: none of both gains by it
+    elif k.walled == 1:  # on the halfway line, as for a ball that is out: neither team gains
         call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, (ASIDE if ball.y > 0.0 else -ASIDE) * k.pitch_width)
     elif is_own_goal(match, robots, scorer):
         give_corner(match, ball, events, k, scorer)
@@ -100,7 +92,7 @@ def judge_goal(match, ball, robots, events, k):
 
 @compiled
 def give_goal(match, events, k, scorer):
-    """Count a goal of a team; the other team kicks off."""
+    """Count a goal for a team; the other team kicks off."""
     match.score[scorer] += 1
     events.goal = scorer
     events.scorer = match.last_touch_robot
@@ -112,7 +104,7 @@ def give_goal(match, events, k, scorer):
 
 @compiled
 def give_restart_for_out(match, ball, events, k):
-    """Call a throw-in, a goal kick or a corner kick, by the team that touched the ball last."""
+    """Call a throw-in, goal kick or corner kick, depending on the team that touched the ball last."""
     events.out = 1
     side_y = 1.0 if ball.y > 0.0 else -1.0
     side_x = 1.0 if ball.x > 0.0 else -1.0
@@ -131,7 +123,7 @@ def give_restart_for_out(match, ball, events, k):
 
 @compiled
 def give_goal_kick(match, ball, events, k, defender):
-    """Call a goal kick on the side of the goal where the ball went over the line."""
+    """Call a goal kick on the side of the goal on which the ball crossed the line."""
     x = 0.5 * k.pitch_length - k.rules_goal_kick_x
     side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
     call_restart(match, events, GOAL_KICK, defender, side_x * x, side_y * k.rules_goal_kick_y)
@@ -139,7 +131,7 @@ def give_goal_kick(match, ball, events, k, defender):
 
 @compiled
 def give_corner(match, ball, events, k, attacker):
-    """Call a corner kick on the side of the goal where the ball went over the line."""
+    """Call a corner kick on the side of the goal on which the ball crossed the line."""
     x, y = 0.5 * k.pitch_length - k.rules_corner_offset, 0.5 * k.pitch_width - k.rules_corner_offset
     side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
     call_restart(match, events, CORNER_KICK, attacker, side_x * x, side_y * y)
@@ -147,7 +139,7 @@ def give_corner(match, ball, events, k, attacker):
 
 @compiled
 def ball_stuck(match, ball, k):
-    """Tell whether the ball has stayed near one point for too long; restarts that nobody takes do not count."""
+    """Tell whether the ball in play has stayed near one point for too long."""
     x, y = ball.x - match.still_x, ball.y - match.still_y
     near = k.rules_stuck_radius
     if match.phase != PLAY or x * x + y * y > near * near:
@@ -160,15 +152,33 @@ def ball_stuck(match, ball, k):
 
 
 @compiled
-def drop_ball(match, ball, events, k):
-    """Call a dropped ball near where it is."""
-    x, y = drop_place(ball, k)
-    call_restart(match, events, DROP_BALL, NO_TEAM, x, y)
+def drop_place(ball, k):
+    """Return the place at which a stuck ball is dropped [m, m, field frame].
+
+    * A ball at a board is moved straight away from the board until a robot has room between the two, at most by the
+      rules' `drop_way`; in a corner, away from both boards. So neither team loses the pitch that it has won.
+    * A ball before a goal is dropped where it lay, on the line of the goal area parallel to the goal line, so that no
+      robot gets a free shot from nearer. The laws of football have it so (Law 8, remembered); the legged league only
+      has a penalty area, and its book of 2008 puts a ball that is stuck with a goalkeeper on the centre spot.
+    """
+    side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
+    depth, width = k.pitch_goal_area_depth, k.pitch_goal_area_width
+    if depth <= 0.0:
+        depth, width = k.pitch_penalty_depth, k.pitch_penalty_width
+    line = 0.5 * k.pitch_length - depth
+    if abs(ball.x) > line and abs(ball.y) < 0.5 * width:
+        return side_x * line, ball.y
+    room = 2.0 * k.body_reach + k.ball_radius
+    x = max(abs(ball.x) - 0.5 * k.pitch_length + room, 0.0)
+    y = max(abs(ball.y) - 0.5 * k.pitch_width + room, 0.0)
+    way = length(x, y)
+    share = min(k.rules_drop_way / way, 1.0) if way > 0.0 else 0.0
+    return ball.x - side_x * share * x, ball.y - side_y * share * y
 
 
 @compiled
 def watch_restart(match, ball, events, k):
-    """Let play go on once the ball has moved, or when the time for the restart is up."""
+    """Resume play when the ball has moved, or when the time for the restart is up."""
     x, y = ball.x - match.restart_x, ball.y - match.restart_y
     moved = x * x + y * y > k.rules_in_play_distance * k.rules_in_play_distance
     if moved or match.phase_clock >= k.rules_restart_time - 0.5 * k.dt:

@@ -1,4 +1,4 @@
-"""Where robots stand at a restart, for any number of players, written for the team that attacks +x.
+"""Places of the robots at a restart, for any number of players, written for the team that attacks +x.
 
 `k`: the league's constants.
 """
@@ -11,17 +11,16 @@ from soccer_env.random_numbers import uniform
 from soccer_env.referee.set_pieces import defender_place, has_to_pass, out_of_area, receiver_place, way_to_receiver
 from soccer_env.types import NO_TEAM, Phase, RobotStream
 
-KICK_OFF = int(Phase.KICK_OFF)
-PENALTY_KICK = int(Phase.PENALTY_KICK)
+KICK_OFF, PENALTY_KICK = int(Phase.KICK_OFF), int(Phase.PENALTY_KICK)
 PLACEMENT = int(RobotStream.PLACEMENT)
-DEFENDERS = 4  # that have places of their own at a restart whose taker has to pass
+DEFENDERS = 4  # opponents with places of their own at a restart whose taker has to pass
 ROW = 4  # field players side by side
 DEPTH = 0.14  # [1] of the pitch's length between rows, assumed
 SPREAD = 0.7  # [1] of the pitch's width over which a row is spread, assumed
-FOLLOW = 0.5  # [1] how far a formation follows the ball up and down the pitch, assumed
-GAP = 0.06  # [m] between the taker of a restart and the ball, assumed; with less, jitter puts a paw on the ball
+FOLLOW = 0.5  # [1] share of the ball's x by which a formation follows it, assumed
+GAP = 0.06  # [m] between the taker of a restart and the ball, assumed; in a smaller gap jitter puts a paw on the ball
 JITTER = 0.02  # [m] greatest deviation of a robot from its place, assumed
-JITTER_TURN = 5.0 * pi / 180.0  # [rad] the same for its heading, assumed
+JITTER_TURN = 5.0 * pi / 180.0  # [rad] greatest deviation of a robot's heading, assumed
 
 
 @compiled
@@ -52,7 +51,7 @@ def choose_places(match, robots, k):
 
 @compiled
 def rank(robots, r):
-    """Return the place of robot r among the active field players of its team, by number, and how many there are."""
+    """Return the rank of robot r by number among its team's active field players, and their count."""
     index = count = 0
     for other in range(robots.shape[0]):
         if robots[other].team == robots[r].team and robots[other].active == 1 and robots[other].keeper == 0:
@@ -73,7 +72,7 @@ def is_taker(match, robots, r):
 
 @compiled
 def looks_on(match, robots, r):
-    """Tell whether robot r has no part in the penalty kick that goes on: it neither takes it nor keeps the goal."""
+    """Tell whether robot r neither takes the current penalty kick nor keeps the goal."""
     if is_taker(match, robots, r) or r == match.taker:
         return False
     return robots[r].keeper == 0 or robots[r].x * (match.restart_x) < 0.0
@@ -89,7 +88,7 @@ def keeper_place(k, spot_x, spot_y):
 
 @compiled
 def set_piece_place(match, k, ours, index, count, spot_x, spot_y):
-    """Return the place of a field player at a restart whose taker has to pass: the last is the taker."""
+    """Return the place of a field player at a restart whose taker has to pass; the last player takes it."""
     if ours and index == count - 1:
         ahead, aside = way_to_receiver(k, spot_x, spot_y)
         return taker_place(k, spot_x, spot_y, ahead, aside)
@@ -103,7 +102,7 @@ def set_piece_place(match, k, ours, index, count, spot_x, spot_y):
 
 @compiled
 def taker_place(k, spot_x, spot_y, ahead, aside):
-    """Return the place behind the ball, facing along a way [m, m]."""
+    """Return the taker's place behind the ball, facing in a direction (ahead, aside)."""
     away = length(ahead, aside)
     back = (k.body_front + k.ball_radius + GAP) / away
     return spot_x - back * ahead, spot_y - back * aside, atan2(aside, ahead)
@@ -113,9 +112,9 @@ def taker_place(k, spot_x, spot_y, ahead, aside):
 def field_place(match, k, index, count, spot_x, spot_y):
     """Return the place of the index-th of count field players: rows across the own half that follow the ball.
 
-    They follow only as far as the rearmost row stays on the pitch, so that no two rows are held at its edge.
+    The rows follow the ball only as far as the rearmost row stays on the pitch.
     """
-    if match.phase == PENALTY_KICK:  # beyond the halfway line, whoever kicks
+    if match.phase == PENALTY_KICK:  # both teams wait beyond the halfway line
         return onlooker_place(k, index, count, spot_x, spot_y)
     row = index // ROW
     columns = min(ROW, count - ROW * row)
@@ -130,7 +129,7 @@ def field_place(match, k, index, count, spot_x, spot_y):
 
 @compiled
 def onlooker_place(k, index, count, spot_x, spot_y):
-    """Return the place of a field player that has no part in a penalty kick: in a row beyond the halfway line."""
+    """Return the place of a field player without a part in a penalty kick: in a row beyond the halfway line."""
     team_row = 1.0 if spot_x > 0.0 else 2.0
     x = -team_row * DEPTH * k.pitch_length * (1.0 if spot_x > 0.0 else -1.0)
     y = SPREAD * k.pitch_width * ((index + 0.5) / count - 0.5)

@@ -1,9 +1,8 @@
-"""Free places: where the referee puts robots that must move, each the nearest place that is allowed and free.
+"""Free places: each robot that the referee must move gets the nearest place that is allowed and free.
 
-Every referee's hand that moves a robot while others stand (a restart, a dropped ball, two that are pulled apart) looks
-for places here. Whoever need not move is not moved. The robot with the longest way chooses first; ways and distances
-know no team and no number, so that neither team is favoured, and which side of a straight way is tried first follows
-the handedness of the match.
+The referee moves single robots at a restart, at a dropped ball and when robots are pulled apart; other robots stay. The
+robot with the longest way chooses first. The choice depends on no team and no number, so that neither team is favoured;
+the handedness of the match decides which side of the straight way is tried first.
 
 `k`: the league's constants.
 """
@@ -18,18 +17,18 @@ from soccer_env.types import Phase
 
 PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
 MARGIN = 0.02  # [m] between robots, assumed
-STEP = 0.125  # [1] of a robot's reach between the circles on which places are tried, assumed
+STEP = 0.125  # [1] of a robot's reach: distance between the circles on which places are tried, assumed
 DIRECTIONS = 48  # places on each circle, assumed
-FARTHER = 0.28  # [m] beyond the rules' distance that a robot may be sent, assumed
-HAIR = 1e-9  # [m] that rounding may take
+FARTHER = 0.28  # [m] beyond the rules' distance, the farthest that a robot is sent, assumed
+HAIR = 1e-9  # [m] tolerance for rounding
 
 
 @compiled
 def settle(match, robots, settled, bans, goal_gap, k):
-    """Give all robots that are not settled (R,) the nearest free place, the one with the longest way first.
+    """Give each robot that is not settled (R,) the nearest free place, the robot with the longest way first.
 
-    Discs that a robot has to stay out of: bans (R, N, 3) of x, y and radius [m]; 0: none. It comes no nearer to the
-    goal that it attacks than goal_gap (R,) [m], unless there is no such place near by.
+    `bans` (R, N, 3) are discs that a robot has to stay out of: x, y and radius [m], radius 0: none. A robot comes no
+    nearer to the goal that it attacks than goal_gap (R,) [m], unless no such place is close.
     """
     for _ in range(robots.shape[0]):
         worst, longest, place_x, place_y = -1, -1.0, 0.0, 0.0
@@ -46,11 +45,10 @@ def settle(match, robots, settled, bans, goal_gap, k):
 
 @compiled
 def find_place(match, robots, settled, r, bans, goal_gap, k):
-    """Return the free place nearest to that of robot r, and how far it is [m, m, m]; its own if there is none.
+    """Return the free place nearest to robot r's place, and its distance [m, m, m]; the robot's own if none is free.
 
-    It is sent at most FARTHER beyond the rules' distance. Where boards or others leave no such place it may come nearer
-    to a goal; where there is none still, a body's reach nearer to what it has to keep from, and in play, where nothing
-    but getting free is at stake, two. Only then it is sent farther.
+    A robot is sent at most FARTHER beyond the rules' distance. Without such a place it may come nearer to a goal, then
+    nearer to its discs by a body's reach, or two in play, where it only has to get free; only then is it sent farther.
     """
     most = most_way(bans, k)
     if goal_gap > 0.0:
@@ -70,7 +68,7 @@ def find_place(match, robots, settled, r, bans, goal_gap, k):
 
 @compiled
 def most_way(bans, k):
-    """Return how far a robot may be sent [m] that has to leave some discs."""
+    """Return how far a robot that has to leave the discs may be sent [m]."""
     distance = k.rules_separation
     for i in range(bans.shape[0]):
         distance = max(distance, bans[i, 2] - k.body_reach)
@@ -79,16 +77,16 @@ def most_way(bans, k):
 
 @compiled
 def nearer(bans, k):
-    """Return discs (N, 3) that are smaller by a body's reach, but still keep a robot out of the ball."""
-    found = bans.copy()
+    """Return discs (N, 3) smaller by a body's reach, but large enough to keep a robot out of the ball."""
+    smaller = bans.copy()
     for i in range(bans.shape[0]):
-        found[i, 2] = max(bans[i, 2] - k.body_reach, min(bans[i, 2], k.body_reach + k.ball_radius + MARGIN))
-    return found
+        smaller[i, 2] = max(bans[i, 2] - k.body_reach, min(bans[i, 2], k.body_reach + k.ball_radius + MARGIN))
+    return smaller
 
 
 @compiled
 def search(match, robots, settled, r, bans, goal_gap, most, k):
-    """Return the nearest place at most so far away [m] that is allowed and free, and how far it is; -1: none is."""
+    """Return the nearest allowed and free place within `most` [m], and its distance; -1: there is none."""
     robot = robots[r]
     ahead = way_out(match, robot, bans)
     step = STEP * k.body_reach
@@ -104,7 +102,7 @@ def search(match, robots, settled, r, bans, goal_gap, most, k):
 
 @compiled
 def way_out(match, robot, bans):
-    """Return the direction [rad] straight out of what a robot has to leave, towards its own goal if that is nothing."""
+    """Return the direction [rad] straight out of a robot's discs, towards its own goal if it is in none."""
     x = y = 0.0
     for i in range(bans.shape[0]):
         away_x, away_y = robot.place_x - bans[i, 0], robot.place_y - bans[i, 1]
@@ -118,7 +116,7 @@ def way_out(match, robot, bans):
 
 @compiled
 def is_allowed(match, robot, x, y, bans, goal_gap, k):
-    """Tell whether a robot may stand at a place [m, m], whoever else stands there."""
+    """Tell whether the rules let a robot stand at a place [m, m], other robots aside."""
     room = k.body_reach + k.legs * k.pitch_board_foot + MARGIN
     if abs(x) > 0.5 * k.pitch_length - room + HAIR or abs(y) > 0.5 * k.pitch_width - room + HAIR:
         return False
@@ -141,7 +139,7 @@ def is_clear(x, y, bans):
 
 @compiled
 def is_free(robots, settled, r, x, y, k):
-    """Tell whether robot r can stand at a place [m, m] as it is turned, clear of all that are settled."""
+    """Tell whether robot r can stand at a place [m, m] with its heading, clear of all settled robots."""
     heading = robots[r].place_heading
     for other in range(robots.shape[0]):
         if other != r and settled[other] and robots[other].active == 1:
@@ -153,7 +151,7 @@ def is_free(robots, settled, r, x, y, k):
 
 @compiled
 def in_the_way(k, x, y, heading, other_x, other_y, other_heading):
-    """Tell whether two robots at poses [m, m, rad] stand nearer than the margin, each taken as a capsule about it."""
+    """Tell whether two robots at poses [m, m, rad], taken as capsules, stand nearer than the margin."""
     away = length(x - other_x, y - other_y)
     if away >= 2.0 * k.body_reach + MARGIN:
         return False
@@ -171,7 +169,7 @@ def in_the_way(k, x, y, heading, other_x, other_y, other_heading):
 
 @compiled
 def capsule(k):
-    """Return half the length of the spine and the radius [m, m] of the capsule that holds all of a robot."""
+    """Return half the spine's length and the radius [m, m] of a capsule that contains a robot."""
     width = max(k.body_disc_radius, k.body_tip_y + k.body_tip_radius, k.body_hind_y + k.body_tip_radius)
     for i in range(k.corners):
         width = max(width, abs(k.corner_y[i]))
@@ -190,5 +188,5 @@ def spine_gap(x, y, other_x, other_y, heading, half):
 
 @compiled
 def new_bans(count, each):
-    """Return discs (count, each, 3) that ban nothing, settled (count,) with nobody settled, and goal gaps (count,)."""
+    """Return empty discs (count, each, 3), settled (count,) all False, and goal gaps (count,) of 0."""
     return np.zeros((count, each, 3)), np.zeros(count, np.bool_), np.zeros(count)

@@ -6,7 +6,7 @@ from soccer_env.types import AWAY, HOME, NO_TEAM
 
 @compiled
 def call_restart(match, events, phase, team, x, y):
-    """Note a restart: what it is, who takes it and where the ball goes [m, field frame]."""
+    """Note a restart: its phase, the team that takes it, and the place of the ball [m, field frame]."""
     match.phase = phase
     match.phase_clock = 0.0
     match.restart_team = team

@@ -1,9 +1,9 @@
 """Carry out a restart: put the ball down, choose places, keep the distances, put robots there or let them drive.
 
 Under instant placement the robots stand at their places at once. Under drive placement the referee steers them for up
-to the league's placing time (steering.py), while the ball lies still, an obstacle to all, and the clock runs. Then the
-taker is put at its place, and whoever stands too near the ball, in the wrong half or in another robot is moved to the
-nearest place where it may stand; nobody else is touched. A dropped ball is the same without a formation.
+to the league's placing time (steering.py); meanwhile the clock runs, and the ball lies still as an obstacle. Then the
+taker is put at its place, and a robot too near the ball, in the wrong half or in another robot is moved to the nearest
+place where it may stand; no other robot is moved. A dropped ball has no formation.
 
 `k`: the league's constants.
 """
@@ -20,16 +20,18 @@ from soccer_env.referee.places import MARGIN, is_allowed, is_clear, is_free, new
 from soccer_env.referee.steering import ARRIVED, keep_off
 from soccer_env.types import Phase
 
-KICK_OFF = int(Phase.KICK_OFF)
-DROP_BALL = int(Phase.DROP_BALL)
-STEP_ASIDE, STEPS_ASIDE = 0.01, 60  # [m] by which, and how often, a robot makes room for one that is carried, assumed
-TO_WALK_OUT = 3.0  # [s] to leave an area for whom others put there, assumed: a body's length at a dog's top speed
-CARRIED = 0.03  # [m] a robot that is moved farther was carried, assumed
+KICK_OFF, DROP_BALL = int(Phase.KICK_OFF), int(Phase.DROP_BALL)
+STEP_ASIDE, STEPS_ASIDE = (
+    0.01,
+    60,
+)  # [m] and number of the steps by which a robot makes room for a carried robot, assumed
+TO_WALK_OUT = 3.0  # [s] to leave an area after being put there, assumed: a body's length at top speed
+CARRIED = 0.03  # [m] a robot moved farther than this was carried, assumed
 
 
 @compiled
 def carry_out_restart(match, ball, robots, k, drive):
-    """Put the ball on its spot; put the robots at their places, or (drive 1) let them drive there."""
+    """Put the ball on its spot; put the robots at their places, or let them drive there (drive 1)."""
     put_ball(ball, match.restart_x, match.restart_y)
     if match.phase == DROP_BALL:
         for r in range(robots.shape[0]):
@@ -46,7 +48,7 @@ def carry_out_restart(match, ball, robots, k, drive):
 
 @compiled
 def keep_all_off(match, ball, robots, k):
-    """Set back who stands where the ball is laid down; who is set back far was carried, and is told where it is."""
+    """Move robots out of the ball that is laid down; a robot moved far counts as carried and is told its place."""
     for r in range(robots.shape[0]):
         if keep_off(robots[r], k, ball, match.handedness) > CARRIED:
             robots[r].placed = 1
@@ -58,7 +60,7 @@ def keep_all_off(match, ball, robots, k):
 
 @compiled
 def make_room(robots, r, ball, k):
-    """Carry those farther out, away from the ball, into whom a robot has been carried."""
+    """Move robots that overlap the carried robot r farther away from the ball."""
     near = 2.0 * k.body_reach
     for other in range(robots.shape[0]):
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
@@ -101,9 +103,9 @@ def place_robots(robots):
 
 @compiled
 def put_robot(robot):
-    """Put a robot at its place, at rest; one that had to be carried is told where it is, and its head is put straight.
+    """Put a robot at its place, at rest; a carried robot is told its place, and its head is set straight.
 
-    Every kick-off then begins like the first one, whatever the heads were looking at.
+    So every kick-off begins like the first.
     """
     if length(robot.place_x - robot.x, robot.place_y - robot.y) > CARRIED:
         robot.placed = 1
@@ -115,7 +117,7 @@ def put_robot(robot):
 
 @compiled
 def stop(robot):
-    """Let a robot stand: no speed, no walk on its way, no kick begun."""
+    """Stop a robot: no speed, no delayed walk, no kick begun."""
     robot.vx = robot.vy = robot.omega = 0.0
     robot.walk.forward = robot.walk.left = robot.walk.turn = 0.0
     robot.target.forward = robot.target.left = robot.target.turn = 0.0
@@ -127,10 +129,10 @@ def stop(robot):
 
 @compiled
 def keep_distances(match, robots, k):
-    """Move places until opponents keep their distance from the ball, all are in their half, and nobody is in anybody.
+    """Move places until opponents keep their distance from the ball, and robots their half and their own room.
 
-    Takers and goalkeepers that may stay stand first, then all who may stand where they are, those nearer to the ball
-    first; the others are sent the shortest way to where they may.
+    The taker is settled first, then goalkeepers and other robots that may stay at their places, the nearest to the ball
+    first; each remaining robot gets the nearest place where it may stand.
     """
     count = robots.shape[0]
     bans, settled, goal_gap = new_bans(count, 1)
@@ -151,7 +153,7 @@ def keep_distances(match, robots, k):
 
 @compiled
 def send_back(match, robots, r, k):
-    """Move the place of robot r alone to the nearest one at its distance from the ball where nobody stands."""
+    """Move the place of robot r alone to the nearest free place at the required distance from the ball."""
     bans, settled, goal_gap = new_bans(robots.shape[0], 1)
     settled[:] = True
     settled[r] = False
@@ -161,7 +163,7 @@ def send_back(match, robots, r, k):
 
 @compiled
 def nearest_waiting(match, robots, settled, seen, keepers):
-    """Return the robot nearest to the ball that is neither settled nor seen, of goalkeepers or of all; -1: none."""
+    """Return the goalkeeper, or the robot, nearest to the ball that is neither settled nor seen; -1: none."""
     nearest, least = -1, 1e9
     for r in range(robots.shape[0]):
         if settled[r] or seen[r] > 0.0 or (keepers and robots[r].keeper == 0):
@@ -176,7 +178,7 @@ def nearest_waiting(match, robots, settled, seen, keepers):
 def may_stay(match, robots, settled, r, bans, k):
     """Tell whether robot r may stand at its place.
 
-    Of those that are not carried it may stand close to others, but at a restart with a taker it must not touch them.
+    Robots that are not carried may stand close together, but at a restart with a taker they must not touch.
     """
     robot = robots[r]
     x, y = robot.place_x, robot.place_y
@@ -195,13 +197,13 @@ def may_stay(match, robots, settled, r, bans, k):
 
 @compiled
 def is_carried(robot):
-    """Tell whether a robot's place is not where it stands."""
+    """Tell whether a robot's place differs from the place where it stands."""
     return robot.place_x != robot.x or robot.place_y != robot.y
 
 
 @compiled
 def gap_to_keep(match, robots, r, k):
-    """Return how far the centre of robot r has to be from the ball [m]: no farther than out of it, if it may stay."""
+    """Return the least distance of robot r's centre from the ball [m]; a goalkeeper that may stay only clears it."""
     robot = robots[r]
     gap = distance_from_ball(match, robot, k) + k.body_reach
     if robot.keeper == 1 and (match.phase != DROP_BALL or in_penalty_area(match, robot, robot.team, k)):
@@ -211,7 +213,7 @@ def gap_to_keep(match, robots, r, k):
 
 @compiled
 def distance_from_ball(match, robot, k):
-    """Return how far a robot has to stay from the ball at the current restart [m]."""
+    """Return the distance that a robot has to keep from the ball at the current restart [m]."""
     if match.phase == DROP_BALL:
         return k.rules_separation
     if robot.team == match.restart_team:
@@ -221,7 +223,7 @@ def distance_from_ball(match, robot, k):
 
 @compiled
 def is_ready(match, robots, r, k):
-    """Tell whether robot r is ready for a restart: the taker at its place, the others where the rules let them."""
+    """Tell whether robot r is ready for a restart: the taker at its place, other robots where the rules allow."""
     robot = robots[r]
     if is_taker(match, robots, r):
         return length(robot.x - robot.place_x, robot.y - robot.place_y) <= ARRIVED
@@ -232,7 +234,7 @@ def is_ready(match, robots, r, k):
 
 @compiled
 def end_placing(match, ball, robots, k):
-    """End the placement when all are ready or the time is up: correct illegal places, and stop all robots."""
+    """End the placement when all robots are ready or the time is up: correct illegal places, stop all robots."""
     put_ball(ball, match.restart_x, match.restart_y)
     ready = True
     for r in range(robots.shape[0]):

@@ -1,18 +1,17 @@
 """Pull apart robots that have collided and do not come free, so that neither side gains.  [Sacks 2001, 1]  MS55
 
-"The referee can, in many circumstances, separate robots that have collided after a set time". Unlike there it is in all
-circumstances, for the paper does not say which, and the set time is assumed. The ball stays where it is and play goes
-on.
+"The referee can, in many circumstances, separate robots that have collided after a set time". Unlike the paper, which
+does not name the circumstances, the referee always does so; the set time is assumed. The ball stays, and play goes on.
 
-Who is moved: of two opponents the attacker, whose team attacks the goal of the half in which the ball lies. There the
-defender alone could lose a goal by being moved, and a goalkeeper in its own penalty area is never moved: then it is
-the other, wherever the ball lies. Who has the ball does not count: an attack that got nowhere for so long has no claim
-to go on, and a defender that stands in its way keeps its place.
+Of two opponents the attacker is moved: the robot whose team attacks the goal of the half in which the ball lies. There
+only the defender could lose a goal by being moved. A goalkeeper in its own penalty area is never moved; then the other
+robot is, wherever the ball lies. Possession does not count: an attack that got nowhere for so long has no claim to go
+on, and a defender in its way keeps its place.
 
-Where to: the nearest free place at the rules' distance from the opponent, no nearer to the goal that the robot attacks
-and no nearer to the ball, unless that is out of its reach already. Nobody else is touched.
+The robot is moved to the nearest free place at the rules' distance from the opponent, no nearer to the goal that it
+attacks, and no nearer to the ball within that distance. No other robot is moved.
 
-Of two team-mates whose legs hold each other the one farther from the ball is set free likewise, as near as it can be;
+Of two team-mates whose legs hold each other the robot farther from the ball is moved, just far enough to be free;
 team-mates that merely push each other are left alone.
 
 `k`: the league's constants.
@@ -28,10 +27,9 @@ from soccer_env.referee.restarts import put_robot, stay
 
 @compiled
 def watch_contacts(robots, robot_events, touching, k):
-    """Count for how long each robot has been in contact with an opponent or in the legs of a mate, less the time out.
+    """Count each robot's time in contact with an opponent or in the legs of a mate, less its time out of contact.
 
-    Robots that push against each other lose contact for moments, which does not free them. `touching` is what
-    `find_collisions` found.
+    Robots that push each other lose contact for moments, which does not free them. `touching`: see `find_collisions`.
     """
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -69,7 +67,7 @@ def legs_hold(robots, r, other):
 
 @compiled
 def is_near(robot, other, k):
-    """Tell whether two robots stand so near that they may touch."""
+    """Tell whether two active robots are near enough to touch."""
     x, y = other.x - robot.x, other.y - robot.y
     near = 2.0 * k.body_reach + MARGIN
     return other.active == 1 and robot.active == 1 and x * x + y * y < near * near
@@ -83,7 +81,7 @@ def is_overdue(robot, k):
 
 @compiled
 def are_locked(robots, r, other, k):
-    """Tell whether two robots hold each other for too long."""
+    """Tell whether two robots have held each other for too long."""
     if r == other or not (is_overdue(robots[r], k) and is_overdue(robots[other], k)):
         return False
     if robots[r].team == robots[other].team:
@@ -93,11 +91,11 @@ def are_locked(robots, r, other, k):
 
 @compiled
 def pull_apart(ball, robots, match, k):
-    """Pull robots in contact for too long apart, to the rules' distance; tell whether anybody was moved.  MS55"""
-    count, found = robots.shape[0], False
+    """Pull robots apart that have been in contact for too long; tell whether any robot was moved.  MS55"""
+    count, overdue = robots.shape[0], False
     for r in range(count):
-        found = found or is_overdue(robots[r], k)
-    if not found:
+        overdue = overdue or is_overdue(robots[r], k)
+    if not overdue:
         return False
     bans, settled, goal_gap = new_bans(count, count + 1)
     settled[:] = True
@@ -107,24 +105,24 @@ def pull_apart(ball, robots, match, k):
             if are_locked(robots, r, other, k) and has_to_go(match, ball, robots, r, other, k):
                 settled[r] = False
                 ban_other(robots, bans, r, other, k)
-    moved = settled.copy()
+    stays = settled.copy()
     for r in range(count):
         if not settled[r]:
             ban_ball(ball, robots[r], bans[r], k)
             side = direction_of(match, robots[r].team)
             goal_gap[r] = length(robots[r].x - side * 0.5 * k.pitch_length, robots[r].y)
     settle(match, robots, settled, bans, goal_gap, k)
-    found = False
+    moved = False
     for r in range(count):
-        if not moved[r]:
-            found = True
+        if not stays[r]:
+            moved = True
             release(robots, r, k)
-    return found
+    return moved
 
 
 @compiled
 def has_to_go(match, ball, robots, r, other, k):
-    """Tell whether it is robot r of two that hold each other that has to go."""
+    """Tell whether robot r, of two that hold each other, has to go."""
     robot, its = robots[r], robots[other]
     if robot.keeper == 1 and in_penalty_area(match, robot, robot.team, k):
         return False
@@ -134,16 +132,16 @@ def has_to_go(match, ball, robots, r, other, k):
     if robot.team == its.team:
         return away > its_away or (away == its_away and r > other)
     attack = direction_of(match, robot.team) * ball.x
-    if attack == 0.0:  # on the halfway line: the one that is farther from its own goal
+    if attack == 0.0:  # on the halfway line: the robot farther from its own goal goes
         attack = direction_of(match, robot.team) * (robot.x + its.x)
     return attack > 0.0
 
 
 @compiled
 def ban_other(robots, bans, r, other, k):
-    """Keep robot r from where it would stand too near to the one that it was pulled from.
+    """Ban robot r from places too near to the robot that it is pulled from.
 
-    Of team-mates, who hold each other by the legs, so much is asked as sets them free.
+    Team-mates, who hold each other by the legs, only have to come free.
     """
     bans[r, other, 0], bans[r, other, 1] = robots[other].x, robots[other].y
     if robots[r].team == robots[other].team:
@@ -154,7 +152,7 @@ def ban_other(robots, bans, r, other, k):
 
 @compiled
 def ban_ball(ball, robot, bans, k):
-    """Keep a robot from coming nearer to the ball than it was, within the distance that the rules ask of a drop."""
+    """Ban a robot from places nearer to the ball than it was, within the rules' distance at a dropped ball."""
     ball_row = bans.shape[0] - 1
     clear = k.body_reach + k.ball_radius + MARGIN
     away = min(length(robot.x - ball.x, robot.y - ball.y) - HAIR, k.rules_separation + k.body_reach)
@@ -163,9 +161,9 @@ def ban_ball(ball, robot, bans, k):
 
 @compiled
 def release(robots, r, k):
-    """Put robot r at its new place, and forget for how long it and those that it was pulled from have been in contact.
+    """Put robot r at its new place, and clear the time in contact of robot r and of those it was pulled from.
 
-    The others stay as they are: the referee has not touched them.
+    The other robots keep everything else: the referee has not moved them.
     """
     for other in range(robots.shape[0]):
         if are_locked(robots, r, other, k):

@@ -1,10 +1,10 @@
-"""Where robots stand at a restart whose taker has to pass, for any number of players, the taker's team attacking +x.
+"""Places at a restart whose taker has to pass, for any number of players, the taker's team attacking +x.
 
     goal  K |        c              ball <- taker, behind it, facing its mate
             |     c      m  receiver        m marks the receiver, w stands in the way to the goal,
           K |         w                     c wait outside their penalty area
 
-Where nobody else is needed robots stand in the rows of `formation`. That teams line up like this is assumed.
+All other robots stand in the rows of `formation`. Assumed: teams line up like this.
 
 `k`: the league's constants.
 """
@@ -15,26 +15,25 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.types import Phase
 
-KICK_OFF = int(Phase.KICK_OFF)
-PENALTY_KICK = int(Phase.PENALTY_KICK)
-PASS = 2.0  # [m] from the ball to the mate that it is passed to, assumed
-UPFIELD = 3.0  # [m] from the halfway line towards the own goal: farther back a pass goes forward, assumed
-WING = 2.2  # [m] from the middle, of such a pass, assumed
-MARK = 1.5  # [m] between the receiver and the opponent that marks it, on its way to the goal, assumed
-WALL = 0.1  # [m] beyond the rules' distance, of the opponent in the way to the goal, assumed
-COVER_Y = 1.0  # [m] of those who cover the goal from the middle, assumed
-OFF_AREA = 0.4  # [m] of them from their penalty area, assumed
+KICK_OFF, PENALTY_KICK = int(Phase.KICK_OFF), int(Phase.PENALTY_KICK)
+PASS = 2.0  # [m] from the ball to the receiver of the pass, assumed
+UPFIELD = 3.0  # [m] behind the halfway line; from farther back the pass goes forward, assumed
+WING = 2.2  # [m] from the middle, the aim of a forward pass, assumed
+MARK = 1.5  # [m] from the receiver towards the goal to the opponent that marks it, assumed
+WALL = 0.1  # [m] beyond the rules' distance to the opponent in the way to the goal, assumed
+COVER_Y = 1.0  # [m] distance of the waiting defenders from the middle, assumed
+OFF_AREA = 0.4  # [m] distance of the waiting defenders from their penalty area, assumed
 
 
 @compiled
 def has_to_pass(match, k):
-    """Tell whether the taker of the current restart needs somebody to touch the ball after it."""
+    """Tell whether another robot must touch the ball before the taker of the current restart may again."""
     return k.rules_second_touch == 1 and match.phase != KICK_OFF and match.phase != PENALTY_KICK
 
 
 @compiled
 def way_to_receiver(k, spot_x, spot_y):
-    """Return the unit vector from the ball to the mate that it is passed to: inwards, near the own goal outwards."""
+    """Return the unit vector from the ball to the receiver: inwards, but outwards near the own goal."""
     if spot_x < -UPFIELD:
         x, y = 3.0, (WING if spot_y > 0.0 else -WING) - spot_y
     else:
@@ -46,7 +45,7 @@ def way_to_receiver(k, spot_x, spot_y):
 
 @compiled
 def receiver_place(k, spot_x, spot_y):
-    """Return the place of the mate that the ball is passed to, facing it [m, m, rad]."""
+    """Return the place of the receiver, facing the ball [m, m, rad]."""
     x, y = way_to_receiver(k, spot_x, spot_y)
     return spot_x + PASS * x, spot_y + PASS * y, atan2(-y, -x)
 
@@ -73,9 +72,9 @@ def defender_place(k, index, spot_x, spot_y):
 
 @compiled
 def out_of_area(k, x, y, spot_x, spot_y):
-    """Return a place, out of the own penalty area if it is in there, facing the ball [m, m, rad].
+    """Return a place moved out of the own penalty area, facing the ball [m, m, rad].
 
-    A place that comes too near to the ball by that is moved aside.
+    A place that then lies too near the ball is moved aside.
     """
     if abs(y) < 0.5 * k.pitch_penalty_width + OFF_AREA:
         x = max(x, OFF_AREA + k.pitch_penalty_depth - 0.5 * k.pitch_length)

@@ -1,10 +1,10 @@
 """Penalty kicks after a drawn match, in turn, until one team cannot be caught.
 
-As FIFA's "kicks from the penalty mark" of 2005: five kicks each in turn, then single pairs. A kick is over when the
-ball is in the goal, out of play or at rest, when the taker touches it again, or when its time is up. Only the taker
-and the other team's goalkeeper play; the referee keeps the others at their places. Otherwise than there each team
-shoots at the goal that it attacks, its usual taker takes all kicks, and after `shoot_out_most` pairs it is a draw
-(assumed: so that the simulation ends).
+As in FIFA's "kicks from the penalty mark" of 2005: five kicks each in turn, then single pairs. A kick is over when the
+ball is in the goal, out of play or at rest, when the taker touches the ball again, or when the time is up. Only the
+taker and the other team's goalkeeper play; the referee keeps the other robots at their places. Unlike FIFA's rule: each
+team shoots at the goal that it attacks, one taker takes all kicks of a team, and after `shoot_out_most` pairs the match
+is a draw (assumed, so that every match ends).
 
 `k`: the league's constants.
 """
@@ -14,16 +14,14 @@ from soccer_env.geometry import direction_of
 from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
-PLAY = int(Phase.PLAY)
-PENALTY_KICK = int(Phase.PENALTY_KICK)
-OVER = int(Phase.OVER)
+PLAY, PENALTY_KICK, OVER = int(Phase.PLAY), int(Phase.PENALTY_KICK), int(Phase.OVER)
 AT_REST = 0.05  # [m/s] a ball slower than this has come to rest, assumed
 SCORED, MISSED = 1, 2
 
 
 @compiled
 def is_shoot_out_due(match, k):
-    """Tell whether a match that has run its time goes on with penalty kicks."""
+    """Tell whether a match at full time goes on with penalty kicks."""
     return k.rules_shoot_out == 1 and match.score[HOME] == match.score[AWAY]
 
 
@@ -37,7 +35,7 @@ def begin_shoot_out(match, events, k):
 
 @compiled
 def kicking_team(match):
-    """Return the team whose turn it is: that of the first kick-off begins."""
+    """Return the team whose turn it is; the team of the first kick-off begins."""
     return match.kick_off_team if match.shoot_out % 2 == 1 else other_team(match.kick_off_team)
 
 
@@ -51,7 +49,7 @@ def call_penalty(match, events, k):
 
 @compiled
 def judge_penalty(match, ball, events, k, in_goal, out):
-    """Look whether a penalty kick is over, and count it."""
+    """End a penalty kick that is over, and count it."""
     team = kicking_team(match)
     late = match.phase_clock >= k.rules_shoot_out_time - 0.5 * k.dt
     rests = match.phase == PLAY and ball.vx * ball.vx + ball.vy * ball.vy < AT_REST * AT_REST

@@ -1,7 +1,7 @@
-"""How robots drive to their places at a restart: round the ball, which is held and which nobody drives through.
+"""Steer robots to their places at a restart, round the ball, which the referee holds.
 
-Out of a ring round the ball a robot can turn as it likes without touching it. Robots go round that ring; the taker,
-whose place lies within, first comes to the ring behind its place, turns, and steps up.
+Outside a ring round the ball a robot can turn without touching the ball. Robots drive round that ring; the taker, whose
+place lies inside, drives to the ring behind its place, turns, and steps up to the ball.
 
 `k`: the league's constants.
 """
@@ -16,18 +16,18 @@ from soccer_env.physics.gait import most_swing
 ARRIVED = 0.10  # [m] from its place, assumed
 SLOW_ZONE = 0.25  # [s] of travel before the place or the ring in which a robot slows down, assumed
 CLEAR = 0.02  # [m] between the ball and the outermost point of a robot on the ring, assumed
-BRAKING = 0.7  # [1] of the acceleration that is counted on before the ring, assumed
+BRAKING = 0.7  # [1] of the acceleration, used for braking before the ring, assumed
 ALIGNED = 0.3  # [rad] off its place's heading within which the taker steps up, assumed
 BEHIND = 0.98  # [1] cosine of the angle at the ball between taker and place within which it steps up, assumed
-SET_BACK = 20  # moves, at most, until a robot is out of the ball
-SLACK = 0.0002  # [m] that a robot may be left in the ball, assumed
+SET_BACK = 20  # most moves that take a robot out of the ball
+SLACK = 0.0002  # [m] of overlap with the ball that is left, assumed
 
 
 @compiled
 def steer_to_place(match, robot, k):
-    """Command a robot towards its place, round the ball, whatever its team asked for.
+    """Command a robot towards its place, round the ball, in place of its team's command.
 
-    Places are seen from the ball; the robot's own is the one where it will be when the command takes effect.
+    Places are relative to the ball; the robot's own place is predicted for the time when the command takes effect.
     """
     ring = k.body_reach + most_swing(k) + k.ball_radius + CLEAR
     lag = k.dt * (k.delay_steps + k.gait_steps)
@@ -35,7 +35,7 @@ def steer_to_place(match, robot, k):
     x, y = now_x + lag * robot.vx, now_y + lag * robot.vy
     place_x, place_y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
     turn = wrap(robot.place_heading - robot.heading)
-    may_turn = length(now_x, now_y) > ring - CLEAR  # within, a paw or a guide would sweep over the ball
+    may_turn = length(now_x, now_y) > ring - CLEAR  # inside, a paw or a guide would sweep over the ball
     if steps_up(x, y, place_x, place_y, turn, ring):
         to_x, to_y = paced(k, place_x - x, place_y - y)
     else:
@@ -61,7 +61,7 @@ def braking_speed(k, room):
 
 @compiled
 def paced(k, x, y):
-    """Return a way [m, m] as a share of the top speed, slow enough to stop at its end."""
+    """Return the velocity along a way [m, m], as a share of the top speed, from which a robot stops at its end."""
     distance = max(length(x, y), 1e-9)
     share = min(braking_speed(k, distance) / k.drive_forward, 1.0) / distance
     return share * x, share * y
@@ -69,14 +69,14 @@ def paced(k, x, y):
 
 @compiled
 def steps_up(x, y, place_x, place_y, turn, ring):
-    """Tell whether a robot whose place lies within the ring stands behind it, turned as it will stand there."""
+    """Tell whether a robot whose place lies inside the ring stands behind that place with its final heading."""
     near = length(place_x, place_y) < ring and abs(turn) < ALIGNED
     return near and x * place_x + y * place_y > BEHIND * length(x, y) * length(place_x, place_y)
 
 
 @compiled
 def out_to_ring(x, y, ring):
-    """Return a place that lies within the ring moved straight out to it, any other as it is."""
+    """Return a place, moved straight out to the ring if it lies inside."""
     away = length(x, y)
     share = ring / away if 0.0 < away < ring else 1.0
     return share * x, share * y
@@ -86,7 +86,7 @@ def out_to_ring(x, y, ring):
 def way_round(x, y, to_x, to_y, ring, handedness):
     """Return a vector from (x, y) along the way to (to_x, to_y): straight, or along a tangent of the ring.
 
-    Its length is that of the straight way. Of a way right through the middle handedness says on which side it passes.
+    Its length is that of the straight way. If that leads through the centre, handedness chooses the side.
     """
     to_x, to_y = to_x - x, to_y - y
     distance = length(to_x, to_y)
@@ -104,7 +104,7 @@ def way_round(x, y, to_x, to_y, ring, handedness):
 
 @compiled
 def hold_off(k, x, y, to_x, to_y, ring):
-    """Return a way, as a share of the top speed, that comes no nearer to the ball than the ring, or backs out of it."""
+    """Return a velocity, as a share of the top speed, changed so that it stays out of the ring or backs out of it."""
     away = max(length(x, y), 1e-6)
     room = away - ring
     most = (braking_speed(k, room) if room > 0.0 else room / SLOW_ZONE) / k.drive_forward
@@ -115,20 +115,20 @@ def hold_off(k, x, y, to_x, to_y, ring):
 
 @compiled
 def aim_ahead(ahead, left, turn, distance, may_turn):
-    """Return what a base that cannot step aside should do: face its way, drive, then take up the heading."""
+    """Return the walk of a base that cannot step aside: face the way, drive, then turn to the final heading."""
     if distance < 0.5 * ARRIVED:
         return 0.0, 0.0, turn
     bearing = atan2(left, ahead)
-    if not may_turn:  # drive along its heading, whichever way leads out
+    if not may_turn:  # drive out of the ring along the heading, ahead or back
         return ahead, 0.0, 0.0
     return (length(ahead, left) if abs(bearing) < 0.5 else 0.0), 0.0, bearing
 
 
 @compiled
 def keep_off(robot, k, ball, handedness):
-    """Set a robot back on whose place the ball is laid down, until it only touches it; return how far [m].
+    """Move a robot out of a ball that is laid down on it, until it only touches the ball; return how far [m].
 
-    It loses its speed towards the ball. Later the ball is too heavy for anybody (`physics.exchange.weigh_ball`).
+    The robot loses its speed towards the ball. Afterwards no robot can move the ball (`physics.exchange.weigh_ball`).
     """
     x, y = robot.x - ball.x, robot.y - ball.y
     away = length(x, y)

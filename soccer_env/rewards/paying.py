@@ -1,4 +1,4 @@
-"""Pay robots: kernels that measure the potentials of both teams and add up the weighted terms of each robot.
+"""Kernels that measure the potentials of both teams and add up the weighted terms of each robot.
 
 `k`: the league's constants.
 """
@@ -8,12 +8,12 @@ from collections.abc import Callable
 from soccer_env.compiled import compiled, inlined
 from soccer_env.rewards.table import COUNT, TERMS, Term
 
-# A link of a chain is inlined: it does little, and to hand it seven arrays would take longer. A term of weight 0 costs
-# a look at its weight.
+# Each kernel calls the kernel of the terms before its own. All are inlined: passing seven arrays would cost more than
+# the work. A term of weight 0 costs one comparison.
 
 
 def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that writes the potentials of a team into its row of (2, potentials), one column a term."""
+    """Return a kernel that writes a team's row of the potentials (2, potentials), one column for each term."""
 
     @inlined
     def measure(match, ball, robots, k, team, weights, potentials):
@@ -26,7 +26,7 @@ def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
 
 
 def add_potential(measure_others, column, index, function):
-    """Return a kernel that writes the potentials of other terms, and that of one more, 0 if it weighs nothing."""
+    """Return a kernel that writes the potentials of other terms and of one more term, 0 if its weight is 0."""
 
     @inlined
     def measure(match, ball, robots, k, team, weights, potentials):
@@ -38,7 +38,7 @@ def add_potential(measure_others, column, index, function):
 
 
 def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that adds what robots get to (R, terms or more), one column a term."""
+    """Return a kernel that adds the rewards of robots to (R, terms or more), one column for each term."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):

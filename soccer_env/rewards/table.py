@@ -1,4 +1,4 @@
-"""The table of reward terms, and the weights of them: one row of TERMS each, from which all else follows."""
+"""The table of reward terms, and their weights."""
 
 from __future__ import annotations
 
@@ -13,9 +13,7 @@ from soccer_env.guards.names import of_module
 from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, shot, strength
 
 KINDS = ("potential", "event", "cost")
-
-
-WEIGHT = Range(-1e9, 1e9)  # of a term: beyond it rewards would not be finite
+WEIGHT = Range(-1e9, 1e9)  # of a term: larger weights could make rewards infinite
 
 
 @dataclass(frozen=True)
@@ -23,15 +21,15 @@ class Term:
     """A reward term of every match."""
 
     name: str
-    text: str  # what it pays, for lists
-    function: Callable[..., Any]  # a kernel as its kind asks for, see above
+    text: str  # its meaning, for lists
+    function: Callable[..., Any]  # a kernel with the arguments of its kind, see rewards/__init__.py
     kind: str  # "potential", "event" or "cost"
-    weight: float  # unless Rewards say otherwise
+    weight: float  # default
 
 
 @dataclass(frozen=True)
 class OwnTerm:
-    """A user's own reward term: a function of the Match that returns (M, R) numbers, and how they are paid."""
+    """A user's own reward term: a function of the Match that returns (M, R) numbers, its kind and its weight."""
 
     function: Callable[[Any], Any]  # of the Match, returns (M, R) numbers
     kind: str = "event"  # "event" and "cost" pay and charge the numbers, "potential" shapes by them
@@ -79,7 +77,7 @@ TERMS = (
 
 NAMES = tuple(term.name for term in TERMS)
 COUNT = len(TERMS)
-POTENTIALS = (2, sum(term.kind == "potential" for term in TERMS))  # shape (teams, potentials) of what is measured
+POTENTIALS = (2, sum(term.kind == "potential" for term in TERMS))  # shape (teams, potentials)
 WEIGHTS = np.dtype([("term", "f8", (COUNT,)), ("gamma", "f8")])
 Weights: Any = make_dataclass(
     "Weights", [(term.name, float, term.weight) for term in TERMS], frozen=True, kw_only=True
@@ -92,7 +90,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     gamma: float = 0.99  # [1] discount of the shaping, for one action
     extra: dict[str, OwnTerm | Callable[[Any], Any]] = field(default_factory=dict)
-    """Terms of one's own by name: an OwnTerm, or just its function, which then is an event of weight 1."""
+    """A user's own terms by name: an OwnTerm, or a function, which becomes an event of weight 1."""
 
     def __new__(cls, **values: Any) -> Rewards:
         """Raise ValueError for a term that does not exist."""
@@ -113,7 +111,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     @staticmethod
     def only(**values: Any) -> Rewards:
-        """Return rewards in which the terms that are not named weigh nothing."""
+        """Return rewards in which all other terms have weight 0."""
         return Rewards(**{**dict.fromkeys(NAMES, 0.0), **values})
 
     def weights(self) -> np.ndarray:
@@ -131,7 +129,7 @@ PRESETS = {
 
 
 def find_rewards(rewards: str | Rewards) -> Rewards:
-    """Return the rewards of a preset's name or of MODULE:NAME, or the object itself; ValueError says which exist."""
+    """Return rewards by preset or MODULE:NAME, or the object itself; ValueError lists the presets."""
     rewards = of_module("rewards", rewards, Rewards) or rewards
     if isinstance(rewards, Rewards):
         return rewards

@@ -1,4 +1,4 @@
-"""What reward terms measure: potentials of a team, and events and costs of a robot; `rewards.TERMS` is the table.
+"""The functions of reward terms: potentials of a team, events and costs of a robot; `rewards.TERMS` is the table.
 
 `k`: the league's constants.
 """
@@ -10,12 +10,12 @@ from soccer_env.geometry import clip, direction_of, length
 from soccer_env.statistics.flights import ON_TARGET, aim_of
 from soccer_env.types import NO_TEAM
 
-CROWD = 3.0  # [reaches of a body] from the ball within which a second robot is in its mate's way, assumed
+CROWD = 3.0  # [body reaches] from the ball: a second robot within is in its mate's way, assumed
 
 
 @compiled
 def score(match, ball, robots, events, robot_events, k, r, weight):
-    """Return the weight for an own goal scored, minus the weight for one of the opponents."""
+    """Return the weight for a goal of the robot's team, minus the weight for a goal of the opponents."""
     if events.goal == NO_TEAM:
         return 0.0
     return weight if events.goal == robots[r].team else -weight
@@ -58,10 +58,10 @@ def nearest_square(ball, robots, team):
 
 @compiled
 def cover(match, ball, robots, k, team):
-    """Return minus how far the best placed mate of the robot at the ball is from covering it, over the diagonal.
+    """Return minus the distance of the nearest mate of the robot at the ball from its cover place, over the diagonal.
 
-    It covers where it stands halfway between the ball and the own goal, outside of its penalty area, in which field
-    players may not be. Mates that are out are as far as can be; a team of one has nobody to cover it.
+    The cover place is halfway between the ball and the own goal, outside the penalty area, where field players may not
+    be. A mate that is out counts as a diagonal away; a team of one robot gets 0.
     """
     first, mates = at_ball(ball, robots, team), 0
     goal = -0.5 * k.pitch_length * direction_of(match, team)
@@ -81,7 +81,7 @@ def cover(match, ball, robots, k, team):
 def guard(match, ball, robots, k, team):
     """Return minus the angle between the own posts, seen from the ball, that the goalkeeper leaves open, over pi.
 
-    The goalkeeper is a disc of its reach; standing behind the line it covers less and less.
+    The goalkeeper counts as a disc of its reach; the farther it stands behind the line, the less it covers.
     """
     forward = direction_of(match, team)
     x, y = 0.5 * k.pitch_length + forward * ball.x, forward * ball.y  # of the ball, from the middle of the own goal
@@ -101,7 +101,7 @@ def guard(match, ball, robots, k, team):
 
 @compiled
 def crowding(match, ball, robots, k, team):
-    """Return minus how near the ball a mate of the robot at the ball is: 0 from a few body lengths on, -1 at it."""
+    """Return minus the nearness to the ball of a mate of the robot at the ball: 0 far away, -1 at the ball."""
     first, far = at_ball(ball, robots, team), CROWD * k.body_reach
     least = far
     for r in range(robots.shape[0]):
@@ -112,7 +112,7 @@ def crowding(match, ball, robots, k, team):
 
 @compiled
 def at_ball(ball, robots, team):
-    """Return the row of a team's active robot that is nearest to the ball, -1 if it has none."""
+    """Return the row of a team's active robot nearest to the ball, -1 if it has none."""
     first, least = -1, inf
     for r in range(robots.shape[0]):
         if robots[r].team == team and robots[r].active == 1:
@@ -141,7 +141,7 @@ def foul(match, ball, robots, events, robot_events, k, r, weight):
 
 @compiled
 def effort(match, ball, robots, events, robot_events, k, r, weight):
-    """Return the weighted mean square of the walk that a robot asks for; the referee's steering costs it nothing."""
+    """Return the weighted mean square of a robot's walk command; the referee's steering costs nothing."""
     if match.placing == 1:
         return 0.0
     command = robots[r].command

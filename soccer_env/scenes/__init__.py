@@ -1,16 +1,15 @@
-"""Scenes: how an episode begins, and for drills what counts as success.
+"""Scenes: the start of an episode, and the success test of a drill.
 
-`kick-off` is a match. The drills are named starts with a success test and a time limit; more come with the teams
-that need them.
+`kick-off` is a match. Drills are named starts with a success test and a time limit.
 
-    scene.py          what a scene is
+    scene.py          Scene, and the functions that place robots and the ball
     drills.py         drills of every league
     drills_legged.py  drills of the legged league
     drills_middle.py  drills of the middle-size league
     drills_alone.py   one legged robot, the ball and the goal
     scattered.py      a start in the middle of play
     mixture.py        a scene drawn for each episode
-    judging.py        what counts as success
+    judging.py        the success tests
 """
 
 from soccer_env.guards.checking import check_names
@@ -29,27 +28,24 @@ SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_
 
 
 def find_scene(scene: str | Scene) -> Scene:
-    """Return the scene of a name, of MODULE:NAME or of several with their shares, or the object itself.
-
-    ValueError says which names exist.
-    """
-    found = of_module("scene", scene, Scene) or scene
-    if isinstance(found, Scene):
-        return found
-    if isinstance(found, str) and not {",", ":"}.isdisjoint(found):
-        return mixture(found)
-    check_names("scene", [found], SCENES)
-    return SCENES[found]
+    """Return a scene by name, MODULE:NAME or names with shares, or the object itself; ValueError lists the names."""
+    chosen = of_module("scene", scene, Scene) or scene
+    if isinstance(chosen, Scene):
+        return chosen
+    if isinstance(chosen, str) and not {",", ":"}.isdisjoint(chosen):
+        return mixture(chosen)
+    check_names("scene", [chosen], SCENES)
+    return SCENES[chosen]
 
 
 def is_own(scene: Scene) -> bool:
-    """Tell whether a scene, or one that is mixed in, is a user's own."""
+    """Tell whether a scene, or a part of a mixture, is a user's own."""
     parts = scene.parts if isinstance(scene, Mixture) else (scene,)
     return any(SCENES.get(part.name) != part for part in parts)
 
 
 def mixture(text: str) -> Scene:
-    """Return the scenes of "kick-off:0.6,scattered:0.4" as one, MODULE:NAME among them; one without a share has 1."""
+    """Return the mixture for a text such as "kick-off:0.6,MODULE:NAME:0.4"; the share is 1 if left out."""
     parts = [share_of(part.strip()) for part in text.split(",")]
     scenes = tuple(find_scene(name) for name, _ in parts)
     if len({name for name, _ in parts}) < len(parts):
@@ -62,7 +58,7 @@ def mixture(text: str) -> Scene:
 
 
 def names_in(text: str) -> list[str]:
-    """Return the names, or MODULE:NAME, of the scenes that a text asks for with their shares."""
+    """Return the names, or MODULE:NAME, of the scenes in a text of scenes with shares."""
     return [share_of(part.strip())[0] for part in text.split(",")]
 
 

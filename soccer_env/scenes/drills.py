@@ -9,7 +9,7 @@ from soccer_env.types import HOME
 
 
 def place_empty_goal(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put the ball a short way off the empty goal, home's last robot behind it, everybody else far behind."""
+    """Put the ball a short way off the empty goal, home's last robot behind it, all other robots far behind."""
     goal = league.pitch.length / 2
     away = draw.between(0.15, 0.3) * league.pitch.length
     angle = draw.between(-0.6, 0.6)  # [rad] off the middle of the goal
@@ -24,9 +24,7 @@ def place_empty_goal(league: League, ball: Any, robots: Any, draw: Draw) -> None
 
 
 def place_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Shoot at away's goal from 4 m (a third of a shorter pitch) at 4 m/s (80 % of a weaker kicker), at a point between
-    the posts.
-    """
+    """Shoot between away's posts from 4 m (a third of a shorter pitch) at 4 m/s (80 % of a weaker kicker's speed)."""
     goal = league.pitch.length / 2
     away = min(4.0, league.pitch.length / 3)
     angle = draw.between(-0.5, 0.5)
@@ -40,13 +38,13 @@ def place_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def roll(ball: Any, direction: float, speed: float) -> None:
-    """Let the ball roll [rad, m/s]."""
+    """Let the ball roll in a direction [rad] at a speed [m/s]."""
     ball["vx"], ball["vy"] = speed * cos(direction), speed * sin(direction)
     ball["roll_x"], ball["roll_y"] = ball["vx"], ball["vy"]
 
 
 def goalkeeper_of_away(robots: Any) -> int:
-    """Return the row of away's goalkeeper; a single player is it."""
+    """Return the row of away's goalkeeper, or of its last player if it has none."""
     keepers = [r for r in range(len(robots)) if robots[r]["team"] != HOME and robots[r]["keeper"]]
     return keepers[0] if keepers else len(robots) - 1
 
@@ -59,6 +57,6 @@ DRILLS = (
         "home scores",
         60.0,
         in_play=True,
-    ),
+    ),  # fmt: skip
     Scene("shot-at-keeper", "a shot on target at away's goalkeeper", place_shot, "away saves", 10.0, in_play=True),
 )

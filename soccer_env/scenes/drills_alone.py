@@ -1,6 +1,6 @@
 """Drills of the legged league for one robot alone: find the ball or get it off the boards, then score within a minute.
 
-Home's last robot plays, everybody else stands at home's end, and no referee helps. All distances are assumed.
+Home's last robot plays; all other robots stand at home's end, and no referee helps. All distances are assumed.
 
     lost-ball-behind                 ball-at-board                   ball-in-corner
 
@@ -18,7 +18,7 @@ from soccer_env.scenes.scene import Draw, Scene, last_of, put, send_away
 from soccer_env.types import HOME
 
 AT_BOARD = 0.05  # [m] between ball and board, assumed
-IN_CORNER = 0.12  # [m] between ball and each of the two boards: its middle within 25 cm of the corner, assumed
+IN_CORNER = 0.12  # [m] between ball and each of the two boards: ball centre within 25 cm of the corner, assumed
 
 
 def place_lost_ball(league: League, ball: Any, robots: Any, draw: Draw) -> None:
@@ -32,7 +32,7 @@ def place_lost_ball(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def show_ball_ahead(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Show the ball ahead of home's robot, as far as it lies behind: what a robot remembers after a dropped ball."""
+    """Show the ball as far ahead of home's robot as it lies behind, like a memory from before a dropped ball."""
     seeker = robots[last_of(robots, HOME)]
     ball["x"], ball["y"] = 2.0 * seeker["x"] - ball["x"], 2.0 * seeker["y"] - ball["y"]
 

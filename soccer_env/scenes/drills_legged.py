@@ -1,7 +1,7 @@
 """Drills of the legged league, for up to three players a side: get to the ball, dribble past others, save a far shot.
 
-Home's last robot is the one that has to do it; the opponents with a part in a drill are the last of away's. Everybody
-else stands at home's end. Every distance and angle is drawn from a range; all are assumed, for Sacks (2001) says of
+Home's last robot has to succeed; the opponents with a part in a drill are the last robots of away. All other robots
+stand at home's end. Every distance and angle is drawn from a range; all ranges are assumed, since Sacks (2001) says of
 his tests only that there were still and moving players [4.3.4].
 
     dribble-past-three          mover-and-still          gap-500
@@ -20,10 +20,10 @@ from soccer_env.scenes.drills import goalkeeper_of_away, roll
 from soccer_env.scenes.scene import Draw, Place, Scene, last_of, put, send_away
 from soccer_env.types import AWAY, HOME
 
-BETWEEN = 0.003  # [m] of the ball from the chest of a robot that has it between its paws
+BETWEEN = 0.003  # [m] between a ball between the paws and the chest
 ROOM = 0.01  # [m] left to a board
 GAP = 0.5  # [m] between the centres of two players, "gap-500"
-PATIENT = "simple:dropped_ball=False"  # nobody is whistled or pulled apart: it is the recovery that is looked at
+PATIENT = "simple:dropped_ball=False"  # no whistles, no robots pulled apart: the drill tests recovery
 KEEPER_OUT = 0.30  # [m] of the goalkeeper from the middle of its goal
 
 
@@ -33,7 +33,7 @@ def last_rows(robots: Any, team: int, count: int) -> list[int]:
 
 
 def put_inside(league: League, robot: Any, x: float, y: float, heading: float) -> None:
-    """Put a robot somewhere [m, m, rad], held on the pitch."""
+    """Put a robot at a pose [m, m, rad], moved onto the pitch."""
     room = league.body.reach + league.foot + ROOM
     edge_x, edge_y = league.pitch.length / 2 - room, league.pitch.width / 2 - room
     put(robot, min(max(x, -edge_x), edge_x), min(max(y, -edge_y), edge_y), heading)
@@ -45,7 +45,7 @@ def touch(league: League) -> float:
 
 
 def place_ball_behind(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put a still opponent between home's robot and the ball, which both lie ahead of it."""
+    """Put a still opponent and, behind it, the ball ahead of home's robot."""
     seeker, blocker = last_of(robots, HOME), last_of(robots, AWAY)
     send_away(league, robots, seeker, blocker)
     ball["x"], ball["y"] = draw.between(0.3, 1.1), draw.between(-0.2, 0.2)
@@ -74,7 +74,7 @@ def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> Non
     send_away(league, robots, seeker)
     side, off = draw.side(), draw.between(-0.4, 0.4)
     body = league.body
-    paws = body.tip_x * cos(off) + body.tip_y * abs(sin(off)) + body.tip_radius  # how far they reach to the board
+    paws = body.tip_x * cos(off) + body.tip_y * abs(sin(off)) + body.tip_radius  # [m] from the centre to the board
     x, y = draw.between(-0.2, 1.1), side * (league.pitch.width / 2 - league.foot - paws)
     put(robots[seeker], x, y, side * pi / 2 + off)
     away, behind = draw.between(0.35, 0.8), -side * pi / 2 + draw.between(-0.7, 0.7)
@@ -82,7 +82,7 @@ def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> Non
 
 
 def start_dribble(league: League, ball: Any, robots: Any, draw: Draw, others: int) -> tuple[Any, list[Any], float]:
-    """Put the ball between the paws of home's last robot; return it, the opponents and its way to the goal [rad]."""
+    """Put the ball between the paws of home's last robot; return it, the opponents and the way to goal [rad]."""
     row, rows = last_of(robots, HOME), last_rows(robots, AWAY, others)
     send_away(league, robots, row, *rows)
     robot = robots[row]
@@ -116,7 +116,7 @@ def place_still(count: int) -> Place:
 def place_mover(near: float, far: float, aside: float, meets: tuple[float, float]) -> Place:
     """Return a function that puts a mover `near` to `far` [m] off, within `aside` [rad] of the way to the goal.
 
-    It heads for a point on the way, `meets` [m] from the dribbler.
+    The mover heads for a point on the way, `meets` [m] from the dribbler.
     """
 
     def place(league: League, ball: Any, robots: Any, draw: Draw) -> None:
@@ -158,8 +158,8 @@ def place_gap(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 def place_far_post_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
     """Shoot from one side just inside the other post, as hard as a legged robot kicks.
 
-    The goalkeeper stands on the line from the ball to the middle of its goal and faces the ball. The slowest kicks do
-    not reach the goal: speeds begin at those that do.
+    The goalkeeper stands on the line from the ball to the middle of its goal and faces the ball. Kicks too slow to
+    reach the goal are left out.
     """
     goal, side = league.pitch.length / 2, draw.side()
     away, angle = draw.between(0.8, 1.1), side * draw.between(0.3, 0.8)
@@ -174,7 +174,7 @@ def place_far_post_shot(league: League, ball: Any, robots: Any, draw: Draw) -> N
 
 def drill(name: str, description: str, place: Callable[..., None], success: str, *opponents: str) -> Scene:
     """Return a drill of a minute at most."""
-    limit = 10.0 if success == "away saves" else 60.0  # [s] assumed; to the goal at 7 cm/s it is half a minute
+    limit = 10.0 if success == "away saves" else 60.0  # [s] assumed; the way to the goal takes half a minute at 7 cm/s
     return Scene(
         name, description, place, success, limit, True, opponents, most=3, families=("legged",), rules=PATIENT,
     )  # fmt: skip

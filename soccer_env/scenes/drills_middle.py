@@ -22,11 +22,10 @@ from soccer_env.scenes.drills_legged import PATIENT, last_rows, put_inside, touc
 from soccer_env.scenes.scene import Draw, Scene, last_of, put, send_away
 from soccer_env.types import AWAY, HOME
 
-FAMILY = ("middle-size",)
 STEP = 1.2  # [m] between two obstacles of the challenge, along the pitch
-ASIDE = 0.35  # [m] of them beside the straight way, to either side in turn
+ASIDE = 0.35  # [m] of obstacles beside the straight way, to either side in turn
 OBSTACLES = 4
-LONGEST = 20.0  # [s] of an attack
+LONGEST = 20.0  # [s] time limit of an attack
 
 
 def place_post_shot(league: League, ball: Any, robots: Any, draw: Draw, far: bool) -> None:
@@ -68,13 +67,13 @@ def place_challenge(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def with_ball(league: League, ball: Any, robot: Any, x: float, y: float, heading: float) -> None:
-    """Put a robot somewhere [m, m, rad] with the ball at its kicker."""
+    """Put a robot at a pose [m, m, rad] with the ball at its kicker."""
     put(robot, x, y, heading)
     ball["x"], ball["y"] = x + touch(league) * cos(heading), y + touch(league) * sin(heading)
 
 
 def players_of(robots: Any, team: int, most: int) -> list[int]:
-    """Return the rows of up to `most` field players of a team, of its goalkeeper where there is nobody else."""
+    """Return the rows of up to `most` field players of a team, or of its goalkeeper if it has none."""
     rows = last_rows(robots, team, len(robots))
     field = [r for r in rows if not robots[r]["keeper"]]
     return (field or rows)[-most:]
@@ -113,7 +112,7 @@ def attack(
 
 def drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
     """Return a drill of the middle-size league without whistles."""
-    return Scene(name, description, place, success, limit, True, families=FAMILY, rules=PATIENT, **more)
+    return Scene(name, description, place, success, limit, True, families=("middle-size",), rules=PATIENT, **more)
 
 
 DRILLS_MIDDLE = (

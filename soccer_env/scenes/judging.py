@@ -1,15 +1,15 @@
-"""What counts as success in a drill, judged in compiled code after each control step.
+"""The success tests of drills, in compiled code after each control step.
 
     home scores          home scores a goal
-    away saves           a shot does not go in: it stops, or leaves the field
-    home gets the ball   it lies between the paws (in the pocket, at the kicker) of one of home's robots
-    home gets free       the same, while none of away's robots is near the ball; or it was carried CARRIED away
-    home gets past       it is carried past away's last player, or into the goal, without touching anybody
+    away saves           a shot stops or leaves the field without a goal
+    home gets the ball   the ball lies between the paws (in the pocket, at the kicker) of a robot of home
+    home gets free       home has the ball and no robot of away is near it; or home has carried it CARRIED away
+    home gets past       home carries the ball past away's last player, or into the goal, without touching a robot
 
-Any goal ends a drill. So does a stuck game that the referee begins again with a kick-off: ball and robots are then
-elsewhere, and nobody has done what was asked. After a dropped ball, which lies where it stuck, it goes on.
+Any goal ends a drill. A stuck game that the referee restarts with a kick-off ends it as a failure, since ball and
+robots are then moved. After a dropped ball, which stays near the place where it stuck, the drill goes on.
 
-Written for the direction in which home attacks; the dribbler is the last active robot of home's.
+Written for the direction in which home attacks; the dribbler is home's last active robot.
 
 `k`: the league's constants.
 """
@@ -30,16 +30,16 @@ SUCCESS = {
     "home gets past": PASS_BY,
 }
 SLOW_BALL = 0.2  # [m/s] a shot this slow is saved, assumed
-NEAR_BALL = 0.05  # [m] from its outline to the ball: a robot this near contests it, assumed
+NEAR_BALL = 0.05  # [m] from a robot's outline to the ball: a nearer robot contests the ball, assumed
 CARRIED = 0.3  # [m] from where the ball lay at the start, assumed
 PAST = 0.2  # [m] beyond the last player's centre, assumed
 LOST = 0.35  # [m] from the dribbler's centre to the ball, assumed
-LOST_TIME = 2.0  # [s] for which a ball may be farther, assumed
+LOST_TIME = 2.0  # [s] for which the ball may be farther than LOST, assumed
 
 
 @compiled
 def judge_drill(match, ball, robots, robot_events, events, k):
-    """Decide a drill: +1 success, -1 failure, 0 open; a decided drill is over."""
+    """Judge a drill: +1 success, -1 failure, 0 open; a drill that is decided is over."""
     if k.drill == NO_DRILL:
         return
     result = 0
@@ -66,15 +66,15 @@ def judge_drill(match, ball, robots, robot_events, events, k):
 @compiled
 def has_ball(robots, team):
     """Tell whether one of a team's robots had the ball after the last step."""
-    found = False
+    held = False
     for r in range(robots.shape[0]):
-        found = found or (robots[r].team == team and robots[r].has_ball == 1)
-    return found
+        held = held or (robots[r].team == team and robots[r].has_ball == 1)
+    return held
 
 
 @compiled
 def is_near(ball, robots, team, k):
-    """Tell whether one of a team's robots is so near the ball that it contests it."""
+    """Tell whether a robot of a team is near enough to contest the ball."""
     far = k.body_reach + k.ball_radius + NEAR_BALL
     for r in range(robots.shape[0]):
         if robots[r].team == team and robots[r].active == 1:
@@ -86,9 +86,9 @@ def is_near(ball, robots, team, k):
 
 @compiled
 def who_is_free(match, ball, robots, k):
-    """Return +1 if home has got the ball free, -1 if away has, else 0; `restart` is where the ball lay.
+    """Return +1 if home has freed the ball, -1 if away has, else 0; the ball lay at restart_x, restart_y.
 
-    If both have a ball that was carried far, the team wins in whose direction of attack it went.
+    If both have a ball that was carried far, the team wins that attacks in the direction in which the ball went.
     """
     home, away = has_ball(robots, HOME), has_ball(robots, AWAY)
     if home and not is_near(ball, robots, AWAY, k):
@@ -105,7 +105,7 @@ def who_is_free(match, ball, robots, k):
 
 @compiled
 def judge_dribble(match, ball, robots, robot_events, k):
-    """Return +1 for a dribbler that is past all, -1 for one that touched somebody or lost the ball, else 0."""
+    """Return +1 if the dribbler is past all opponents, -1 if it touched a robot or lost the ball, else 0."""
     dribbler, last = 0, -1e9
     for r in range(robots.shape[0]):
         if robots[r].active == 1:

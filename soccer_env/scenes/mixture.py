@@ -10,12 +10,12 @@ from soccer_env.random_numbers import start_streams, uniform
 from soccer_env.scenes.scene import Scene
 from soccer_env.types import NOISE_STREAMS
 
-CHOOSER = (1 << 20) + 2  # owner of the stream that it draws from; those before are `teams.lineup.CHOOSER`'s
+CHOOSER = (1 << 20) + 2  # owner of its random-number stream; lower owners belong to `teams.lineup.CHOOSER`
 
 
 @dataclass(frozen=True, repr=False)
 class Mixture(Scene):
-    """Several scenes as one: which one follows from the match's seed and the number of the episode."""
+    """Several scenes as one: the match's seed and the number of the episode choose one of them."""
 
     parts: tuple[Scene, ...] = ()  # the scenes
     shares: tuple[float, ...] = field(default=())  # relative frequencies of the parts
@@ -37,6 +37,6 @@ class Mixture(Scene):
         return self.parts[min(int(np.searchsorted(edges, drawn * edges[-1], side="right")), len(self.parts) - 1)]
 
     def check(self, league: League, home: int, away: int) -> None:
-        """Raise ValueError if one of the scenes is not for this league, or not for so many players a side."""
+        """Raise ValueError if one of the scenes does not fit the league or the number of players a side."""
         for part in self.parts:
             part.check(league, home, away)

@@ -1,6 +1,6 @@
-"""A start in the middle of play: ball and robots anywhere, and what is remembered of the ball may be wrong.
+"""A start in the middle of play: ball and robots anywhere, and robots may first see the ball at a wrong place.
 
-It is what dropped balls and scrums leave behind; a match from its kick-off on shows it too seldom to be learned from.
+Dropped balls and scrums leave such situations; they are too rare in matches from the kick-off to learn from.
 """
 
 from math import pi
@@ -10,8 +10,8 @@ from soccer_env.geometry import length
 from soccer_env.leagues.league import League
 from soccer_env.scenes.scene import Draw, Scene, put
 
-TRIES = 200  # places that are drawn for a robot, until one is free
-MISLED = 0.5  # [1] of the episodes in which robots first see the ball elsewhere, assumed
+TRIES = 200  # places drawn for a robot until one is free
+MISLED = 0.5  # [1] of the episodes: robots first see the ball at a wrong place, assumed
 KEEPERS_ROOM = 0.5  # [m] in front of the goal line in which goalkeepers stand, assumed
 
 
@@ -33,7 +33,7 @@ def draw_ball(league: League, ball: Any, draw: Draw) -> None:
 
 
 def draw_place(league: League, robot: Any, draw: Draw, taken: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return a place [m] for a robot, clear of what is taken."""
+    """Return a place [m, m] for a robot, clear of the places that are taken."""
     room = league.body.reach + league.foot
     edge_x, edge_y = 0.5 * league.pitch.length - room, 0.5 * league.pitch.width - room
     for _ in range(TRIES):
@@ -43,11 +43,11 @@ def draw_place(league: League, robot: Any, draw: Draw, taken: list[tuple[float, 
             x, y = own * (edge_x - draw.between(0.0, KEEPERS_ROOM)), 0.5 * y
         if all(length(x - other_x, y - other_y) > 2.0 * room for other_x, other_y in taken):
             return x, y
-    return float(robot["x"]), float(robot["y"])  # where the kick-off put it
+    return float(robot["x"]), float(robot["y"])  # its place at the kick-off
 
 
 def mislead(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Show the ball elsewhere in half of the episodes."""
+    """Show the ball at a wrong place in half of the episodes."""
     if draw.between(0.0, 1.0) < MISLED:
         draw_ball(league, ball, draw)
 

@@ -1,4 +1,4 @@
-"""What a scene is, and the parts that all scenes are made of."""
+"""Scene, and the functions from which all scenes are made."""
 
 from __future__ import annotations
 
@@ -36,27 +36,26 @@ Place = Callable[[League, Any, Any, Draw], None]
 
 @dataclass(frozen=True, repr=False)
 class Scene:
-    """A start: `place(league, ball, robots, draw)` moves what the kick-off formation put down.
+    """A start: `place(league, ball, robots, draw)` changes the kick-off formation.
 
-    Field frame, home attacks +x. `success` makes it a drill: words of `judging.SUCCESS`, or a function of the Match
-    that returns for each of its matches (M,), after every control step, 1 for a success, -1 for a failure and 0 where
-    play goes on; a goal then ends nothing by itself. `opponents` names the teams that a drill is meant for, one for
-    each opponent that has a part in it (the last rows of away): a suggestion that lists show; the caller decides who
-    plays.
+    Field frame, home attacks +x. `success` makes the scene a drill: words of `judging.SUCCESS`, or a function of the
+    Match that returns (M,) after every control step, 1 for a success, -1 for a failure and 0 while play goes on; a goal
+    then ends nothing by itself. `opponents` names the team of each opponent with a part in the drill (the last rows of
+    away): a suggestion for lists; the caller chooses the teams.
     """
 
-    name: str  # by which lists, commands and results call it
+    name: str  # in lists, commands and results
     description: str  # in a line, for lists
     place: Place | None = None  # place(league, ball, robots, draw), see above; None: as at a kick-off
-    success: str | Callable[[Any], Any] = "none"  # what ends a drill, and how; "none": no drill
+    success: str | Callable[[Any], Any] = "none"  # the success test of a drill; "none": no drill
     time_limit: float = inf  # [s] of a drill, which then ends undecided
     in_play: bool = False  # True: play is on; False: a kick-off
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
-    players: int = 1  # of home's that it is meant for, a goalkeeper among them: a suggestion as well
+    players: int = 1  # of home that the drill is meant for, with a goalkeeper: also a suggestion
     most: int = MAX_TEAM  # players a side
-    families: tuple[str, ...] = ()  # of leagues that it is for (`League.family`); empty: all
-    rules: str = "league"  # of its drill, unless others are asked for
-    shows: Place | None = None  # moves the ball to where robots see it in their first look; it is back at once
+    families: tuple[str, ...] = ()  # of the leagues that the scene fits (`League.family`); empty: all
+    rules: str = "league"  # of the drill, unless the caller names other rules
+    shows: Place | None = None  # moves the ball for the robots' first look only
 
     def __post_init__(self) -> None:
         if not callable(self.success) and self.success not in SUCCESS:
@@ -66,25 +65,25 @@ class Scene:
             raise ValueError(f"Scene.time_limit must be above zero, got {self.time_limit}")
 
     def __repr__(self) -> str:
-        """Return what tells it from others at a glance: <Scene empty-goal: home scores, 60 s>."""
+        """Return the scene in short: <Scene empty-goal: home scores, 60 s>."""
         success = getattr(self.success, "__name__", "a function") if callable(self.success) else self.success
         limit = f", {self.time_limit:g} s" if self.time_limit < inf else ""
         return f"<{type(self).__name__} {self.name}: {self.description if success == 'none' else success + limit}>"
 
     @property
     def meant_for(self) -> str:
-        """Return in words for how many players of home, and against whom, it is meant; and how many a side it takes."""
+        """Return in words the players of home, the opponents and the most players a side for which it is meant."""
         if self.success == "none":
             return "any"
         meant = f"{self.players} v {', '.join(self.opponents)}" if self.opponents else f"{self.players}"
         return meant if self.most == MAX_TEAM else f"{meant}; {self.most} a side at most"
 
     def of_episode(self, seed: int, episode: int) -> Scene:
-        """Return the scene in which an episode begins: this one, unless it is a mixture."""
+        """Return the scene in which an episode begins: this scene, or a part of a mixture."""
         return self
 
     def check(self, league: League, home: int, away: int) -> None:
-        """Raise ValueError if the scene is not for this league, or not for so many players a side."""
+        """Raise ValueError if the scene does not fit the league or the number of players a side."""
         league.must_be_of(self.families, f"scene {self.name!r}")
         least = max(len(self.opponents), 1)
         for side, size, low in (("home", home, 1), ("away", away, least)):
@@ -93,7 +92,7 @@ class Scene:
 
 
 def put(robot: Any, x: float, y: float, heading: float) -> None:
-    """Put a robot somewhere [m, m, rad], at rest."""
+    """Put a robot at a pose [m, m, rad]."""
     robot["x"], robot["y"], robot["heading"] = x, y, float(wrap(heading))
 
 
@@ -103,7 +102,7 @@ def last_of(robots: Any, team: int) -> int:
 
 
 def send_away(league: League, robots: Any, *but: int) -> None:
-    """Put every active robot but some at home's end of the pitch, in two columns or three, out of play."""
+    """Put all active robots except the rows `but` at home's end of the pitch, in two or three columns."""
     columns = 2 if len(robots) <= 2 * league.team_size else 3
     rows = -(-len(robots) // columns)
     edge, step = league.pitch.width / 2 - league.body.reach - league.foot, 2.5 * league.body.reach

@@ -1,4 +1,4 @@
-"""Count one control step of a match, after the referee: time, restarts, whistles, and what the other modules count.
+"""Count one control step of a match, after the referee: time, restarts and whistles, and call the other modules.
 
 `k`: the league's constants.
 """
@@ -14,7 +14,7 @@ from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 PLAY, DROP_BALL, OVER = int(Phase.PLAY), int(Phase.DROP_BALL), int(Phase.OVER)
 STILL = 0.02  # [m/s] a slower ball lies still
-AT_LINE, IN_CORNER = 0.20, 0.25  # [m] of the ball's centre from a line, from two
+AT_LINE, IN_CORNER = 0.20, 0.25  # [m] from the ball's centre to one line, to both lines
 
 
 @compiled
@@ -39,13 +39,13 @@ def count_step(match, ball, robots, events, k, tally):
 
 @compiled
 def is_notable(events):
-    """Tell whether something happened in a step that `count_calls` counts."""
+    """Tell whether `count_calls` has anything to count in a step."""
     return events.restart != 0 or events.separated == 1 or events.foul != 0 or events.annulled == 1
 
 
 @compiled
 def count_calls(match, robots, events, robot_events, bodies, tally):
-    """Count what the referee called; `bodies` says where the robots were before he moved any."""
+    """Count the referee's calls; `bodies` holds the poses of the robots before the referee moved any."""
     if events.foul != 0 or events.annulled == 1:
         count_whistles(match, robots, events, robot_events, tally)
     if events.separated == 1:
@@ -62,7 +62,7 @@ def count_calls(match, robots, events, robot_events, bodies, tally):
 
 @compiled
 def count_ball(match, ball, k, tally):
-    """Count the time of a ball in play: where it is, and whether it lies still."""
+    """Count the time of the ball in play: in total, lying still, at the boards, in a corner."""
     tally.in_play += k.dt
     if ball.vx * ball.vx + ball.vy * ball.vy < STILL * STILL:
         tally.still += k.dt
@@ -77,7 +77,7 @@ def count_ball(match, ball, k, tally):
 
 @compiled
 def count_restart(events, tally, trail):
-    """Count a restart, and forget who played the ball before it."""
+    """Count a restart, and forget the player of the ball before it."""
     end_flight(tally, trail)
     trail.player = trail.kicker = -1
     trail.since_restart[HOME] = trail.since_restart[AWAY] = 0
@@ -89,13 +89,13 @@ def count_restart(events, tally, trail):
 
 @compiled
 def count_whistles(match, robots, events, robot_events, tally):
-    """Count the fouls of a step, one for each robot that is whistled or else one of the team, and annulled goals."""
-    found = 0
+    """Count annulled goals and the fouls of a step: one for each whistled robot, or one for the team without any."""
+    whistled = 0
     for r in range(robots.shape[0]):
         if robot_events[r].foul != 0:
             tally.fouls[robots[r].team, robot_events[r].foul] += 1
-            found += 1
-    if found == 0 and events.foul_team != NO_TEAM:
+            whistled += 1
+    if whistled == 0 and events.foul_team != NO_TEAM:
         tally.fouls[events.foul_team, events.foul] += 1
     if events.annulled == 1:
         home_attacks = (events.ball_x > 0.0) == (direction_of(match, HOME) > 0.0)

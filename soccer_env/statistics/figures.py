@@ -27,7 +27,7 @@ class Statistic:
     unit: str  # of one match; reports give counts a minute and times as shares
     text: str  # its definition, a sentence
     team: bool
-    kind: str = RATE  # how matches are put together: RATE a minute, SHARE of `whole`, the MOST, a LENGTH of spells
+    kind: str = RATE  # how matches are combined: RATE a minute, SHARE of `whole`, the MOST, a LENGTH of spells
     whole: str = PLAYED
     field: str = ""  # of the record
     column: int | None = None  # of the field
@@ -44,7 +44,7 @@ def of_team(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAY
 
 
 def by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, ...]:
-    """Return a statistic of each team for each of some codes; {} in the text is its name in words."""
+    """Return a statistic of each team for each code; {} in the text stands for the name of the code."""
     return tuple(
         Statistic(
             f"{prefix}_{code.name.lower()}", "", text.format(code.name.lower().replace("_", " ")), True,
@@ -144,16 +144,16 @@ FIGURES: tuple[Statistic, ...] = (
 
 
 def numbers_of(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
-    """Return the numbers (M,) of the statistics of matches (M,) by name, from the side of a team (HOME or AWAY)."""
-    found: dict[str, np.ndarray] = {}
+    """Return the statistics of matches (M,) by name, each (M,), from the side of a team (HOME or AWAY)."""
+    numbers: dict[str, np.ndarray] = {}
     for figure in FIGURES:
         values = column_of(statistics, figure)
         if not figure.team:
-            found[figure.name] = values
+            numbers[figure.name] = values
             continue
         for side, of in zip(SIDES, (team, 1 - team), strict=True):
-            found[f"{figure.name}_{side}"] = values[:, of]
-    return found
+            numbers[f"{figure.name}_{side}"] = values[:, of]
+    return numbers
 
 
 def column_of(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
@@ -167,7 +167,7 @@ def column_of(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
 
 
 def length_of(counts: np.ndarray, share: float) -> np.ndarray:
-    """Return below which length [s] a share of spells stays, from counts (..., BINS) of lengths; 0 of none."""
+    """Return the length [s] below which a share of the spells stays, from counts (..., BINS); 0 without spells."""
     total = np.cumsum(counts, axis=-1)
     place = (total >= share * total[..., -1:]).argmax(axis=-1)
     middle = SHORTEST * 2.0 ** ((place + 0.5) / BINS_PER_OCTAVE)

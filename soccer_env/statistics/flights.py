@@ -1,7 +1,7 @@
 """Follow the ball from robot to robot: shots, saves, passes, interceptions.
 
-A ball is on its way (in flight) from a kick until somebody plays it anew; or from a push that leaves it free and faster
-than robots walk or drive and than the weakest kick: a ball that is dribbled rolls ahead of its robot more slowly.
+A ball is on its way (in flight) from a kick until a robot plays it again. A push starts a flight as well if it leaves
+the ball free, faster than robots move and faster than the weakest kick: a dribbled ball rolls more slowly.
 
 `k`: the league's constants.
 """
@@ -15,17 +15,17 @@ from soccer_env.statistics.records import LONG_AGO, Aim, Outcome
 GAIT = DRIVE_KINDS["gait"]
 ELSEWHERE, AT_GOAL, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.AT_GOAL), int(Aim.ON_TARGET)
 OFF_TARGET, SAVED, BLOCKED = int(Outcome.OFF_TARGET), int(Outcome.SAVED), int(Outcome.BLOCKED)
-FREE = 0.25  # [s] untouched that make a ball free, assumed
-PASS_LEGS, PASS_WHEELS = 0.3, 1.0  # [m] that a pass goes at least
-BESIDE = 0.25  # [1] of the goal's width beside either post: a shot that misses by more is none, assumed
-SWING = 0.5  # [s] after a kick in which touches of the kicker belong to it, assumed
-DEFLECTED = 1.0  # [s] after the first touch of another robot in which a goal is still the kick's, assumed
-LONGEST = 5.0  # [s] that a ball is on its way at most, assumed
+FREE = 0.25  # [s] without a touch after which a ball is free, assumed
+PASS_LEGS, PASS_WHEELS = 0.3, 1.0  # [m] least length of a pass
+BESIDE = 0.25  # [1] of the goal's width: a ball that misses a post by more is no shot, assumed
+SWING = 0.5  # [s] after a kick in which touches by the kicker belong to the kick, assumed
+DEFLECTED = 1.0  # [s] after the first touch by another robot in which a goal still counts for the kick, assumed
+LONGEST = 5.0  # [s] of the longest flight, assumed
 
 
 @compiled
 def follow_ball(match, ball, robot, row, events, k, tally, trail):
-    """Count what becomes of the ball in a control step; `robot` is the one in `row` that touched it, -1: nobody did."""
+    """Follow the ball in a control step; `row` is the row of the `robot` that touched it, -1: none did."""
     step = match.step
     if row >= 0:
         touch(step, robot, row, events.ball_x, events.ball_y, k, tally, trail)
@@ -40,20 +40,20 @@ def follow_ball(match, ball, robot, row, events, k, tally, trail):
 
 @compiled
 def is_pushed(step, ball, k, trail):
-    """Tell whether a ball has just come free from a push that is like a kick, not from a dribble."""
+    """Tell whether a ball has just come free after a push as fast as a kick, not after a dribble."""
     least = max(k.drive_forward, k.kicker_slowest)
     return ball.vx * ball.vx + ball.vy * ball.vy > least * least and step - trail.touched == steps_in(FREE, k)
 
 
 @compiled
 def steps_in(seconds, k):
-    """Return the control steps in a time [s]."""
+    """Return a time [s] in control steps."""
     return int(seconds / k.dt + 0.5)
 
 
 @compiled
 def is_over(step, k, trail):
-    """Tell whether a ball is no longer on its way, because of the time that has passed."""
+    """Tell whether the time of a flight is over."""
     return step - trail.flight_step > steps_in(LONGEST, k) or (
         trail.deflected != LONG_AGO and step - trail.deflected > steps_in(DEFLECTED, k)
     )
@@ -61,7 +61,7 @@ def is_over(step, k, trail):
 
 @compiled
 def touch(step, robot, row, x, y, k, tally, trail):
-    """Note that a robot touches the ball at x, y [m, field frame], and count what it makes of another's play."""
+    """Note that a robot touches the ball at x, y [m, field frame], and count a pass, save or block by it."""
     if trail.player >= 0 and trail.player != row:
         receive(step, robot.team, row, x, y, k, tally, trail)
     if trail.flight >= 0 and row != trail.flight:
@@ -80,7 +80,7 @@ def touch(step, robot, row, x, y, k, tally, trail):
 
 @compiled
 def receive(step, team, row, x, y, k, tally, trail):
-    """Count a pass that arrives at a robot (row) of a team, a mate or an opponent; a shot is none."""
+    """Count a pass that reaches a robot (row), a mate or an opponent; a shot is no pass."""
     least = PASS_LEGS if k.drive_kind == GAIT else PASS_WHEELS
     x, y = x - trail.played_x, y - trail.played_y
     shot = trail.flight == trail.player and trail.aim != ELSEWHERE
@@ -96,7 +96,7 @@ def receive(step, team, row, x, y, k, tally, trail):
 
 @compiled
 def begin_flight(match, ball, row, team, events, k, tally, trail):
-    """Note that a robot played the ball; count a shot, but one a time that the ball is on its way."""
+    """Begin a flight of the ball played by a robot (row); count a shot."""
     if trail.flight >= 0:
         end_flight(tally, trail)
     trail.flight, trail.flight_team, trail.flight_step = row, team, match.step
@@ -114,7 +114,7 @@ def begin_flight(match, ball, row, team, events, k, tally, trail):
 
 @compiled
 def end_flight(tally, trail):
-    """Note that the ball is no longer on its way; a shot that the goalkeeper touched first was saved."""
+    """End the flight of the ball; count a save if the goalkeeper was the first to touch a shot on target."""
     if trail.flight >= 0 and trail.saved == 1:
         tally.saves[1 - trail.flight_team] += 1
     trail.flight, trail.saved = -1, 0

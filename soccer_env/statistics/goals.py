@@ -1,4 +1,4 @@
-"""Tell how a goal fell: one kind each, and what came before it.
+"""Count goals by kind, and by the events shortly before them.
 
 `k`: the league's constants.
 """
@@ -13,7 +13,7 @@ CLEAN_DRIBBLE, PUSHED_IN = int(GoalKind.CLEAN_DRIBBLE), int(GoalKind.PUSHED_IN)
 SCRUM, OWN_GOAL = int(GoalKind.SCRUM), int(GoalKind.OWN_GOAL)
 ELSEWHERE, ON_TARGET = int(Aim.ELSEWHERE), int(Aim.ON_TARGET)
 GOAL = int(Outcome.GOAL)
-KEPT = 1.0  # [s] with the ball after which a robot carried it, whoever stands around, assumed
+KEPT = 1.0  # [s] with the ball after which a robot counts as carrying it, even in a scrum, assumed
 JUST = 0.5  # [s] before the goal in which there was a scrum, or its scorer still had the ball, assumed
 CONTACT = 3.0  # [s] before the goal in which the scorer touched an opponent, assumed
 SEPARATION, RESTART, PUSHED_KEEPER = 6.0, 10.0, 10.0  # [s] before the goal
@@ -21,7 +21,7 @@ SEPARATION, RESTART, PUSHED_KEEPER = 6.0, 10.0, 10.0  # [s] before the goal
 
 @compiled
 def count_goal(match, events, k, tally, trail):
-    """Count a goal; a clean kick that is in before it could be judged is a shot on target all the same."""
+    """Count a goal; a clean kick that was not yet counted as a shot becomes a shot on target."""
     step, team = match.step, events.goal
     kind = kind_of(step, team, events.scorer, k, trail)
     tally.goals[team, kind] += 1
@@ -45,7 +45,7 @@ def count_goal(match, events, k, tally, trail):
 
 @compiled
 def kind_of(step, team, scorer, k, trail):
-    """Return the kind of a goal for a team; `scorer` is the row that touched the ball last, or -1."""
+    """Return the kind of a goal for a team; `scorer` is the row that last touched the ball, or -1."""
     if trail.flight >= 0 and trail.flight_team == team:
         return CLEAN_KICK if trail.deflected == LONG_AGO else DEFLECTED_KICK
     if scorer < 0 or trail.player != scorer:

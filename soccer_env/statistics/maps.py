@@ -20,7 +20,7 @@ OUTCOMES = tuple(outcome.name.lower() for outcome in Outcome)
 MAP_TEXTS = {  # of what `maps_of` returns; places are in the frame in which the team of the map attacks +x
     "heat_for, _against": "How often robots of the team were in each cell, at every fourth control step in play: 16 "
     "rows from the right touchline to the left one, 24 columns from the own goal line on.",
-    "heat_ball": "The same of the ball, in the frame of this team.",
+    "heat_ball": "How often the ball was in each cell, in the frame of this team.",
     "players_for, _against": "Of each player its place times its time in play [m s], x and y, and that time [s].",
     "passes_for, _against": "Pass network: completed passes from each player (row) to each mate (column).",
     "shots_for, _against": "Shot map, the first 64 of a match: control step, number of the player, outcome, and where "
@@ -33,7 +33,7 @@ MAP_TEXTS = {  # of what `maps_of` returns; places are in the frame in which the
 
 @compiled
 def note_place(thing, layer, direction, k, maps):
-    """Note where a robot or the ball is; beyond a line it counts as in the cell at the line."""
+    """Count a robot or the ball in its cell of the heat map; beyond a line, in the cell at the line."""
     along = int((direction * thing.x / k.pitch_length + 0.5) * CELLS_LONG)
     across = int((direction * thing.y / k.pitch_width + 0.5) * CELLS_WIDE)
     along, across = min(max(along, 0), CELLS_LONG - 1), min(max(across, 0), CELLS_WIDE - 1)
@@ -42,7 +42,7 @@ def note_place(thing, layer, direction, k, maps):
 
 @compiled
 def note_shot(match, row, team, outcome, tally, trail):
-    """Keep a shot by a robot (row) of a team from where the ball was played, if there is room left."""
+    """Record a shot by a robot (row) of a team from the place where it played the ball, if there is room left."""
     maps = tally.maps
     if maps.shots_kept >= SHOTS:
         return
@@ -54,34 +54,30 @@ def note_shot(match, row, team, outcome, tally, trail):
 
 
 def maps_of(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any]:
-    """Return the maps of one match (a record of STATISTICS) from a team's side, as plain lists that add up.
+    """Return the maps of one match (a record of STATISTICS) from a team's side, as plain lists that can be added.
 
-    rows: robots that home and away have room for. `heat_for`, `heat_against` and `heat_ball` (16, 24) say how often a
-    robot or the ball was in a cell, of looks at every fourth control step in play: rows from the right touchline to
-    the left one, columns from the own goal line on; the ball's is in the frame of `team`.
-    `passes_for` (players, players) counts balls from a player to a mate: completed passes.
-    `players_for` (players, 3) are x and y times time in play [m s], and that time [s]; the quotient is the mean place.
-    `shots_for` are [step, number of the player, outcome, x [m], y [m]], the first 64 of a match.
+    rows: robots of home and of away in the record. Heat maps have shape (16, 24), passes (players, players), players
+    (players, 3); MAP_TEXTS says what each map holds.
     """
     maps = record["maps"]
     ball = maps["heat"][BALL]
-    found: dict[str, Any] = {"heat_ball": (ball if team == HOME else ball[::-1, ::-1]).tolist()}
+    result: dict[str, Any] = {"heat_ball": (ball if team == HOME else ball[::-1, ::-1]).tolist()}
     for side, of in (("for", team), ("against", 1 - team)):
         first, last = (0, rows[0]) if of == HOME else (rows[0], sum(rows))
-        found[f"heat_{side}"] = maps["heat"][of].tolist()
-        found[f"passes_{side}"] = maps["passes"][first:last, first:last].tolist()
-        found[f"players_{side}"] = np.round(maps["places"][first:last], 6).tolist()
+        result[f"heat_{side}"] = maps["heat"][of].tolist()
+        result[f"passes_{side}"] = maps["passes"][first:last, first:last].tolist()
+        result[f"players_{side}"] = np.round(maps["places"][first:last], 6).tolist()
         shots = maps["shots"][: maps["shots_kept"]]
-        found[f"shots_{side}"] = [
+        result[f"shots_{side}"] = [
             [int(shot["step"]), int(shot["row"]) - first, OUTCOMES[shot["outcome"]],
              *(round(float(value), 4) for value in shot["place"])]
             for shot in shots[shots["team"] == of]
         ]  # fmt: skip
-    return found
+    return result
 
 
 def added(maps: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return the maps of several matches of the same teams, each from the same team's side, as one."""
+    """Return the sum of the maps of several matches, all from the side of one team."""
     total: dict[str, Any] = {}
     for name in maps[0] if maps else ():
         if name.startswith("shots"):

@@ -1,4 +1,4 @@
-"""Count what every robot does in a control step: possession and its spells, touches, idle mates, goalkeepers.
+"""Count each robot in a control step: possession and its spells, touches, idle mates, goalkeepers, motion.
 
 `k`: the league's constants.
 """
@@ -6,27 +6,31 @@
 from math import log2
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of
+from soccer_env.geometry import direction_of, length
 from soccer_env.leagues.robot import DRIVE_KINDS
 from soccer_env.physics.contacts import TOUCH_GAP, robots_touch
-from soccer_env.statistics.moving import count_moving
-from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, NOBODY, SHORTEST
+from soccer_env.statistics.maps import note_place
+from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, LOOK, NOBODY, SHORTEST
 from soccer_env.types import AWAY, HOME, Phase
 
 PLAY = int(Phase.PLAY)
 GAIT = DRIVE_KINDS["gait"]
-LOST = 0.5  # [s] without the ball that end a spell
-AGAIN = 1.0  # [s] without a touch after which the next one counts anew
+LOST = 0.5  # [s] without the ball after which a spell ends
+AGAIN = 1.0  # [s] without a touch after which the next touch counts
 CROWD = 3  # robots that make a scrum
-MARGIN = 0.10  # [m] beyond the reach of a robot that lies at the ball: 30 cm between centres in the legged league
+MARGIN = 0.10  # [m] beyond the reach of a robot at the ball: 30 cm between centres in the legged league
 SLOW_LEGS, SLOW_WHEELS = 0.01, 0.05  # [m/s] a slower mate is idle
-PUSHED = 1.0  # [s] in contact that make a pushed goalkeeper, rule book of 2008
-FAR = 0.25  # [1] of the pitch's length from its goal: the goalkeeper is away
+PUSHED = 1.0  # [s] in contact after which a goalkeeper counts as pushed, rule book of 2008
+FAR = 0.25  # [1] of the pitch's length: a goalkeeper farther from its goal is away
+WANTS = 0.15  # [1] of the top speed: a robot that aims at less does not want to move, assumed
+MAKES = 0.25  # [1] of the walk that a robot aims at: a slower robot is stopped, assumed
+STUCK = 1.5  # [s] for which a robot is stopped before it is stuck, assumed
+BREAK = 0.5  # [s] of moving on that do not end a time stuck: a gait step, assumed
 
 
 @compiled
 def count_player(match, ball, robots, events, r, k, tally):
-    """Count what robot r does; a spell ends with the play."""
+    """Count robot r in a control step; a spell ends when play stops."""
     robot, trail = robots[r], tally.trail
     player = trail.players[r]
     if robot.active == 0:
@@ -53,7 +57,7 @@ def count_player(match, ball, robots, events, r, k, tally):
 
 @compiled
 def touches_opponent(robots, r, k):
-    """Tell whether robot r, which is in contact with somebody, touches an opponent: it may be a mate's legs alone."""
+    """Tell whether robot r touches an opponent; its contact may be with the legs of a mate alone."""
     near = 2.0 * k.body_reach + TOUCH_GAP
     for other in range(robots.shape[0]):
         if robots[other].team == robots[r].team or robots[other].active == 0:
@@ -74,7 +78,7 @@ def count_touch(team, player, step, k, tally):
 
 @compiled
 def count_possession(robot, player, step, k, tally, trail):
-    """Begin, go on with or end the spell of a robot."""
+    """Begin, continue or end the spell of a robot."""
     if robot.has_ball == 0:
         if (step - player.held_last) * k.dt > LOST + 0.5 * k.dt:
             end_spell(robot.team, player, k, tally)
@@ -100,9 +104,9 @@ def end_spell(team, player, k, tally):
 
 @compiled
 def count_standing(match, ball, robot, contact, k, tally, trail):
-    """Count where a robot stands: about the ball, idle, or as a goalkeeper; note its team's nearest to the ball.
+    """Count a robot near the ball, idle, or as a goalkeeper; note its team's nearest robot to the ball.
 
-    `contact` is the last step in which it touched an opponent.
+    `contact` is the last step in which the robot touched an opponent.
     """
     team, counts = robot.team, 0
     x, y, near = robot.x - ball.x, robot.y - ball.y, k.body_reach + k.ball_radius + MARGIN
@@ -123,8 +127,8 @@ def count_standing(match, ball, robot, contact, k, tally, trail):
 
 @compiled
 def count_keeper(match, robot, contact, k, tally, trail):
-    """Count a goalkeeper's time away from its goal and in it, and note that it is being pushed."""
-    ahead = direction_of(match, robot.team) * robot.x + 0.5 * k.pitch_length  # of its goal line
+    """Count a goalkeeper's time away from its goal and behind its goal line, and note that it is pushed."""
+    ahead = direction_of(match, robot.team) * robot.x + 0.5 * k.pitch_length  # [m] ahead of its goal line
     far = FAR * k.pitch_length
     if ahead * ahead + robot.y * robot.y > far * far:
         tally.keeper_away[robot.team] += k.dt
@@ -136,7 +140,7 @@ def count_keeper(match, robot, contact, k, tally, trail):
 
 @compiled
 def share_out(step, k, tally, trail):
-    """Count possession and scrums of a step in play; a team's nearest robot is no idle mate, whatever it does."""
+    """Count possession and scrums of a step in play; a team's nearest robot to the ball is never an idle mate."""
     if trail.has_ball == 3:
         tally.both += k.dt
     elif trail.has_ball > 0:
@@ -151,3 +155,50 @@ def share_out(step, k, tally, trail):
             tally.idle[team] -= k.dt
         trail.nearest[team], trail.nearest_counts[team] = NOBODY, 0
     trail.crowd = trail.has_ball = 0
+
+
+@compiled
+def count_moving(match, robot, r, player, k, tally):
+    """Count distance covered, time stuck and place of robot r, on the pitch with the ball in play."""
+    team = robot.team
+    tally.present[team] += k.dt
+    if player.seen == match.step - 1 and robot.placed == 0:
+        tally.distance[team] += length(robot.x - player.x, robot.y - player.y)
+    player.seen, player.x, player.y = match.step, robot.x, robot.y
+    if is_stopped(robot, k):
+        count_stuck(team, match.step, player, k, tally)
+    if match.step % LOOK == 0:
+        look(robot, r, direction_of(match, team), k, tally.maps)
+
+
+@compiled
+def look(robot, r, direction, k, maps):
+    """Count the place of robot r for the time until the next look."""
+    note_place(robot, robot.team, direction, k, maps)
+    maps.places[r, 0] += LOOK * k.dt * direction * robot.x
+    maps.places[r, 1] += LOOK * k.dt * direction * robot.y
+    maps.places[r, 2] += LOOK * k.dt
+
+
+@compiled
+def is_stopped(robot, k):
+    """Tell whether a robot that can walk makes less than a quarter of the walk that it aims at."""
+    made = robot.vx * robot.vx + robot.vy * robot.vy
+    most = max(k.drive_forward, k.drive_backward) + k.drive_sideways
+    if made >= MAKES * MAKES * most * most:  # whatever it aims at; the target is not read
+        return False
+    ahead, left = robot.target.forward, robot.target.left
+    wanted, least = ahead * ahead + left * left, WANTS * k.drive_forward
+    return made < MAKES * MAKES * wanted and wanted > least * least and robot.kick_clock <= 0.0 and robot.fallen <= 0.0
+
+
+@compiled
+def count_stuck(team, step, player, k, tally):
+    """Count a step in which a robot is stopped; once it is stuck, with all steps since the start."""
+    if (step - player.stuck_last - 1) * k.dt > BREAK + 0.5 * k.dt:
+        player.stuck_since, player.stuck_steps = step, 0
+    player.stuck_last = step
+    steps = step - player.stuck_since + 1
+    if steps * k.dt >= STUCK - 0.5 * k.dt:
+        tally.stuck[team] += (steps - player.stuck_steps) * k.dt
+        player.stuck_steps = steps

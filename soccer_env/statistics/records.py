@@ -1,6 +1,6 @@
-"""The record of a match's statistics; `figures.py` says what each of them means.
+"""The record of a match's statistics; `figures.py` defines each statistic.
 
-Two of a kind are home's and away's. Numbers of steps are control steps since the reset.
+Fields of shape (2,) belong to home and away. Steps are control steps since the reset.
 """
 
 from enum import IntEnum
@@ -10,18 +10,18 @@ import numpy as np
 from soccer_env.guards.ranges import ANY, COUNT, FLAG, LATELY, NUMBER, ROW, ROW_OR_NONE, SUM, Range, record
 from soccer_env.types import MAX_TEAM, PHASE, TEAM, Foul, Phase
 
-ROWS = 2 * MAX_TEAM  # robots that a record has room for
-BINS = 40  # of the lengths of spells
+ROWS = 2 * MAX_TEAM  # robots of the record
+BINS = 40  # for the lengths of spells
 SHORTEST, BINS_PER_OCTAVE = 0.02, 3.0  # [s] lower end of the first bin; the last one has no upper end
 NOBODY = 1e5  # [m2]
 LONG_AGO = -(1 << 30)  # [steps]
 CELLS_LONG, CELLS_WIDE = 24, 16  # of a heat map, along and across the pitch
-LOOK = 4  # control steps from one look at where everybody is to the next, a power of two
-SHOTS = 64  # of a match whose places are kept; `shots` counts all
+LOOK = 4  # control steps between two entries in the heat maps, a power of two
+SHOTS = 64  # recorded shots of a match; `shots` counts all
 
 
 class GoalKind(IntEnum):
-    """How a goal fell; each goal is of one kind."""
+    """The kind of a goal; each goal is of one kind."""
 
     CLEAN_KICK = 0
     DEFLECTED_KICK = 1
@@ -32,7 +32,7 @@ class GoalKind(IntEnum):
 
 
 class Aim(IntEnum):
-    """Where a played ball would roll."""
+    """The place to which a played ball would roll."""
 
     ELSEWHERE = 0
     AT_GOAL = 1
@@ -40,7 +40,7 @@ class Aim(IntEnum):
 
 
 class Outcome(IntEnum):
-    """What became of a shot."""
+    """The outcome of a shot."""
 
     OFF_TARGET = 0
     GOAL = 1
@@ -49,45 +49,50 @@ class Outcome(IntEnum):
 
 
 PLAYER = record(
-    [  # what is remembered of a robot
+    [  # memory of a robot
         ("held_since", "i4", LATELY),  # first step of its spell with the ball, 0 without one
-        ("held_last", "i4", LATELY),  # last step of its latest spell in which it had the ball
-        ("held_steps", "i4", LATELY),  # that its last finished spell took
+        ("held_last", "i4", LATELY),  # last step of its latest spell with the ball
+        ("held_steps", "i4", LATELY),  # length of its last finished spell
         ("touched", "i4", LATELY),  # last step in which it touched the ball in play
         ("contact", "i8", LATELY),  # last step in which it touched an opponent
         ("locked", "f8", NUMBER),  # [s] its time in contact after the last step, see `separation.watch_contacts`
-        ("seen", "i8", LATELY),  # last step in which it was on the pitch and the ball in play
-        ("x", "f8", NUMBER),  # [m] field frame: where it stood then
+        ("seen", "i8", LATELY),  # last step on the pitch with the ball in play
+        ("x", "f8", NUMBER),  # [m] field frame: its place then
         ("y", "f8", NUMBER),  # [m] field frame
-        ("stuck_since", "i4", LATELY),  # step in which it began to be stuck
-        ("stuck_last", "i4", LATELY),  # last step in which it was
-        ("stuck_steps", "i4", LATELY),  # of that time that are counted
-        ("spare", "i4", ANY),  # eight bytes in a row for what follows
+        ("stuck_since", "i4", LATELY),  # step in which its time stuck began
+        ("stuck_last", "i4", LATELY),  # last step in which it was stopped
+        ("stuck_steps", "i4", LATELY),  # steps of its time stuck that are counted
+        ("spare", "i4", ANY),  # padding to eight bytes
     ]
 )
 
 TRAIL = record(
-    [  # what is remembered of the play
+    [  # memory of the play
         ("kind", "i8", PHASE),  # Phase of the last restart
         ("in_play", "i8", LATELY),  # step in which the ball came into play after it
         ("separated", "i8", LATELY),  # step of the last separation
         ("crowded", "i8", LATELY),  # last step with a scrum
         ("keeper_pushed", "i8", LATELY, (2,)),  # last step in which a team's goalkeeper had been in contact for long
-        ("player", "i8", ROW_OR_NONE),  # row of the robot that touched the ball last since the restart, or -1
+        ("player", "i8", ROW_OR_NONE),  # row of the last robot to touch the ball since the restart, or -1
         ("player_team", "i8", TEAM),  # its team
         ("touched", "i8", LATELY),  # step of that touch
         ("played_x", "f8", NUMBER),  # [m] field frame: the ball at that touch
         ("played_y", "f8", NUMBER),  # [m] field frame
-        ("since_restart", "i8", Range(0, (1 << ROWS) - 1), (2,)),  # bit r: robot r has touched the ball since it
-        ("flight", "i8", ROW_OR_NONE),  # row of the robot that kicked or pushed the ball that is on its way, or -1
+        (
+            "since_restart",
+            "i8",
+            Range(0, (1 << ROWS) - 1),
+            (2,),
+        ),  # bit r: robot r has touched the ball since the restart
+        ("flight", "i8", ROW_OR_NONE),  # row of the robot that kicked or pushed the ball in flight, or -1
         ("flight_team", "i8", TEAM),  # its team
-        ("flight_step", "i8", LATELY),  # when it did
+        ("flight_step", "i8", LATELY),  # step of that kick or push
         ("aim", "i8", Range(0, max(Aim))),  # Aim of that kick or push
-        ("deflected", "i8", LATELY),  # step in which another robot first touched it on its way, or LONG_AGO
+        ("deflected", "i8", LATELY),  # step in which another robot first touched it in flight, or LONG_AGO
         ("saved", "i8", FLAG),  # 1: the goalkeeper touched a shot on target first
-        ("shot", "i8", Range(-1, SHOTS - 1)),  # which of the shots that are kept it is, or -1
+        ("shot", "i8", Range(-1, SHOTS - 1)),  # its index among the recorded shots, or -1
         ("players", PLAYER, (ROWS,)),
-        # Found out in one control step, robot by robot
+        # Collected within one control step, robot by robot
         ("crowd", "i8", COUNT),  # robots about the ball
         ("has_ball", "i8", Range(0, 3)),  # 1: home has it, 2: away has it, 3: both
         ("kicker", "i8", ROW_OR_NONE),  # row of a robot that kicked, or -1
@@ -99,7 +104,7 @@ TRAIL = record(
 
 SHOT = record(
     [  # places are in the frame of the team that shoots: it attacks +x
-        ("step", "i4", LATELY),  # in which the ball was on its way
+        ("step", "i4", LATELY),  # step of the kick or push
         ("row", "i2", ROW),  # of the robot that kicked or pushed it
         ("team", "i1", TEAM),  # its team
         ("outcome", "i1", Range(0, max(Outcome))),  # an Outcome
@@ -108,9 +113,9 @@ SHOT = record(
 )
 
 MAPS = record(
-    [  # where things happen, in play; each team's places are in the frame in which it attacks +x
-        ("heat", "i4", COUNT, (3, CELLS_WIDE, CELLS_LONG)),  # looks at home, away, and the ball in home's frame
-        ("places", "f8", SUM, (ROWS, 3)),  # [m s, m s, s] of each robot: its place times the time there, and that
+    [  # maps of play; each team's places are in the frame in which it attacks +x
+        ("heat", "i4", COUNT, (3, CELLS_WIDE, CELLS_LONG)),  # entries for home, away, and the ball in home's frame
+        ("places", "f8", SUM, (ROWS, 3)),  # [m s, m s, s] of each robot: sums of x dt, y dt and dt
         ("passes", "i2", COUNT, (ROWS, ROWS)),  # balls played by one row and touched by another, see `passes_tried`
         ("shots_kept", "i8", Range(0, SHOTS)),
         ("shots", SHOT, (SHOTS,)),
@@ -159,12 +164,12 @@ STATISTICS = record(
         ("restarts", "i8", COUNT, (2, len(Phase))),
         ("fouls", "i8", COUNT, (2, len(Foul))),
         ("trail", TRAIL),
-        ("maps", MAPS),  # last: a step touches a few places of it
+        ("maps", MAPS),  # last, since a step touches few bytes of it
     ]
 )
-OFTEN = STATISTICS.itemsize - MAPS.itemsize  # [bytes] at the start of the record: what most steps touch
+OFTEN = STATISTICS.itemsize - MAPS.itemsize  # [bytes] at the start of the record, which most steps touch
 
-FRESH = np.zeros((), STATISTICS)  # of a match that begins
+FRESH = np.zeros((), STATISTICS)  # of a new match
 for _name in ("in_play", "separated", "crowded", "touched", "deflected", "keeper_pushed"):
     FRESH["trail"][_name] = LONG_AGO
 for _name in ("held_last", "touched", "contact", "seen", "stuck_last"):

@@ -143,9 +143,9 @@ SIGNALS = """
 LINES = """
     import pymunk.body, pymunk.constraints, pymunk.shapes, pymunk.space
     from soccer_env.match import batch as match_batch
-    from soccer_env.physics.engine import dropping, space, space_batch
+    from soccer_env.physics.engine import space, space_batch
     from soccer_env.physics.solver import rounds
-    modules = match_batch, dropping, space, space_batch, rounds, *(vars(pymunk)[name] for name in
+    modules = match_batch, space, space_batch, rounds, *(vars(pymunk)[name] for name in
         ("body", "constraints", "shapes", "space"))
     files, lines = {one.__file__ for one in modules}, set()
     def follow(frame, event, argument):

@@ -211,6 +211,5 @@ def test_what_changes_no_future_is_not_named() -> None:
     """A save of other actions, rewards or observations is taken, if nothing more has to be sensed for these."""
     match = played(steps=5)
     match.load(played(steps=5, rewards="sparse", actions="full", action_repeat=3).save())
-    assert differences({"home": 7}, match.described_settings) == differences(None, match.described_settings) == "", (
-        "a save may say anything"
-    )
+    for said in ({"home": 7}, None):  # a save may say anything
+        assert differences(said, match.described_settings) == ""

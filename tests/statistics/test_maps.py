@@ -9,7 +9,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.maps import BALL, added, maps_of
-from soccer_env.statistics.moving import MAKES, STUCK, WANTS
+from soccer_env.statistics.players import MAKES, STUCK, WANTS
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE, LOOK, SHOTS
 from soccer_env.types import AWAY, HOME, Phase
 from tests.statistics.counted_steps import KEEPER, KICKER, MATE, SECOND, THEIR_KEEPER, THEIR_PLAYER, Steps, shoot

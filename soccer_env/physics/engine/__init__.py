@@ -1,14 +1,13 @@
-"""The pymunk engine: one Space for each match, and the ways by which compiled kernels reach them.
+"""The pymunk engine: one Space for each match, and the arrays through which compiled kernels use the Spaces.
 
-space.py        a Space: boards, goals, ball, robots
-surfaces.py     what meets what in it, and how much that bounces and rubs
-space_batch.py  M of them, and the arrays through which kernels reach them
-dropping.py     a Space freed with all that is in it
-reseat.py       a used Space made as good as new
+space.py        one Space: boards, goals, ball, robots
+surfaces.py     which shapes collide, with which elasticity and friction
+space_batch.py  M Spaces, and the arrays through which kernels use them
+reseat.py       reset a used Space to the state of a new one
 chipmunk.py     calls of Chipmunk, the C library under pymunk, from compiled loops
-pymunk_parts.py what pymunk keeps private of it
-memory.py       its structs in memory: bodies, contacts
-pools.py        where it keeps shapes, pairs and contacts
-prefetch.py     fetch the next match's memory into the cache while this one is played
-reference.py    a bare scene for `soccer bench` to compare with
+pymunk_parts.py pymunk's private interface to Chipmunk
+memory.py       Chipmunk's structs in memory: bodies, contacts
+pools.py        Chipmunk's structs for shapes, pairs and contacts
+prefetch.py     fetch the memory of the next match into the cache while this match is stepped
+reference.py    the bare scene that `soccer bench` compares with
 """

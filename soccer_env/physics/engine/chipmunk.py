@@ -1,19 +1,19 @@
 """Call Chipmunk, the C library under pymunk, from compiled loops over matches.
 
 The only file that knows the private names of pymunk's functions; `engine/memory.py` and `engine/pools.py` know its
-structs. Velocities are written to, and poses and velocities read from, the bodies' structs in memory; bodies are put
-elsewhere by pymunk's batch iterator, since more than a number depends on where they are. `cpSpaceStep` takes addresses
-and doubles only, so a kernel can write velocities, step and read back without Python and without its lock.
+structs. Velocities are written to, and poses and velocities read from, the structs of the bodies. Only pymunk's batch
+iterator moves bodies to new places, since Chipmunk then updates more than their coordinates. `cpSpaceStep` takes
+addresses and doubles only, so a kernel can write velocities, step and read back without Python and without its lock.
 
-The functions below take `links`, one record for each match with all addresses that it needs, and the match's index;
-`engine/space_batch.py` makes `links` and owns the arrays that it points to:
+The functions below take `links`, one record of addresses for each match, and the match's index; `engine/space_batch.py`
+makes `links` and owns the arrays that it points to:
 
 * `bodies[m]`, rows of x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]: read at every step, and written to
-  put bodies elsewhere;
+  move bodies to new places;
 * `velocities[m]`, rows of vx, vy, angular velocity: written at every step.
 
-Row r is the r-th body added to the Space. The iterator visits a Space's static body too, after the dynamic ones, so a
-match has more rows than bodies: row B is the static body's and stays zero, since other numbers would move the walls.
+Row r is the r-th body added to the Space. The iterator visits the static body too, after the dynamic ones, so a match
+has more rows than bodies: row B belongs to the static body and stays zero, since other numbers would move the walls.
 """
 
 from typing import Any
@@ -26,16 +26,7 @@ from numba.extending import intrinsic
 from numpy.typing import NDArray
 
 from soccer_env.compiled import compiled, config
-from soccer_env.physics.engine.memory import (
-    BODY_ANGLE,
-    BODY_OMEGA,
-    BODY_VX,
-    BODY_VY,
-    BODY_X,
-    BODY_Y,
-    number_at,
-    store,
-)
+from soccer_env.physics.engine.memory import BODY_ANGLE, BODY_OMEGA, BODY_VX, BODY_VY, BODY_X, BODY_Y, number_at, store
 from soccer_env.physics.engine.prefetch import fetch_spans, note_step, spans_at
 from soccer_env.physics.engine.pymunk_parts import ffi, lib
 from soccer_env.physics.solver.records import MOST_ROBOTS
@@ -43,7 +34,7 @@ from soccer_env.physics.solver.rounds import lead_off, solver_at
 
 Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
 
-SPARE_ROWS = 3  # the static body's, and two that no iterator reaches
+SPARE_ROWS = 3  # one of the static body, two that no iterator reaches
 MOST_BODIES = 1 + MOST_ROBOTS  # of a match
 STATE_FIELDS = lib.POSITION | lib.ANGLE | lib.VELOCITY | lib.ANGULAR_VELOCITY
 
@@ -54,28 +45,28 @@ C_FUNCTIONS = {  # field of LINK: C function
     "set_body": "pmSpaceBodySetIteratorFuncBatched",
 }
 SHAPE_FUNCTIONS = ("cpSpaceRemoveShape", "cpSpaceAddShape")  # called with a Space and a shape
-# struct pmFloatArray: the next place, the number of places, and where they are
+# struct pmFloatArray: the next place, the number of places, and their address
 FLOAT_ARRAY = np.dtype([("num", "i4"), ("max", "i4"), ("arr", "u8")])
-# struct pmBatchedData: what an iterator moves; without BODY_ID among the fields it never looks at the intArray
+# struct pmBatchedData: the fields that an iterator sets; without BODY_ID among them it never reads the intArray
 BATCHED_DATA = np.dtype([("intArray", "u8"), ("floatArray", "u8"), ("fields", "i4"), ("padding", "i4")])
 LINK = np.dtype(
     [
         ("space", "u8"),  # address of the match's cpSpace, 0 before there is one
         ("count", "i8"),  # bodies of a match
-        ("body", "u8", (MOST_BODIES,)),  # their addresses
+        ("body", "u8", (MOST_BODIES,)),  # addresses of the bodies
         ("solver", "u8"),  # address of the match's SOLVER record; 0: Chipmunk solves its contacts alone
         ("spans", "u8"),  # address of the match's SPANS record; 0: nothing is fetched ahead
         ("velocities", "u8"),  # address of `velocities[m]`
         ("bodies", "u8"),  # address of `bodies[m]`
-        *[(field, "u8") for field in C_FUNCTIONS],  # their addresses
+        *[(field, "u8") for field in C_FUNCTIONS],  # addresses of the C functions
         ("body_data_at", "u8"),  # address of `body_data` in this record
-        ("body_data", BATCHED_DATA),  # moves all six numbers from `bodies[m]`
+        ("body_data", BATCHED_DATA),  # tells the iterator to set all six numbers of `bodies[m]`
         ("body_array", FLOAT_ARRAY),
     ]
 )
 
 
-# Calls of C functions by address. An address that is an argument, not a constant, lets the caller be cached on disk.
+# Calls of C functions by address. The address is an argument, not a constant: so the caller can be cached on disk.
 
 
 def _build_call(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -150,7 +141,7 @@ def read_bodies(links: Links, m: int) -> None:
 
 @compiled
 def write_bodies(links: Links, m: int) -> None:
-    """Put match m's bodies where `bodies[m]` says, with its velocities; rows left as they were read change nothing."""
+    """Set poses and velocities of match m's bodies from `bodies[m]`; rows left as they were read change nothing."""
     link = links[m]
     check_space(link)
     link.body_array.num = 0
@@ -166,7 +157,7 @@ def check_space(link: Any) -> None:
 
 @compiled
 def advance(links: Links, m: int, substeps: int, dt: float) -> None:
-    """Move match m on by dt [s] in equal substeps; with 0 substeps it stands still."""
+    """Step match m by dt [s] in equal substeps; with 0 substeps nothing moves."""
     link = links[m]
     check_space(link)
     if substeps == 0:
@@ -181,7 +172,7 @@ def advance(links: Links, m: int, substeps: int, dt: float) -> None:
 
 @compiled
 def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
-    """Write match m's velocities, move it on by dt [s], and read its bodies."""
+    """Write match m's velocities, step it by dt [s], and read its bodies."""
     write_velocities(links, m)
     advance(links, m, substeps, dt)
     read_bodies(links, m)
@@ -192,7 +183,7 @@ def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
 
 @compiled
 def fetch(links: Links, m: int) -> bool:
-    """Fetch what match m's next step touches into the cache, if there is such a match and it gains by it; say so."""
+    """Fetch the memory of match m's next step into the cache, if the match exists and has spans; tell whether."""
     if m >= len(links) or links[m].spans == 0:
         return False
     fetch_spans(spans_at(links[m].spans))
@@ -207,13 +198,13 @@ def advance_slice(links: Links, substeps: NDArray[np.int64], dt: float, first: i
         step_match(links, m, substeps[m], dt)
 
 
-# For the owner of the arrays
+# For the class that owns the arrays
 
 
 def make_links(bodies: NDArray[np.float64], velocities: NDArray[np.float64]) -> Links:
-    """Return links (M,) that point to bodies (M, rows, 6) and velocities (M, rows, 3), and to no Space yet.
+    """Return links (M,) to bodies (M, rows, 6) and velocities (M, rows, 3), still without Spaces.
 
-    The caller keeps all three arrays alive and in place. Both need SPARE_ROWS rows more than there are bodies.
+    The caller keeps all three arrays alive and in place. Both arguments need SPARE_ROWS rows more than bodies.
     """
     links = np.zeros(len(bodies), LINK)
     for field, address in c_addresses().items():
@@ -233,10 +224,10 @@ def _addresses(items: NDArray[Any]) -> NDArray[np.uint64]:
 
 
 def keep_impulses(space: pymunk.Space, substep: float) -> None:
-    """Let a Space begin with the impulses of its last substep as they are, although this one has another length [s].
+    """Tell a Space the length of its next substep [s], so that it starts with the last impulses unscaled.
 
-    Chipmunk would scale them by the ratio of the lengths and the solver then takes them back unscaled: a bounce whose
-    substep is followed by a longer one pays twice.
+    Chipmunk would scale them by the ratio of the lengths, and the solver would take them back unscaled: a bounce
+    followed by a longer substep would act twice.
     """
     lib.cpSpaceSetCurrentTimeStep(space._space, substep)
 
@@ -247,12 +238,12 @@ def space_address(space: pymunk.Space) -> int:
 
 
 def c_addresses() -> dict[str, int]:
-    """Return the addresses of the C functions, by their field in LINK."""
+    """Return the addresses of the C functions by field of LINK."""
     return {field: _function_address(name) for field, name in C_FUNCTIONS.items()}
 
 
 def shape_functions() -> NDArray[np.uint64]:
-    """Return the addresses (2,) of the C functions that take a shape out of a Space and put one in."""
+    """Return the addresses (2,) of the C functions that remove a shape from a Space and add one."""
     return np.array([_function_address(name) for name in SHAPE_FUNCTIONS], np.uint64)
 
 
@@ -261,14 +252,14 @@ def _function_address(name: str) -> int:
 
 
 def layout_fits() -> bool:
-    """Say whether this pymunk has the C functions and structs that this file is written for."""
+    """Tell whether this pymunk has the C functions and structs that this file is written for."""
     try:
         c_addresses()
-        found = [_layout(ffi.typeof(name)) for name in ("pmFloatArray", "pmBatchedData")]
+        layouts = [_layout(ffi.typeof(name)) for name in ("pmFloatArray", "pmBatchedData")]
     except (AttributeError, ffi.error):
         return False
     expected = [(16, {"num": 0, "max": 4, "arr": 8}), (24, {"intArray": 0, "floatArray": 8, "fields": 16})]
-    return found == expected and ffi.sizeof("cpFloat") == 8
+    return layouts == expected and ffi.sizeof("cpFloat") == 8
 
 
 def _layout(struct: Any) -> tuple[int, dict[str, int]]:

@@ -1,7 +1,7 @@
 """Read and write Chipmunk's structs in memory, from compiled code.
 
 pymunk hides the layout of most structs. The offsets below are those of the 64-bit builds of pymunk 7.3 (Munk2D,
-`chipmunk_structs.h`); `layout_fits` looks for each in a struct whose numbers it knows, before anything relies on it.
+`chipmunk_structs.h`); `layout_fits` checks each offset on a struct with known numbers before anything relies on it.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ CONTACT_PUSH, CONTACT_RUB = 56, 64  # [N s] impulses along and across the normal
 # struct cpConstraint, and behind it cpSimpleMotor
 SPACE_ROUNDS = 0  # struct cpSpace: how many rounds of impulses a substep has, an int
 CONSTRAINT_CLASS = 0  # address of the addresses of its four functions
-MOTOR_RATE = 104  # a number of eight bytes that nobody but the class reads
+MOTOR_RATE = 104  # a number of eight bytes that only the functions of the class read
 
 
 # Reading and writing at an address
@@ -95,7 +95,7 @@ else:
 
 
 def record_reader(dtype: np.dtype) -> Any:
-    """Return a function for kernels that returns the record of a dtype at an address, to read and to write."""
+    """Return a function for kernels: it returns the record of a dtype at an address, for reading and writing."""
     if config.DISABLE_JIT:
         return lambda address: np.frombuffer(ffi.buffer(ffi.cast("char *", int(address)), dtype.itemsize), dtype).view(
             np.recarray
@@ -123,7 +123,7 @@ def address_of(thing: Any) -> int:
 
 @functools.cache
 def layout_fits() -> bool:
-    """Say whether the structs of this pymunk lie in memory as the offsets above say."""
+    """Tell whether the structs of this pymunk have the offsets above."""
     try:
         return _arbiter_fits() and _bodies_fit()
     except (AttributeError, ffi.error):
@@ -131,7 +131,7 @@ def layout_fits() -> bool:
 
 
 def _arbiter_fits() -> bool:
-    """Compare the structs that pymunk declares with the offsets."""
+    """Tell whether the structs that pymunk declares have the offsets above."""
     arbiter = {name: field.offset for name, field in ffi.typeof("cpArbiter").fields}
     contact = {name: field.offset for name, field in ffi.typeof("struct cpContact").fields}
     expected = {
@@ -149,7 +149,7 @@ def _arbiter_fits() -> bool:
 
 
 def _bodies_fit() -> bool:
-    """Compare things of known numbers with the offsets: a body, a motor, and two bodies that then touch."""
+    """Tell whether the offsets fit a body and a motor with known numbers, and two bodies after a collision."""
     space = pymunk.Space()
     space.iterations = 37
     body, other = pymunk.Body(4.0, 8.0), pymunk.Body(4.0, 8.0)
@@ -168,12 +168,12 @@ def _bodies_fit() -> bool:
     if _value(space, SPACE_ROUNDS, "i") != 37:
         return False
     space.step(1e-9)
-    found = _value(body, BODY_ARBITERS, "Q")
+    arbiter = _value(body, BODY_ARBITERS, "Q")
     repair = _value(body, BODY_REPAIR_VX, "d"), _value(body, BODY_REPAIR_VY, "d")
     back = _value(other, BODY_REPAIR_VX, "d"), _value(other, BODY_REPAIR_VY, "d")
     parts = 0.0 != repair[0] == -back[0] and 0.0 != repair[1] == -back[1]
     turns = _value(body, BODY_REPAIR_OMEGA, "d") != 0.0
-    return bool(parts and turns and found != 0 and found == _value(other, BODY_ARBITERS, "Q"))
+    return bool(parts and turns and arbiter != 0 and arbiter == _value(other, BODY_ARBITERS, "Q"))
 
 
 def _value(thing: Any, offset: int, form: str) -> Any:

@@ -1,11 +1,11 @@
 """The structs in which Chipmunk keeps the shapes, pairs and contacts of a Space.
 
-Chipmunk keeps nodes and pairs of its trees, arbiters and bins of hash sets in pools: buffers of 32 KiB, whose first
-item is used first, then the items from the last one downwards; what is given back is used next. So the head and the
-tail of a buffer hold what is in use.
+Nodes and pairs of trees, arbiters and bins of hash sets live in pools: buffers of 32 KiB. Chipmunk uses the first item
+of a buffer first, then the items from the last one downwards, and a freed item next. So the items in use lie at the
+head and the tail of a buffer.
 
-`engine/memory.py` has the structs of bodies and contacts themselves. The numbers below are those of the 64-bit builds
-of pymunk 7.3 (Munk2D, `chipmunk_structs.h`, `cpBBTree.c`, `cpHashSet.c`, `cpSpaceStep.c`).
+`engine/memory.py` has the structs of bodies and contacts. The numbers below are those of the 64-bit builds of pymunk
+7.3 (Munk2D, `chipmunk_structs.h`, `cpBBTree.c`, `cpHashSet.c`, `cpSpaceStep.c`).
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ import pymunk
 from soccer_env.physics.engine.memory import BODY_ARBITERS, address_of
 from soccer_env.physics.engine.pymunk_parts import ffi
 
-# Sizes in bytes, and places in a struct
+# Sizes of structs and offsets in them [bytes]
 SPACE_SIZE = 608  # struct cpSpace, with its static body
-SPACE_SHAPE_IDS = 128  # a number of eight bytes: that of the next shape
+SPACE_SHAPE_IDS = 128  # the number of the next shape, in eight bytes
 SPACE_BODIES, SPACE_CONSTRAINTS, SPACE_ARBITERS = 96, 152, 160  # addresses of cpArrays
-SPACE_STATIC, SPACE_DYNAMIC = 136, 144  # addresses of the trees of static shapes and of those that move
+SPACE_STATIC, SPACE_DYNAMIC = 136, 144  # addresses of the trees of static and of moving shapes
 SPACE_CONTACTS = 168  # address of the newest in a ring of buffers
-SPACE_CACHED, SPACE_POOLED = 176, 184  # a hash set of arbiters, a cpArray of those not in use
+SPACE_CACHED, SPACE_POOLED = 176, 184  # a hash set of arbiters, a cpArray of unused arbiters
 ARRAY_SIZE, ARRAY_ITEMS = 16, 8  # struct cpArray: a count, and the address of its items
 TREE_SIZE, TREE_LEAVES, TREE_BUFFERS = 88, 40, 72  # struct cpBBTree: a hash set of leaves, a cpArray of buffers
 SET_SIZE, SET_ROOM, SET_TABLE, SET_BUFFERS = 48, 4, 24, 40  # struct cpHashSet: the length of its table, its address
@@ -32,16 +32,16 @@ NODE_SIZE = 64  # struct Node of a tree: first the shape of a leaf
 BUFFER_SIZE = 32768  # of a pool
 BODY_SIZE, CONSTRAINT_SIZE, ARBITER_SIZE = 312, 128, 184
 CONTACTS_NEXT = 8  # of a buffer of contacts: the next in the ring
-CONTACTS_SIZE = 320  # of its head, with its first three contacts
+CONTACTS_SIZE = 320  # of the head of such a buffer, with its first three contacts
 SHAPE_SIZES = (232, 328, 216)  # of a circle, a segment and a polygon
 POLYGON = 2
-POLYGON_COUNT, POLYGON_PLANES = 200, 208  # corners, and the address of twice so many planes
+POLYGON_COUNT, POLYGON_PLANES = 200, 208  # the number of corners, and the address of two planes for each corner
 PLANE_SIZE = 32
 
 
 @functools.cache
 def layout_fits() -> bool:
-    """Say whether the structs of this pymunk lie in memory as the numbers above say, found in a Space that is known."""
+    """Tell whether the structs of a known Space have the sizes and offsets above."""
     space = pymunk.Space()
     bodies = [pymunk.Body(1.0, 1.0) for _ in range(2)]
     box = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -80,13 +80,13 @@ def _items(array: int) -> list[int]:
 
 
 def _set_items(hash_set: int) -> list[int]:
-    found = []
+    items = []
     for i in range(_count(hash_set + SET_ROOM)):
         place = _at(_at(hash_set + SET_TABLE) + 8 * i)
         while place != 0:
-            found.append(_at(place))
+            items.append(_at(place))
             place = _at(place + BIN_NEXT)
-    return found
+    return items
 
 
 def _leaves(tree: int) -> set[int]:

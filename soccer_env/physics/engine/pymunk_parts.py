@@ -1,6 +1,6 @@
-"""Chipmunk itself, which pymunk keeps private: its functions, and the layout of its structs.
+"""pymunk's private interface to Chipmunk: its functions, and the layout of its structs.
 
-pyproject.toml bounds the version; tests/repository/test_private_parts.py says what a new one lacks.
+pyproject.toml bounds the version; tests/repository/test_private_parts.py names the parts that a new version lacks.
 """
 
 import pymunk

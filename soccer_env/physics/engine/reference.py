@@ -1,4 +1,4 @@
-"""The bare physics that `soccer bench` compares with: a scene that never changes, and cpSpaceStep alone."""
+"""The bare physics that `soccer bench` compares with: a fixed scene, and cpSpaceStep alone."""
 
 from __future__ import annotations
 
@@ -20,13 +20,10 @@ def reference_space(rng: np.random.Generator) -> Any:
     """Return the reference scene: a walled field of 9 x 6 m with three corners cut, six discs of 0.25 m and a ball."""
     space = pymunk.Space()
     space.iterations, space.collision_slop = REFERENCE_ITERATIONS, 0.002
-    x = 4.5
-    y = 3.0
-    cut = 0.5
+    x, y, cut = 4.5, 3.0, 0.5  # [m]
     corners = [(-x, -y), (x - cut, -y), (x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut)]
     ends = zip(corners, corners[1:] + corners[:1], strict=True)
     walls = [pymunk.Segment(space.static_body, *both, 0.05) for both in ends]
-    assert len(walls) == 7
     space.add(*walls)
     for index in range(1 + REFERENCE_DISCS):
         mass, radius = (0.43, 0.11) if index == 0 else (15.0, 0.25)
@@ -40,14 +37,14 @@ def reference_space(rng: np.random.Generator) -> Any:
 
 @compiled
 def write_slice(links, first, last):
-    """Give the bodies of a slice of matches their velocities."""
+    """Write the velocities of a slice of matches."""
     for m in range(first, last):
         write_velocities(links, m)
 
 
 @compiled
 def bare_slice(links, substeps, dt, first, last):
-    """Call cpSpaceStep for a slice of matches and do nothing else."""
+    """Call cpSpaceStep for a slice of matches, and nothing else."""
     for m in range(first, last):
         advance(links, m, substeps[m], dt)
 

@@ -1,15 +1,17 @@
-"""Put a used Space back into the state of a fresh one: a small part of the cost of making one, the same to the bit.
+"""Reset a used Space to the state of a new one: bit for bit equal, for a small part of the cost of making one.
 
-`build_space` makes a Space without a past. What of a used Space's past would show in its future goes here:
+`build_space` makes a Space without a past. These traces of a past would change the future of a used Space, and are
+removed here:
 
-* the tree of moving shapes follows from the order in which they came and from where they were then: all are taken out
-  and come back in the order of `build_space`, bodies in their places and without speed, which stretches shapes' boxes;
-* contacts with their impulses, and pairs of neighbours, go with the shapes;
-* the numbers by which Chipmunk goes through the shapes of a tree: its counter is set back;
-* what undoes overlaps in the next substep;
-* what our part of the solver remembers: its records become what they were at first.
+* the tree of moving shapes depends on the order in which shapes were added, and on their places then: all are removed
+  and added again in the order of `build_space`, with bodies in their places and without speed, which stretches boxes;
+* contacts with their impulses, and pairs of neighbours: they go with the shapes;
+* Chipmunk's counter of shapes, which orders the shapes of a tree: it is set back;
+* the velocities that undo overlaps in the next substep: they are set to zero;
+* the records of our part of the solver: they get their first values again.
 
-Boards, posts and nets stay. Chipmunk's stamps go on, and are only compared; its pools of memory keep their sizes.
+Boards, posts and nets stay. Chipmunk's time stamps run on, since they are only compared; its memory pools keep their
+sizes.
 """
 
 from __future__ import annotations
@@ -38,14 +40,14 @@ from soccer_env.physics.engine.memory import (
     store,
     store_count,
 )
-from soccer_env.physics.engine.pools import SPACE_SHAPE_IDS, layout_fits
+from soccer_env.physics.engine.pools import SPACE_SHAPE_IDS
 
-WALLS, ROUNDS, SHAPES = 0, 1, 2  # columns of a seat: shapes that never move, rounds of a substep, shapes that move
+WALLS, ROUNDS, SHAPES = 0, 1, 2  # columns of a seat: how many static shapes, rounds of a substep, moving shapes
 
 
 @compiled
 def reseat(links, seats, shapes, functions, bodies, velocities, rows):
-    """Put the Spaces of some matches back, with ball and robots as `bodies` says."""
+    """Reset the Spaces of the matches in `rows`, with ball and robots placed by `bodies`."""
     for m in rows:
         take_out, put_in = functions[0], functions[1]
         link = links[m]
@@ -63,7 +65,7 @@ def reseat(links, seats, shapes, functions, bodies, velocities, rows):
 
 @compiled
 def place_bodies(links, bodies, velocities, m):
-    """Put match m's bodies where `bodies[m]` says, without speed; their speeds are then in `velocities[m]`."""
+    """Move match m's bodies to the poses in `bodies[m]`, without speed; move their speeds to `velocities[m]`."""
     link = links[m]
     for i in range(link.count):
         bodies[m, i, 0] += 0.0  # -0 becomes 0, as it does when Chipmunk places a body that is new
@@ -80,7 +82,7 @@ def place_bodies(links, bodies, velocities, m):
 
 @compiled
 def forget(memory, first, address, rows):
-    """Set what the solver remembers of some matches, in words (M, n), to what it was at first, but for addresses."""
+    """Set the solver's memory of the matches in `rows`, words (M, n), to its first values, except addresses."""
     for m in rows:
         for i in range(len(first)):
             if not address[i]:
@@ -88,7 +90,7 @@ def forget(memory, first, address, rows):
 
 
 class Memory:
-    """What the solver remembers of M matches, and how it was at first: alike in all matches but for addresses."""
+    """The solver's records of M matches, and their first values: equal in all matches except for addresses."""
 
     def __init__(self, records: NDArray[Any]) -> None:
         self.words = records.view(np.uint64).reshape(len(records), -1)
@@ -99,27 +101,27 @@ class Memory:
         self.address = np.tile(self.address, self.words.shape[1] // len(self.address))
 
     def remember(self, m: int) -> None:
-        """Take match m's for what all are at first."""
+        """Take the records of match m as the first values of all matches."""
         if self.first is None:
             self.first = self.words[m].copy()
 
     def put_back(self, rows: NDArray[np.int64]) -> None:
-        """Set that of some matches to what it was at first."""
+        """Set the records of the matches in `rows` to their first values."""
         forget(self.words, self.first, self.address, rows)
 
 
 class Seats:
-    """What is needed to put the Spaces of M matches back: where their shapes are, and the solver's first memory."""
+    """All that resets the Spaces of M matches: the addresses of their shapes, and the solver's first values."""
 
     def __init__(self, matches: int, solvers: NDArray[Any], stances: NDArray[Any]) -> None:
-        self.known = np.zeros(matches, bool)  # whose Spaces can be put back
+        self.known = np.zeros(matches, bool)  # matches whose Spaces can be reset
         self.seats = np.zeros((matches, 3), np.int64)
-        self.shapes = np.zeros((matches, 0), np.uint64)  # addresses, in the order of coming
+        self.shapes = np.zeros((matches, 0), np.uint64)  # addresses, in the order of adding
         self.functions = shape_functions()
         self._memories = Memory(solvers), Memory(stances)
 
     def remember(self, m: int, space: pymunk.Space) -> None:
-        """Remember match m's Space, in which our part of the solver takes part and which was never stepped."""
+        """Remember match m's Space, which our part of the solver is attached to and which was never stepped."""
         moving = [address_of(shape) for shape in space.shapes if shape.body is not space.static_body]
         if len(moving) > self.shapes.shape[1]:
             self.shapes = np.zeros((len(self.shapes), len(moving)), np.uint64)
@@ -131,10 +133,7 @@ class Seats:
         self.known[m] = True
 
     def put_back(self, links: Links, bodies: NDArray[Any], velocities: NDArray[Any], rows: NDArray[np.int64]) -> None:
-        """Put the Spaces of some matches back, with ball and robots as `bodies` says."""
+        """Reset the Spaces of the matches in `rows`, with ball and robots placed by `bodies`."""
         for memory in self._memories:
             memory.put_back(rows)
         reseat(links, self.seats, self.shapes, self.functions, bodies, velocities, rows)
-
-
-__all__ = ["Seats", "layout_fits"]

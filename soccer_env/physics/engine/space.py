@@ -1,9 +1,9 @@
 """A pymunk Space for one match: boards, goals, ball and robots, always added in the same order.
 
-Bodies are added as ball, robot 0, robot 1, ...; that order is the order of rows in every body array. A Space whose
-bodies are just put elsewhere remembers its past and breaks reproducibility: `engine/reseat.py` makes it forget.
+Bodies are added as ball, robot 0, robot 1, ...; rows of body arrays have this order. A Space whose bodies are only
+moved keeps traces of its past and breaks reproducibility: `engine/reseat.py` removes them.
 
-A robot is a disc or capsule here; what its posts touch, legs or tips of a guide, is found apart (`solver/posts.py`).
+A robot is a disc or capsule here; `solver/posts.py` finds the contacts of its posts, which are legs or tips of a guide.
 """
 
 from __future__ import annotations
@@ -14,26 +14,17 @@ import pymunk
 
 from soccer_env.leagues.league import League, Pitch
 from soccer_env.leagues.robot import Body
-from soccer_env.physics.engine.surfaces import (
-    BALL,
-    BALL_WALL,
-    BODY,
-    BODY_WALL,
-    Surface,
-    Surfaces,
-    finish,
-    surfaces_of,
-)
+from soccer_env.physics.engine.surfaces import BALL, BALL_WALL, BODY, BODY_WALL, Surface, Surfaces, finish, surfaces_of
 from soccer_env.physics.solver.records import OVERLAP_LEFT
 
 BOARD = 0.5  # [m] thickness of boards, so that nothing passes through one within a substep
 
 
 def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
-    """Return a fresh Space with the ball and the robots in the state of their records, robots (R,).
+    """Return a new Space with the ball and the robots in the state of their records, robots (R,).
 
-    Bodies are in their places before they are added: all in one place, their shapes would be neighbours of each other,
-    and the pool of such pairs would grow and be scattered for good.
+    Bodies get their places before they are added: added in one place, all their shapes would be neighbours, and
+    Chipmunk's pool of such pairs would stay large and scattered.
     """
     space = pymunk.Space()
     space.iterations = league.substeps.iterations
@@ -55,7 +46,7 @@ def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
 
 
 def robot_moment(league: League) -> float:
-    """Return the moment of inertia of a robot [kg m2]: what the body says, or else that of its hull or disc."""
+    """Return the moment of inertia of a robot [kg m2], from the inertia of its body, else from its hull or disc."""
     body = league.body
     if body.inertia > 0.0:
         return body.mass * body.inertia
@@ -74,7 +65,7 @@ def robot_shapes(body: pymunk.Body, league: League, surface: Surface) -> list[py
 
 
 def loose_posts(outline: Body) -> tuple[tuple[float, float], ...]:
-    """Return the posts [m] of a body that are no shapes here but found apart: all, unless the body is a hull."""
+    """Return the posts [m] of a body that are no shapes in the Space: all, unless the body is a hull."""
     return () if outline.corners else outline.posts
 
 
@@ -89,17 +80,15 @@ def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
 
 
 def surroundings(static: pymunk.Body, league: League, surfaces: Surfaces) -> list[pymunk.Shape]:
-    """Return boards, posts and nets: as the ball meets them, then as robots do."""
-    pitch, shapes = league.pitch, []
-    kinds = ((surfaces.board, boards(static, pitch)), (surfaces.post, goal_posts(static, pitch)))
-    for surface, found in (*kinds, (surfaces.net, nets(static, pitch))):
-        shapes += [finish(shape, surface, BALL_WALL) for shape in found]
-    found = [*boards(static, pitch), *goal_posts(static, pitch), *nets(static, pitch)]
-    return shapes + [finish(shape, surfaces.edge, BODY_WALL) for shape in found]
+    """Return boards, posts and nets: first those that the ball meets, then those that robots meet."""
+    kinds = ((surfaces.board, boards), (surfaces.post, goal_posts), (surfaces.net, nets))
+    of_ball = [finish(shape, surface, BALL_WALL) for surface, make in kinds for shape in make(static, league.pitch)]
+    of_robots = [finish(shape, surfaces.edge, BODY_WALL) for _, make in kinds for shape in make(static, league.pitch)]
+    return of_ball + of_robots
 
 
 def boards(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
-    """Return the boards round the pitch; on a walled one their inner edges on the goal lines are the goals' sides."""
+    """Return the boards round the pitch; on a walled pitch those on the goal lines end as the sides of the goals."""
     half_length, half_width = pitch.length / 2 + pitch.band_end, pitch.width / 2 + pitch.band_side
     near = pitch.length / 2 if pitch.walled else pitch.length / 2 + max(pitch.band_end, pitch.goal_depth)
     far = near + BOARD + (pitch.goal_depth if pitch.walled else 0.0)
@@ -115,17 +104,13 @@ def boards(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
 
 
 def goal_posts(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
-    """Return the posts with the goals' side nets; a walled pitch has none but the ends of its boards."""
+    """Return the goal posts with the side nets; on a walled pitch the ends of the boards stand in for them."""
     line, y = pitch.length / 2, pitch.goal_width / 2 + pitch.post_radius
     if pitch.walled:
         return []
+    front, back = line + pitch.post_radius, line + pitch.goal_depth
     return [
-        pymunk.Segment(
-            static,
-            (end * (line + pitch.post_radius), side * y),
-            (end * (line + pitch.goal_depth), side * y),
-            pitch.post_radius,
-        )
+        pymunk.Segment(static, (end * front, side * y), (end * back, side * y), pitch.post_radius)
         for end in (1, -1)
         for side in (1, -1)
     ]
@@ -138,6 +123,6 @@ def nets(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
 
 
 def box(static: pymunk.Body, x1: float, x2: float, y1: float, y2: float) -> pymunk.Shape:
-    """Return a static board that spans the two corners [m]."""
+    """Return a static rectangle between two values of x and of y [m]."""
     left, right, low, high = min(x1, x2), max(x1, x2), min(y1, y2), max(y1, y2)
     return pymunk.Poly(static, [(left, low), (right, low), (right, high), (left, high)])

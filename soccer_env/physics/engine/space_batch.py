@@ -1,11 +1,11 @@
 """Hold M pymunk Spaces, and the arrays through which kernels write velocities and read bodies.
 
 Two backends copy between the arrays and the Spaces, with bit-identical results: `"c"` calls Chipmunk from compiled
-code (`engine/chipmunk.py`), `"batch"` is the public `pymunk.batch`, one match after the other from Python.
+code (`engine/chipmunk.py`), `"batch"` calls the public `pymunk.batch` from Python, match by match.
 
 At a match's first reset `batch.set_space(m, space)`; at later ones `batch.put_back`, which costs a tenth (see
 `engine/reseat.py`, the C backend only). At each step a kernel fills `batch.velocities`, `batch.step_all(dt, substeps)`
-uses either, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
+uses either backend, and the next kernel reads `batch.bodies`; with the C backend one kernel can do all three.
 """
 
 import functools
@@ -14,6 +14,7 @@ import platform
 import sys
 import threading
 import warnings
+import weakref
 from typing import Any, Literal, NoReturn
 
 import numpy as np
@@ -25,9 +26,9 @@ from pymunk.batch import BodyFields
 from soccer_env.guards.interrupts import HeldBack
 from soccer_env.leagues.league import League
 from soccer_env.physics.engine import chipmunk, prefetch
-from soccer_env.physics.engine.dropping import drop
 from soccer_env.physics.engine.memory import address_of
-from soccer_env.physics.engine.reseat import Seats, layout_fits
+from soccer_env.physics.engine.pools import layout_fits
+from soccer_env.physics.engine.reseat import Seats
 from soccer_env.physics.solver import rounds
 from soccer_env.physics.solver.records import LAST_CONTACT, POST_CONTACT, POST_CONTACTS, SOLVER, STANCE
 
@@ -41,9 +42,9 @@ class SpaceBatch:
     """M Spaces of B dynamic bodies each, and the arrays through which they are written and read.
 
     `bodies` (M, B + SPARE_ROWS, 6) holds x, y [m], angle [rad], vx, vy [m/s], angular velocity [rad/s]; `velocities`
-    (M, B + SPARE_ROWS, 3) holds vx, vy, angular velocity. Rows from B on are not for the caller. `solvers` (M,) is what
-    our part of the solver works on. `links` (M,) is what kernels take (the C backend only). It holds addresses: keep
-    the batch as long as a kernel may use it.
+    (M, B + SPARE_ROWS, 3) holds vx, vy, angular velocity. Callers leave rows from B on alone. `solvers` (M,) are the
+    records of our part of the solver. Kernels take `links` (M,) (the C backend only), which holds addresses: keep the
+    batch as long as a kernel may use it.
     """
 
     def __init__(self, matches: int, bodies: int, backend: Backend | None = None) -> None:
@@ -56,7 +57,7 @@ class SpaceBatch:
         self.backend: Backend = backend or default_backend()
         self.size = bodies
         self.spaces: list[pymunk.Space | None] = [None] * matches
-        self._kept: list[list[pymunk.Space]] = [[] for _ in range(matches)]  # one each, between resets
+        self._kept: list[list[pymunk.Space]] = [[] for _ in range(matches)]  # one for each match between resets
         self.bodies = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 6))
         self.velocities = np.zeros((matches, bodies + chipmunk.SPARE_ROWS, 3))
         self.solvers = np.zeros(matches, SOLVER)
@@ -82,10 +83,10 @@ class SpaceBatch:
                     drop(kept)
 
     def set_space(self, m: int, space: pymunk.Space) -> None:
-        """Make `space` match m's, and read its bodies; the batch keeps it alive until the next one."""
+        """Set the Space of match m, and read its bodies; the batch keeps the Space alive until the next."""
         _check_space(space, self.size)
         with HeldBack():
-            self._kept[m].append(space)  # whatever raises: what a kernel finds through `links` lives
+            self._kept[m].append(space)  # first, so that a Space in `links` is alive whatever raises below
             self._link(m, space)
             self.spaces[m] = space
             while len(self._kept[m]) > 1:
@@ -94,7 +95,7 @@ class SpaceBatch:
         self.read_bodies(m)
 
     def _link(self, m: int, space: pymunk.Space) -> None:
-        """Let kernels find match m's Space."""
+        """Write the addresses of match m's Space into `links`."""
         if self.links is not None:
             link = self.links[m : m + 1]
             link["space"], link["count"] = chipmunk.space_address(space), self.size
@@ -107,7 +108,7 @@ class SpaceBatch:
             self.seats.known[m] = False
 
     def take_part(self, m: int, league: League, constants: NDArray[Any]) -> None:
-        """Let our part of the solver act in match m's Space; the caller keeps the league's constants (1,) in place."""
+        """Attach our part of the solver to match m's Space; the caller keeps the league's constants (1,) in place."""
         if self.links is not None:
             self.links["solver"][m] = self.solvers[m : m + 1].ctypes.data
         room = rounds.Room(*(array[m] for array in self._room))
@@ -116,27 +117,27 @@ class SpaceBatch:
             self.seats.remember(m, self._space(m))
 
     def reusable(self, m: int) -> bool:
-        """Tell whether match m has a Space that `put_back` can use once more."""
+        """Tell whether `put_back` can reset the Space of match m."""
         return self.seats is not None and bool(self.seats.known[m])
 
     def forget(self) -> None:
-        """Let every match get another Space at its next rebuild: somebody changed what `put_back` leaves alone."""
+        """Make every match get a new Space at its next rebuild, after a change that `put_back` does not undo."""
         if self.seats is not None:
             self.seats.known[:] = False
 
     def put_back(self, rows: NDArray[np.int64]) -> None:
-        """Make the Spaces of some matches as if they were made anew, ball and robots as `bodies[rows]` says."""
+        """Reset the Spaces of the matches in `rows` to new ones, ball and robots placed by `bodies[rows]`."""
         assert self.seats is not None and self.seats.known[rows].all()
         self.seats.put_back(self.links, self.bodies, self.velocities, rows)
         if len(self.spans):
             self.spans["steps"][rows] = self.spans["count"][rows] = 0
 
     def step_all(self, dt: float, substeps: ArrayLike) -> None:
-        """Write the velocities of all matches, move them on by dt [s] and read their bodies; `substeps` () or (M,)."""
+        """Write the velocities of all matches, step them by dt [s] and read their bodies; `substeps` () or (M,)."""
         self.step_slice(dt, substeps, 0, len(self.spaces))
 
     def step_slice(self, dt: float, substeps: ArrayLike, first: int, last: int) -> None:
-        """Do for the matches first, ..., last - 1 what `step_all` does for all; threads may share out the slices."""
+        """Step the matches first, ..., last - 1 as `step_all` does; threads may share out the slices."""
         if not 0 <= first <= last <= len(self.spaces):
             raise ValueError(f"there is no slice {first}:{last} of {len(self.spaces)} matches")
         if not (math.isfinite(dt) and dt > 0.0):
@@ -163,7 +164,7 @@ class SpaceBatch:
             self._write(m, VELOCITY, self.velocities[m])
 
     def write_bodies(self, m: int) -> None:
-        """Put match m's bodies where `bodies[m]` says, with its velocities; rows left as they were change nothing."""
+        """Set poses and velocities of match m's bodies from `bodies[m]`; rows left as they were change nothing."""
         if self.links is not None:
             chipmunk.write_bodies(self.links, m)
         else:
@@ -181,7 +182,7 @@ class SpaceBatch:
             self.bodies[m].reshape(-1)[: len(numbers)] = numbers
 
     def _write(self, m: int, fields: BodyFields, rows: NDArray[np.float64]) -> None:
-        # pymunk checks nothing here, and reads a row for the static body as well
+        # pymunk checks nothing here, and reads one more row, for the static body
         assert rows.flags.c_contiguous and rows.dtype == np.float64 and len(rows) > self.size
         with self._lock:
             self._write_buffer.set_float_buf(rows)
@@ -195,7 +196,7 @@ class SpaceBatch:
 
 
 def _check_space(space: pymunk.Space, bodies: int) -> None:
-    """Refuse what pymunk would only notice in `Space.step`, which the C backend bypasses, and what moves the rows."""
+    """Raise ValueError for a Space that `Space.step` would refuse, which the C backend bypasses, or with other rows."""
     if len(space.bodies) != bodies or any(body.body_type != pymunk.Body.DYNAMIC for body in space.bodies):
         raise ValueError(f"the Space must hold {bodies} dynamic bodies and no others; walls go on its static body")
     if not all(0.0 < number < math.inf for body in space.bodies for number in (body.mass, body.moment)):
@@ -204,9 +205,28 @@ def _check_space(space: pymunk.Space, bodies: int) -> None:
         raise ValueError("the Space must neither let bodies sleep nor be threaded")
 
 
+def drop(spaces: list[pymunk.Space]) -> None:
+    """Remove the first Space from a list; free it at once with its parts, unless it is referenced elsewhere.
+
+    Each of pymunk's bodies, shapes and constraints holds a handle of itself: a reference cycle that only Python's
+    garbage collector breaks, at any time and in any thread. Without the handles all parts go with the last reference.
+    The caller holds interrupts back, so that no half of a Space stays behind.
+    """
+    space = spaces.pop(0)
+    handled: list[Any] = [*space.constraints, *space.bodies, space.static_body]
+    shapes: list[Any] = list(space.shapes)
+    kept = weakref.ref(space)
+    del space
+    if kept() is None:
+        for part in handled:
+            part._data_handle = None
+        for shape in shapes:
+            shape._h = None
+
+
 @functools.cache
 def default_backend() -> Backend:
-    """Return "c" where it is known to work (Linux on 64-bit x86) or passes a test here, and "batch" elsewhere."""
+    """Return "c" where it is known to work (Linux on 64-bit x86) or passes a test now, and "batch" elsewhere."""
     if not chipmunk.layout_fits():
         warnings.warn(f"pymunk {pymunk.version} is not the one known; physics is slower", RuntimeWarning, stacklevel=3)
         return "batch"
@@ -216,7 +236,7 @@ def default_backend() -> Backend:
 
 
 def _collision(backend: Backend) -> bytes:
-    """Play a short collision and return all that was read back at its end."""
+    """Simulate a short collision and return the bodies at its end."""
     space = pymunk.Space()
     space.add(pymunk.Segment(space.static_body, (1.0, -1.0), (1.0, 1.0), 0.05))
     for x in (-0.5, 0.0, 0.5):

@@ -1,15 +1,14 @@
-"""What meets what, and the numbers by which Chipmunk gets the elasticity and friction of each pair that meets.
+"""Which shapes collide, and the factors from which Chipmunk computes elasticity and friction of each pair.
 
-Chipmunk multiplies the numbers of two shapes. So that the products are those that the league states, each kind of
-shape gets a factor, for elasticity and for friction alike:
+Chipmunk multiplies the numbers of two shapes. Each kind of shape gets a factor, for elasticity and for friction alike,
+so that the products are the numbers of the league:
 
-    robot   r = sqrt(robot_robot)                          r r = robot_robot
-    ball    b = ball_robot / r                             b r = ball_robot
-    what the ball meets: a board, a post, a net            w = ball_board / b and so on
-    what robots meet: all of these                         w = robot_board / r
+    robot                                      r = sqrt(robot_robot)          r r = robot_robot
+    ball                                       b = ball_robot / r             b r = ball_robot
+    board, post or net for the ball            w = ball_board / b and so on
+    board, post or net for robots              w = robot_board / r
 
-Boards, posts and nets therefore stand twice in a Space, once for the ball and once for robots, told apart by
-categories.
+So each board, post and net is in a Space twice, once for the ball and once for robots, told apart by categories.
 """
 
 from __future__ import annotations
@@ -21,12 +20,12 @@ import pymunk
 
 from soccer_env.leagues.materials import Materials, Pair
 
-LEAST = 1e-6  # [1] what a factor that is divided by stands for at least: robot_robot or ball_robot of 0 act as that
+LEAST = 1e-6  # [1] robot_robot and ball_robot below this act as this: factors are divided by them
 
 BALL = 1 << 0
-BODY = 1 << 1  # a robot's trunk; with its posts where it is a hull; others are found apart, `solver/posts.py`
+BODY = 1 << 1  # a robot's trunk, with its posts if it is a hull; else `solver/posts.py` finds the posts
 BALL_WALL = 1 << 2  # boards, posts and nets as the ball meets them
-BODY_WALL = 1 << 3  # the same as robots meet them
+BODY_WALL = 1 << 3  # boards, posts and nets as robots meet them
 MEETS = {BALL: BODY | BALL_WALL, BODY: BALL | BODY | BODY_WALL, BALL_WALL: BALL, BODY_WALL: BODY}
 
 
@@ -37,7 +36,7 @@ class Surface(NamedTuple):
     friction: float
 
     def over(self, other: Surface) -> Surface:
-        """Return what gives this when multiplied with another."""
+        """Return the factors whose products with `other` are these factors."""
         return Surface(self.elasticity / other.elasticity, self.friction / other.friction)
 
 
@@ -46,14 +45,14 @@ class Surfaces(NamedTuple):
 
     robot: Surface
     ball: Surface
-    board: Surface  # as the ball meets it
+    board: Surface  # board, post and net as the ball meets them
     post: Surface
     net: Surface
-    edge: Surface  # all of these as robots meet them
+    edge: Surface  # board, post and net as robots meet them
 
 
 def surfaces_of(materials: Materials) -> Surfaces:
-    """Return factors whose products are the pairs that a league states."""
+    """Return factors whose products are the pairs of a league's materials."""
     pairs = {name: Surface(pair.elasticity, pair.friction) for name, pair in materials.pairs().items()}
     square = at_least(materials.robot_robot)
     robot = Surface(sqrt(square.elasticity), sqrt(square.friction))
@@ -63,12 +62,12 @@ def surfaces_of(materials: Materials) -> Surfaces:
 
 
 def at_least(pair: Pair) -> Surface:
-    """Return the numbers of a pair that others are divided by: none is 0."""
+    """Return the numbers of a pair, raised to LEAST so that others can be divided by them."""
     return Surface(max(pair.elasticity, LEAST), max(pair.friction, LEAST))
 
 
 def finish(shape: pymunk.Shape, surface: Surface, category: int) -> pymunk.Shape:
-    """Give a shape its surface, and what it meets."""
+    """Set the surface of a shape, its category, and the categories that it meets."""
     shape.elasticity, shape.friction = surface
     shape.filter = pymunk.ShapeFilter(categories=category, mask=MEETS[category])
     return shape

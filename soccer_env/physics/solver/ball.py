@@ -1,19 +1,19 @@
-"""What a blow does to a ball that rolls: friction acts against the whole slip of the two surfaces.
+"""Blows to a rolling ball: friction acts against the whole slip of the two surfaces.
 
-Chipmunk knows the ball's spin about the vertical, not its roll. Seen from the ball, let n point to what it meets, u be
-the relative velocity along the surface, level, and w = roll . n the speed at which the ball's surface moves up or down
-there. Coulomb's friction has the size mu times the normal impulse P and the direction of the slip (u, w):
+Chipmunk knows the ball's spin about the vertical, not its roll. Let n be the normal from the ball to the other surface,
+u the level relative velocity along that surface, and w = roll . n the speed at which the ball's surface moves up or
+down there. Coulomb's friction has the size mu times the normal impulse P and the direction of the slip (u, w):
 
     level share      Chipmunk's own friction, with mu |u| / hypot(u, w)
-    upright share    at most sqrt((mu P)^2 - Q^2), with Q the level impulse that it took
+    upright share    at most sqrt((mu P)^2 - Q^2), with Q the level impulse of the friction
 
-The upright impulse J acts at the ball's side and turns it, whose inertia is shell m r^2: the roll along n changes by
-J / (shell m), until nothing slips. For a ball that rolls head-on at v into something heavy, P = (1 + e) m v, so that
+The upright impulse J acts at the side of the ball and turns it. With the inertia shell m r^2 the roll along n changes
+by J / (shell m), until nothing slips. For a ball that rolls head-on at v into something heavy, P = (1 + e) m v, so that
 
     change of roll = min(v, mu (1 + e) v / shell).
 
-Along the surface the roll does not change: the contact lies on its axis. Assumed: the ball stays on the carpet, where
-real balls hop a little. Friction in the direction of the slip, limited by the normal impulse, is the usual model of a
+The roll along the surface does not change: the contact lies on its axis. Assumed: the ball stays on the carpet; real
+balls hop a little. Friction in the direction of the slip, limited by the normal impulse, is the usual model of a
 spinning ball's bounce, for instance in R. Cross, "Bounce of a spinning ball near normal incidence", American Journal of
 Physics 73 (2005).
 """
@@ -51,7 +51,7 @@ from soccer_env.physics.solver.records import MOST_CONTACTS
 
 @compiled
 def look_at_ball(solver):
-    """List the contacts of the ball, and set in each how much of its friction is level."""
+    """List the contacts of the ball, and set the level share of the friction in each."""
     solver.ball_contact_count = 0
     arbiter = address_at(solver.ball + BODY_ARBITERS)
     while arbiter != 0 and solver.ball_contact_count < MOST_CONTACTS:
@@ -67,7 +67,7 @@ def look_at_ball(solver):
 
 @compiled
 def touches_of_ball(solver):
-    """Return how many things the ball touches in this substep."""
+    """Return the number of things that the ball touches in this substep."""
     count = solver.ball_contact_count
     for i in range(solver.contact_count):
         count += contact_at(solver.contacts + i * CONTACT_BYTES).ball
@@ -76,7 +76,7 @@ def touches_of_ball(solver):
 
 @compiled
 def share_friction(solver, contact, arbiter, first):
-    """Leave to Chipmunk the level share of a contact's friction."""
+    """Reduce the friction of a contact in Chipmunk to its level share."""
     level = slip_across(arbiter)
     upright = roll_along(solver, arbiter, first)
     slip = length(level, upright)
@@ -105,7 +105,7 @@ def roll_along(solver, arbiter, first):
 
 @compiled
 def take_roll(solver):
-    """Let the friction of all contacts that the ball has had in this substep slow its roll along their normals."""
+    """Slow the ball's roll by the friction of all its contacts in this substep, each along its normal."""
     for i in range(solver.ball_contact_count):
         contact = solver.ball_contacts[i]
         arbiter = contact.arbiter
@@ -124,7 +124,7 @@ def take_roll(solver):
 
 @compiled
 def slow_roll(solver, nx, ny, most, rub):
-    """Slow the roll along a normal by the friction [N s] that a contact has left of `most`, after the level `rub`."""
+    """Slow the roll along a normal by the friction [N s] that is left of `most` after the level impulse `rub`."""
     left = most * most - rub * rub
     if left > 0.0:
         change = sqrt(left) / solver.spin_mass

@@ -1,21 +1,30 @@
-"""The contacts that our part of the solver lists in a substep: how one is added, and what it brings about.  MS51"""
+"""The contacts of posts in a substep, and the impulses at them: along the normal, across it, and to part bodies.  MS51
+
+Each round visits every contact once, as Chipmunk does, and changes its impulse: it never pulls, and its friction stays
+within Coulomb's limit. Overlaps are undone by velocities apart from the bodies' own, which last for one substep and so
+give no energy.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import clip, length
 from soccer_env.physics.engine.memory import (
     BODY_MASS_INVERSE,
     BODY_MOMENT_INVERSE,
     BODY_OMEGA,
+    BODY_REPAIR_OMEGA,
+    BODY_REPAIR_VX,
+    BODY_REPAIR_VY,
     BODY_VX,
     BODY_VY,
     BODY_X,
     BODY_Y,
     number_at,
     record_reader,
+    store,
 )
 from soccer_env.physics.solver.records import LAST_CONTACT, POST_CONTACT, POSTS, STANCE
 
@@ -27,13 +36,13 @@ CONTACT_BYTES, LAST_BYTES, STANCE_BYTES = (int(kind.itemsize) for kind in (POST_
 
 @compiled
 def stance_of(solver, r):
-    """Return a robot's STANCE, to read and to write."""
+    """Return a robot's STANCE, for reading and writing."""
     return stance_at(solver.stances + r * STANCE_BYTES)
 
 
 @compiled
 def keep_impulses(solver):
-    """Keep the impulses of the last substep's contacts, and forget these."""
+    """Keep the impulses of the last substep's contacts, and clear the list of contacts."""
     for i in range(solver.contact_count):
         contact, last = contact_at(solver.contacts + i * CONTACT_BYTES), last_at(solver.last_contacts + i * LAST_BYTES)
         last.key, last.push, last.rub = contact.key, contact.push, contact.rub
@@ -43,29 +52,28 @@ def keep_impulses(solver):
 
 @compiled
 def forget(contact):
-    """Begin a contact of robots that hold each other with no impulse.
+    """Start a contact of robots that hold each other without an impulse: such rounds only take energy.
 
-    Rounds that begin with none only take energy. Those of the last substep would give some, as what is held turns and
-    contacts that say nearly the same agree slowly.
+    Impulses of the last substep would add energy, since held robots turn and nearly equal contacts agree slowly.
     """
     contact.push = contact.rub = 0.0
 
 
 @compiled
 def normal(x, y, gap):
-    """Return the direction of a vector of a length [m]; any one if it has none."""
+    """Return the direction of a vector of a length [m]; (1, 0) at length 0."""
     return (x / gap, y / gap) if gap > 0.0 else (1.0, 0.0)
 
 
 @compiled
 def contact_key(r, i, other, part):
-    """Return a number that is a contact's own."""
+    """Return the unique key of a contact."""
     return ((r * POSTS + i) * 32 + other) * 8 + part
 
 
 @compiled
 def add_contact(solver, key, a, b):
-    """Return room for a contact, with the impulses of the last substep if it was there; the last if none is left."""
+    """Return a new contact, with its impulses of the last substep if there were any; the last one if all are taken."""
     if solver.contact_count < solver.contact_room:
         solver.contact_count += 1
     contact = contact_at(solver.contacts + (solver.contact_count - 1) * CONTACT_BYTES)
@@ -83,7 +91,7 @@ def add_contact(solver, key, a, b):
 
 @compiled
 def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
-    """Say what a contact at x, y [m] is to bring about: the velocity after the blow, and the end of the overlap."""
+    """Set the aims of a contact at x, y [m]: the velocity after the blow, and the speed that undoes the overlap."""
     a, b = contact.a, contact.b
     contact.nx, contact.ny, contact.friction = nx, ny, friction
     contact.ax, contact.ay = x - number_at(a + BODY_X), y - number_at(a + BODY_Y)
@@ -98,7 +106,7 @@ def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
 
 @compiled
 def softness(contact, x, y):
-    """Return the change of relative velocity that a unit of impulse along a direction brings about [1/kg]."""
+    """Return the change of the relative velocity along a direction for a unit of impulse along it [1/kg]."""
     a, b = contact.a, contact.b
     turn_a, turn_b = contact.ax * y - contact.ay * x, contact.bx * y - contact.by * x
     linear = number_at(a + BODY_MASS_INVERSE) + number_at(b + BODY_MASS_INVERSE)
@@ -111,7 +119,7 @@ def softness(contact, x, y):
 
 @compiled
 def skew(contact, nx, ny):
-    """Return the relative velocity across a normal that a unit of impulse along it brings about [1/kg]."""
+    """Return the change of the relative velocity across a normal for a unit of impulse along it [1/kg]."""
     along_a, across_a = contact.ax * ny - contact.ay * nx, contact.ax * nx + contact.ay * ny
     along_b, across_b = contact.bx * ny - contact.by * nx, contact.bx * nx + contact.by * ny
     ease_a, ease_b = number_at(contact.a + BODY_MOMENT_INVERSE), number_at(contact.b + BODY_MOMENT_INVERSE)
@@ -130,8 +138,88 @@ def slip_of(contact):
 
 @compiled
 def share_with_roll(solver, contact):
-    """Leave to the level friction of a contact with the ball its share of the slip, see `solver/ball.py`."""
+    """Set the level share of the friction of a contact with the ball, see `solver/ball.py`."""
     vx, vy = slip_of(contact)
     level = vy * contact.nx - vx * contact.ny
     slip = length(level, solver.roll_x * contact.nx + solver.roll_y * contact.ny)
     contact.level = abs(level) / slip if slip > 0.0 else 1.0
+
+
+@compiled
+def resume_posts(solver, share):
+    """Apply the impulses of the last substep, times the ratio of the substeps' lengths."""
+    for i in range(solver.contact_count):
+        contact = contact_at(solver.contacts + i * CONTACT_BYTES)
+        contact.push *= share
+        contact.rub *= share
+        give(contact, contact.push, contact.rub)
+
+
+@compiled
+def solve_posts(solver):
+    """Change the impulse of every contact once."""
+    for i in range(solver.contact_count):
+        contact = contact_at(solver.contacts + i * CONTACT_BYTES)
+        part(contact)
+        vx, vy = slip_of(contact)
+        along, across = vx * contact.nx + vy * contact.ny, vy * contact.nx - vx * contact.ny
+        if contact.held == 1:
+            push, rub = hold(contact, along, across)
+        else:
+            push = max(contact.push + (contact.target - along) * contact.mass_along, 0.0)
+            most = contact.friction * contact.level * push
+            rub = clip(contact.rub - across * contact.mass_across, -most, most)
+        give(contact, push - contact.push, rub - contact.rub)
+        contact.push = push
+        contact.rub = rub
+
+
+@compiled
+def hold(contact, along, across):
+    """Return the impulses, along and across, by which a held leg moves straight out or not at all.
+
+    Both are solved at once, since each changes the other: in turn they would not agree within the rounds of a substep.
+    """
+    soft_along, soft_across = 1.0 / contact.mass_along, 1.0 / contact.mass_across
+    size = soft_along * soft_across - contact.skew * contact.skew
+    push = contact.push + (contact.skew * across - soft_across * along) / size
+    if push < 0.0:  # it moves out
+        return 0.0, contact.rub + (contact.skew * contact.push - across) * contact.mass_across
+    return push, contact.rub + (contact.skew * along - soft_along * across) / size
+
+
+@compiled
+def give(contact, push, rub):
+    """Apply the impulses [N s] of a contact, along the normal and across it, to its two bodies."""
+    x, y = push * contact.nx - rub * contact.ny, push * contact.ny + rub * contact.nx
+    a, b = contact.a, contact.b
+    light_a, light_b = number_at(a + BODY_MASS_INVERSE), number_at(b + BODY_MASS_INVERSE)
+    store(a + BODY_VX, number_at(a + BODY_VX) - light_a * x)
+    store(a + BODY_VY, number_at(a + BODY_VY) - light_a * y)
+    store(b + BODY_VX, number_at(b + BODY_VX) + light_b * x)
+    store(b + BODY_VY, number_at(b + BODY_VY) + light_b * y)
+    turn_a = number_at(a + BODY_MOMENT_INVERSE) * (contact.ax * y - contact.ay * x)
+    turn_b = number_at(b + BODY_MOMENT_INVERSE) * (contact.bx * y - contact.by * x)
+    store(a + BODY_OMEGA, number_at(a + BODY_OMEGA) - turn_a)
+    store(b + BODY_OMEGA, number_at(b + BODY_OMEGA) + turn_b)
+
+
+@compiled
+def part(contact):
+    """Set velocities that part two overlapping bodies."""
+    a, b, nx, ny = contact.a, contact.b, contact.nx, contact.ny
+    turn_a, turn_b = number_at(a + BODY_REPAIR_OMEGA), number_at(b + BODY_REPAIR_OMEGA)
+    vx = number_at(b + BODY_REPAIR_VX) - turn_b * contact.by - number_at(a + BODY_REPAIR_VX) + turn_a * contact.ay
+    vy = number_at(b + BODY_REPAIR_VY) + turn_b * contact.bx - number_at(a + BODY_REPAIR_VY) - turn_a * contact.ax
+    shift = max(contact.shift + (contact.repair - vx * nx - vy * ny) * contact.mass_along, 0.0)
+    size = shift - contact.shift
+    contact.shift = shift
+    light_a, light_b = size * number_at(a + BODY_MASS_INVERSE), size * number_at(b + BODY_MASS_INVERSE)
+    store(a + BODY_REPAIR_VX, number_at(a + BODY_REPAIR_VX) - light_a * nx)
+    store(a + BODY_REPAIR_VY, number_at(a + BODY_REPAIR_VY) - light_a * ny)
+    store(b + BODY_REPAIR_VX, number_at(b + BODY_REPAIR_VX) + light_b * nx)
+    store(b + BODY_REPAIR_VY, number_at(b + BODY_REPAIR_VY) + light_b * ny)
+    light_a = size * number_at(a + BODY_MOMENT_INVERSE) * (contact.ax * ny - contact.ay * nx)
+    light_b = size * number_at(b + BODY_MOMENT_INVERSE) * (contact.bx * ny - contact.by * nx)
+    store(a + BODY_REPAIR_OMEGA, turn_a - light_a)
+    store(b + BODY_REPAIR_OMEGA, turn_b + light_b)

@@ -1,7 +1,7 @@
 """Legs that interlock: a leg of one robot stands between two legs of another.  [Sacks 2001, 1, 3]  MS51
 
-Where the circle of a leg crosses the line between two neighbouring legs of another robot, the two hold each other for
-a gait step: in every direction but out of that gap, straight apart. Where legs stand decides it; nothing is drawn.
+Where the circle of a leg crosses the line between two neighbouring legs of another robot, the two hold each other for a
+gait step: they can only move straight apart, out of that gap. The places of the legs decide; nothing is random.
 
 `k`: the league's constants.
 """
@@ -24,7 +24,7 @@ HOLD = 6  # in the place of the other robot's leg in a contact's key
 
 @compiled
 def catch_legs(robots, r, k, handedness):
-    """Tell, as a gait step of a robot begins, whether one of its legs is caught between the legs of another.
+    """Note, at the start of a robot's gait step, whether one of its legs is caught between the legs of another.
 
     Legs that are spread for a block neither catch nor are caught.
     """
@@ -53,7 +53,7 @@ def catch_legs(robots, r, k, handedness):
 
 @compiled
 def gap_at(k, ahead, left, handedness):
-    """Return between which of a robot's legs a leg at a place [m], in its frame, stands; -1: between none."""
+    """Return the gap between a robot's legs in which a leg at a place [m] in its frame stands; -1: in none."""
     for gap in range(GAPS):
         if gap_distance(k, gap, ahead, left, handedness) < k.body_tip_radius:
             return gap
@@ -81,7 +81,7 @@ def way_out(gap, handedness):
 
 @compiled
 def hold_caught(solver, k):
-    """List the holds of a match: contacts that allow no motion but out of the gap, while the leg is near it."""
+    """List the holds of a match: while a leg is near its gap, contacts that allow motion out of the gap alone."""
     solver.holds = 0
     for r in range(solver.robots):
         other = stance_of(solver, r).caught_by - 1
@@ -105,10 +105,10 @@ def is_held(solver, k, r):
 
 @compiled
 def hold_leg(solver, k, r, other, mutual):
-    """List the hold of robot r's leg between those of another.
+    """List the hold of robot r's leg between the legs of another robot.
 
-    Two robots that hold a leg of each other are held once, in the middle of the two and along the mean of both ways:
-    two holds that say nearly the same would take more rounds to agree than there are.
+    Two robots that hold a leg of each other get one hold, midway between both and along the mean of both directions:
+    two nearly equal holds would need too many rounds to agree.
     """
     robot, holder = stance_of(solver, r), stance_of(solver, other)
     solver.holds += 1

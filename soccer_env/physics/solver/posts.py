@@ -1,10 +1,10 @@
-"""What the posts of robots touch, legs or tips of a guide: other robots, boards and their feet, the ball.  MS51, MS53
+"""Contacts of posts, the legs or tips of a guide, with other robots and with the ball.  MS51, MS53
 
-Posts are no shapes of Chipmunk's, whose search for pairs would cost more than all the rest of a match: they are found
-here, in each substep, by the distances of circles from circles, from discs and capsules and from boards, and take part
-in the same rounds of impulses (`solver/impulses.py`). A leg meets robots and boards where it stands, in the middle of
-its stroke, since a leg that swings against something heavy gives way; it meets the ball where it is. A leg that is
-spread for a block is met along its whole length, from paw to shoulder, boards apart, which it meets with its paw.
+Posts are no shapes of Chipmunk's, whose search for pairs would cost more than the rest of a match. In each substep
+their contacts are found here, by the distances of circles from circles, discs and capsules, and take part in Chipmunk's
+rounds of impulses (`solver/contacts.py`). A leg touches robots and boards where it stands, in mid-stroke, since a leg
+that swings against something heavy gives way; it touches the ball where it is. A leg spread for a block touches along
+its whole length, from paw to shoulder; boards it touches with its paw alone.
 
 `k`: the league's constants.
 """
@@ -36,7 +36,7 @@ TRUNK = 4  # in the place of the other robot's post
 
 @compiled
 def find_post_contacts(solver, k, dt):
-    """List what the posts of a match touch of other robots and the ball, in this substep of dt [s]."""
+    """List the contacts of posts with other robots and with the ball in this substep of dt [s]."""
     keep_impulses(solver)
     solver.repair = (1.0 - exp(log(OVERLAP_LEFT) * dt)) / dt
     for r in range(solver.robots):
@@ -58,9 +58,9 @@ def find_post_contacts(solver, k, dt):
 
 @compiled
 def place_posts(solver, k, stance):
-    """Say where the posts of a robot stand in the field, if nobody has asked for it in this substep.
+    """Compute the places of a robot's posts in the field frame, once a substep.
 
-    In a mirrored match those of the other side come first.
+    In a mirrored match the posts of the other side come first.
     """
     if stance.placed == 1:
         return
@@ -93,7 +93,7 @@ def spread_now(solver, stance):
 
 @compiled
 def meet_robot(solver, k, r, other):
-    """List the contacts of two robots near each other: posts with posts, and of each with the trunk of the other."""
+    """List the contacts of two robots near each other: posts with posts, and posts with the other robot's trunk."""
     place_posts(solver, k, stance_of(solver, r))
     place_posts(solver, k, stance_of(solver, other))
     if spread_now(solver, stance_of(solver, r)) > 0.0 or spread_now(solver, stance_of(solver, other)) > 0.0:
@@ -131,7 +131,7 @@ def meet_trunk(solver, k, r, i, other):
 
 @compiled
 def meet_spread_legs(solver, k, r, other):
-    """List the contacts of two robots of which one blocks at least: where their legs are nearest.  MS53"""
+    """List the contacts of two robots, at least one of which blocks: where their legs are nearest.  MS53"""
     both = 2.0 * k.body_tip_radius
     for i in range(solver.posts):
         a = stance_of(solver, r).posts[i]
@@ -149,7 +149,7 @@ def meet_spread_legs(solver, k, r, other):
 
 @compiled
 def meet_trunk_along(solver, k, r, i, other):
-    """List the contact of a leg of robot r, all along, with the trunk of another robot, if they touch."""
+    """List the contact of a whole leg of robot r with the trunk of another robot, if they touch."""
     leg = stance_of(solver, r).posts[i]
     body = stance_of(solver, other).body
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
@@ -166,9 +166,9 @@ def meet_trunk_along(solver, k, r, i, other):
 
 @compiled
 def touch_robot(solver, k, r, i, other, part, at_x, at_y, x, y, gap, reach):
-    """List a contact of robot r's post, its axis at a place [m], with a part of another robot.
+    """List a contact of robot r's post, its axis at at_x, at_y [m], with a part of another robot.
 
-    The axis of that part is x, y [m] away; the two touch within `reach`.
+    The axis of that part is x, y [m] away from the post's axis; the two touch within `reach`.
     """
     stance_of(solver, r).meets = 1
     stance_of(solver, other).meets = 1
@@ -178,14 +178,14 @@ def touch_robot(solver, k, r, i, other, part, at_x, at_y, x, y, gap, reach):
     contact = add_contact(solver, key, stance_of(solver, r).body, stance_of(solver, other).body)
     elasticity = solver.robot_elasticity
     if stance_of(solver, r).caught_by == other + 1 or stance_of(solver, other).caught_by == r + 1:
-        elasticity = 0.0  # a bounce against a hold would give energy
+        elasticity = 0.0  # a bounce against a hold would add energy
         forget(contact)
     aim(solver, contact, nx, ny, place_x, place_y, gap - reach, elasticity, solver.robot_friction)
 
 
 @compiled
 def meet_ball(solver, k):
-    """List the contacts of posts, paws where they swing, with the ball."""
+    """List the contacts of posts with the ball, paws taken where they are in their swing."""
     x, y = number_at(solver.ball + BODY_X), number_at(solver.ball + BODY_Y)
     near = max(1.5 * k.body_reach, most_reach(k)) + k.ball_radius
     for r in range(solver.robots):
@@ -208,7 +208,7 @@ def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
     x, y = ahead - paw.x - solver.time * paw.vx, left - paw.y - solver.time * paw.vy
     vx, vy = paw.vx, paw.vy
     spread = spread_now(solver, stance)
-    if spread > 0.0 and i < TIPS:  # the point of the leg that is nearest to the ball, in the place of the paw
+    if spread > 0.0 and i < TIPS:  # the point of the leg nearest to the ball, instead of the paw
         leg_x, leg_y = leg_back(k, i, spread, solver.handedness)
         share = share_along(x, y, leg_x, leg_y)
         x -= share * leg_x
@@ -237,7 +237,7 @@ def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
 def between_segments(ax, ay, bx, by, cx, cy, dx, dy):
     """Return the point of AB [m, m] that is nearest to CD, and the vector from it to the nearest point of CD [m, m].
 
-    Of lines that do not cross, and robots' legs and trunks hardly can, an end of one is nearest to the other.
+    Legs and trunks hardly ever cross, and then an end of one segment is nearest to the other.
     """
     x, y = to_segment(ax, ay, cx, cy, dx, dy)
     at_x, at_y = ax, ay

@@ -1,18 +1,17 @@
-"""Our part of Chipmunk's contact solver: the ground under the robots, their legs and guides, and
-the ball's roll in a blow.
+"""Our part of Chipmunk's contact solver: the ground under the robots, their legs and guides, and the ball's roll.
 
-Chipmunk solves the contacts of a substep together, in a few rounds of impulses. What acts at the same time as they do
-must take part in those rounds: a ground that is asked once a control step lets a robot that stands be pushed along as
-on ice, since the solver, which knows nothing of the ground, shares out the momentum of the two. So each Space holds
-one constraint of our own, whose four functions Chipmunk calls in every substep:
+Chipmunk solves the contacts of a substep together, in a few rounds of impulses. Forces that act at the same time must
+take part in those rounds: if the ground acted once a control step, a standing robot would slide as on ice when pushed,
+since a solver without the ground only shares out the momentum of the two robots. So each Space holds one constraint of
+our own, whose four functions Chipmunk calls in every substep:
 
-    prepare      once contacts are known: what posts touch is found, robots that touch nothing are driven at once
-    resume       the impulses of the last substep, from which the rounds start
-    solve_round  once a round, after Chipmunk's contacts: those of posts, the ground under robots that touch something
+    prepare      once contacts are known: find the contacts of posts, drive robots that touch nothing
+    resume       apply the impulses of the last substep, from which the rounds start
+    solve_round  once a round, after Chipmunk's contacts: contacts of posts, ground under robots that touch something
     finish       after the last round: the ball's roll
 
-The constraint is made as a motor and gets our functions in the place of the motor's; its rate holds the address of the
-match's SOLVER record. Impulses of the ground are counted as changes of velocity: over the robot's mass.
+The constraint is made as a motor whose functions are replaced by ours; the motor's rate holds the address of the
+match's SOLVER record. Impulses of the ground are counted as changes of velocity: divided by the robot's mass.
 """
 
 from __future__ import annotations
@@ -51,8 +50,7 @@ from soccer_env.physics.engine.memory import (
 from soccer_env.physics.engine.pymunk_parts import ffi, lib
 from soccer_env.physics.engine.space import loose_posts
 from soccer_env.physics.solver.ball import look_at_ball, take_roll, touches_of_ball
-from soccer_env.physics.solver.contacts import stance_of
-from soccer_env.physics.solver.impulses import resume_posts, solve_posts
+from soccer_env.physics.solver.contacts import resume_posts, solve_posts, stance_of
 from soccer_env.physics.solver.interlock import hold_caught
 from soccer_env.physics.solver.posts import find_post_contacts
 from soccer_env.physics.solver.records import SOLVER, STANCE
@@ -64,7 +62,7 @@ constants_at: Any = record_reader(CONSTANTS)
 
 @callback("void", "address", "float64")
 def prepare(constraint, dt):
-    """Find what posts touch, drive the robots that touch nothing, and list those that do and the ball's contacts."""
+    """Find contacts of posts, drive robots that touch nothing, list robots that touch something, and ball contacts."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solver.time += dt
     if solver.posts > 0:
@@ -94,7 +92,7 @@ def prepare(constraint, dt):
 
 @callback("void", "address", "float64")
 def resume(constraint, share):
-    """Begin the rounds with the impulses of the last substep, times the ratio of the substeps' lengths."""
+    """Apply the impulses of the last substep, times the ratio of the substeps' lengths."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     resume_posts(solver, share)
     for i in range(solver.touching_count):
@@ -110,7 +108,7 @@ def resume(constraint, share):
 
 @callback("void", "address", "float64")
 def solve_round(constraint, dt):
-    """Look at the contacts of posts, then let the ground act on the robots that touch something."""
+    """Solve the contacts of posts once, then let the ground act on the robots that touch something."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solve_posts(solver)
     for i in range(solver.touching_count):
@@ -119,21 +117,21 @@ def solve_round(constraint, dt):
 
 @callback("float64", "address")
 def impulse(constraint):
-    """Return no impulse: nobody asks for it."""
+    """Return 0: Chipmunk needs this function, and nothing reads its result."""
     return 0.0
 
 
 @callback("void", "address", "address")
 def finish(constraint, space):
-    """Let the blows of this substep take the ball's roll."""
+    """Slow the ball's roll by the blows of this substep."""
     take_roll(solver_at(address_at(constraint + MOTOR_RATE)))
 
 
 @compiled
 def lead_off(solver, dt):
-    """Let the ground act before the first substep of a control step of dt [s] on robots that touched nothing so far.
+    """Let the ground act before the first substep of a control step of dt [s] on robots that touch nothing.
 
-    Chipmunk moves bodies first and then changes their velocities: a walk would show a substep late.
+    Chipmunk moves bodies first and then changes their velocities: a walk would start a substep late.
     """
     for r in range(solver.robots):
         stance = stance_of(solver, r)
@@ -147,13 +145,13 @@ def lead_off(solver, dt):
 
 @compiled
 def is_free(stance):
-    """Tell whether a robot touches nothing in this substep, or in the last one before the next has begun."""
+    """Tell whether a robot touches nothing in this substep, or in the last substep before the next one begins."""
     return address_at(stance.body + BODY_ARBITERS) == 0 and stance.meets == 0
 
 
 @compiled
 def hold_ground(stance, dt):
-    """Bring a robot towards the velocity that it wants, with what the ground bears in a substep at most."""
+    """Bring a robot towards its wanted velocity, with at most the impulse that the ground bears in a substep."""
     body = stance.body
     vx, vy = number_at(body + BODY_VX), number_at(body + BODY_VY)
     x, y = stance.given_x + stance.vx - vx, stance.given_y + stance.vy - vy
@@ -178,11 +176,11 @@ def hold_ground(stance, dt):
     stance.given_turn = turn
 
 
-# For the owner of the Spaces
+# For the class that owns the Spaces
 
 
 class Room(NamedTuple):
-    """What a match's SOLVER record points to."""
+    """The arrays of a match that its SOLVER record points to."""
 
     stances: np.ndarray  # (R,) STANCE
     contacts: np.ndarray  # (n,) POST_CONTACT
@@ -190,10 +188,10 @@ class Room(NamedTuple):
 
 
 def attach(space: pymunk.Space, solver: np.ndarray, room: Room, league: League, k: np.ndarray) -> None:
-    """Let our functions take part in solving a Space whose dynamic bodies are the ball and the robots, in this order.
+    """Add our constraint to a Space whose dynamic bodies are the ball and the robots, in this order.
 
-    They work on a SOLVER record (1,), in the room of a match, and with the constants (1,) of the league. The caller
-    keeps all of them alive and in place.
+    Its functions use a SOLVER record (1,), the room of a match, and the league's constants (1,). The caller keeps all
+    of them alive and in place.
     """
     if not layout_fits():
         raise RuntimeError(f"this package needs pymunk 7.3 on a 64-bit machine, found {pymunk.version}")
@@ -221,7 +219,7 @@ def attach(space: pymunk.Space, solver: np.ndarray, room: Room, league: League, 
 
 
 def _add_constraint(space: pymunk.Space, solver: int) -> None:
-    """Add the constraint whose functions are ours, and tell it the address of the match's SOLVER record."""
+    """Add the constraint with our functions, and give it the address of the match's SOLVER record."""
     motor = pymunk.SimpleMotor(space.static_body, next(iter(space.bodies)), float(np.uint64(solver).view(np.float64)))
     space.add(motor)
     ffi.cast("uintptr_t *", address_of(motor) + CONSTRAINT_CLASS)[0] = _class_table().ctypes.data
@@ -230,5 +228,5 @@ def _add_constraint(space: pymunk.Space, solver: int) -> None:
 
 @functools.cache
 def _class_table() -> np.ndarray:
-    """Return the addresses of the four functions of our kind of constraint, as Chipmunk's struct has them."""
+    """Return the addresses of the four functions of our constraint, in the order of Chipmunk's struct."""
     return np.array([function.address for function in (prepare, resume, solve_round, impulse)], np.uint64)

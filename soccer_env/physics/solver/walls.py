@@ -1,7 +1,7 @@
-"""What stands still and posts touch: boards with their feet, the backs and sides of goals, goal posts.
+"""Contacts of posts with static things: boards with their feet, the backs and sides of goals, goal posts.
 
-Boards are faces along the axes; round the mouth of a goal they end in a corner. Without boards on its lines a pitch has
-goal posts and side nets, thick lines from the goal line to the goal's back.
+Boards are faces along the axes, which end in a corner beside the mouth of a goal. A pitch without boards on its lines
+has goal posts and side nets: thick lines from the goal line to the back of the goal.
 
 `k`: the league's constants.
 """
@@ -20,7 +20,7 @@ SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's pos
 
 @compiled
 def meet_walls(solver, k, r, x, y):
-    """List the contacts of a robot's posts with what stands still; x, y [m] its place.  MS51"""
+    """List the contacts of a robot at x, y [m] with boards, goals and goal posts.  MS51"""
     half_width = 0.5 * k.pitch_width + k.pitch_band_side
     reach = most_reach(k) + k.pitch_board_foot
     if abs(x) + reach < 0.5 * k.pitch_length and abs(y) + reach < half_width:
@@ -44,7 +44,7 @@ def meet_walls(solver, k, r, x, y):
 
 @compiled
 def meet_end(solver, k, r, i, end, side, aside):
-    """List the contact of a post with the boards beside a goal's mouth, or with their ends, which are its sides."""
+    """List the contact of a post with the boards beside a goal's mouth, or with their ends, the sides of the goal."""
     behind = 0.0 if k.walled == 1 else max(k.pitch_band_end, k.pitch_goal_depth)
     past = abs(stance_of(solver, r).posts[i].field_x) - 0.5 * k.pitch_length - behind + k.pitch_board_foot
     if past + k.body_tip_radius <= 0.0 or aside >= k.body_tip_radius:
@@ -76,7 +76,7 @@ def meet_goal_post(solver, k, r, i, end, side):
 
 @compiled
 def touch_wall(solver, k, r, i, part, nx, ny, room):
-    """List a contact of a robot's post with something that stands still, `room` [m] from the post's axis."""
+    """List a contact of a robot's post with a static surface, `room` [m] from the post's axis."""
     stance = stance_of(solver, r)
     stance.meets = 1
     post = stance.posts[i]

@@ -1,16 +1,16 @@
-"""Whether a ball in the goal counts.
+"""Tell whether a ball in the goal counts.
 
-The book annuls goals that an attacker, or a mate of it, scores after it has pushed the goalkeeper for too long and
-before it is taken out, and goals while holding the ball: "considered out", the ball goes to the halfway line. A
-kick-off shot gives the defenders a kick-off. Here a robot is taken out at once, so that a goal does not count
+The book annuls goals that an attacker or a mate scores between pushing the goalkeeper for too long and being taken out,
+and goals while holding the ball: "considered out", the ball goes to the halfway line. After a kick-off shot the
+defenders kick off. Here a guilty robot is taken out at once, and a goal of its team does not count
 
-* for some seconds after its team was whistled for pushing the goalkeeper or holding the ball, as long as a referee's
-  assistant takes;
-* while one of its team has pushed the goalkeeper for half a second or longer, or has the ball and has held it for
-  that long. Unlike in the book, where the second has to be full: an attacker could shove goalkeeper and ball over the
-  line together in less. A shorter contact is a gait step, which a walking robot cannot break off.
+* for some seconds after the whistle for pushing the goalkeeper or holding the ball: the time that a referee's
+  assistant takes to remove a robot;
+* while a robot of the team has pushed the goalkeeper, or has held the ball, for half a second or longer. Unlike the
+  book, which allows a full second: in less an attacker could shove goalkeeper and ball over the line together. A
+  shorter contact is a gait step, which a walking robot cannot break off.
 
-In the middle size a goal from an indirect restart counts once somebody but the taker has touched the ball
+In the middle size a goal from an indirect restart counts once another robot than the taker has touched the ball
 (`taking.py`).
 
 `k`: the league's constants.
@@ -40,13 +40,13 @@ def goal_counts(match, ball, robots, k, scorer):
 
 @compiled
 def is_kick_off_shot(match, k, scorer):
-    """Tell whether a team scores straight from its kick-off where it may not."""
+    """Tell whether a team scores straight from its kick-off although the rules forbid it."""
     return k.rules_kick_off_shot == 1 and match.kick_off_shot == scorer
 
 
 @inlined
 def note_whistled_attack(match, robots, robot_events, k):
-    """Remember for a while whose attack was whistled; if both teams' were, the later robot's counts."""
+    """Remember for a while the team whose attack was whistled; of both teams, that of the later row."""
     if match.whistled != NO_TEAM:
         match.whistled_clock += k.dt
         if match.whistled_clock > k.rules_annulled_time - 0.5 * k.dt:
@@ -59,5 +59,5 @@ def note_whistled_attack(match, robots, robot_events, k):
 
 @compiled
 def is_own_goal(match, robots, scorer):
-    """Tell whether the taker of a restart has put the ball into its own goal, untouched by anybody else."""
+    """Tell whether the taker of a restart has put the ball into its own goal, untouched by other robots."""
     return match.taker >= 0 and robots[match.taker].team != scorer

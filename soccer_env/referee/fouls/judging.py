@@ -1,4 +1,4 @@
-"""All rules about fouls in their order, once a control step, before the ball is judged.
+"""Apply all rules about fouls in their order, once a control step, before the ball is judged.
 
 `k`: the league's constants.
 """
@@ -10,6 +10,6 @@ from soccer_env.referee.fouls.middle_size.book import judge_middle_size
 
 @compiled
 def judge_fouls(match, ball, robots, events, robot_events, touching, k):
-    """Whistle for the fouls of a step; tell whether robots were moved. `touching` is what `find_collisions` found."""
+    """Whistle for the fouls of a step; tell whether robots were moved. `touching`: see `find_collisions`."""
     moved = judge_legged(match, ball, robots, events, robot_events, touching, k)
     return judge_middle_size(match, ball, robots, events, robot_events, touching, k) or moved

@@ -1,12 +1,12 @@
 """The whistle, and robots that are taken out for a time and come back at the halfway line.
 
-The book [RoboCup-SPL/Rules, NaoRules2008.tex, standard removal penalty]: the robot is placed outside the field; when
-its time is over, on the halfway line as close to the sideline as possible, on the side farther from the ball, facing
-the opposite sideline; if somebody stands there, at a place nearby along the sideline, rather away from the ball. Times
-that run are over whenever the game stops: for goals, half-time and game stuck.
+The book [RoboCup-SPL/Rules, NaoRules2008.tex, standard removal penalty]: the robot is placed outside the field. When
+its time is over, it is put on the halfway line as close to the sideline as possible, on the side farther from the ball,
+facing the opposite sideline; if another robot stands there, nearby along the sideline, preferably away from the ball.
+All penalties end when the game stops: for goals, half-time and game stuck.
 
 A robot that is out is parked beside the pitch, stays an agent and stands still; its clock runs while the ball is in
-play or waits for a restart. When it comes back it is told where it stands.
+play or waits for a restart. When it comes back it is told its place.
 
 `k`: the league's constants.
 """
@@ -21,12 +21,12 @@ from soccer_env.referee.restarts import put_robot, stop
 from soccer_env.types import Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
-STEP_ASIDE = 0.05  # [m] by which the place of a return is moved along the touchline until it is free
+STEP_ASIDE = 0.05  # [m] step along the touchline in the search for a free place
 
 
 @compiled
 def whistle(match, robots, events, robot_events, r, foul):
-    """Note a foul of robot r; of several in one step the first."""
+    """Note a foul of robot r, the first of several in one step."""
     if robot_events[r].foul == 0:
         robot_events[r].foul = foul
     if events.foul == 0:
@@ -36,7 +36,7 @@ def whistle(match, robots, events, robot_events, r, foul):
 
 @compiled
 def take_out(match, ball, robots, robot_events, r, seconds, k):
-    """Take a robot out for a time [s]; 0: it is put on the halfway line at once."""
+    """Take a robot out for a time [s]; 0: put it on the halfway line at once."""
     send_off(robots, r, seconds)
     if seconds <= 0.0:
         come_back(match, ball, robots, r, k)
@@ -62,7 +62,7 @@ def send_off(robots, r, seconds):
 
 @compiled
 def serve_penalties(match, ball, robots, robot_events, k):
-    """Let the penalties of a step run, and robots come back; tell whether one did."""
+    """Run the clocks of penalties, and bring robots back; tell whether any came back."""
     moved = False
     for r in range(robots.shape[0]):
         if robots[r].penalty <= 0.0:
@@ -77,7 +77,7 @@ def serve_penalties(match, ball, robots, robot_events, k):
 
 @compiled
 def pardon(match, ball, robots, events, robot_events, k):
-    """End all penalties that run if there is a kick-off: the robots take their places in it."""
+    """End all running penalties at a kick-off, in which the robots then take their places."""
     if k.rules_pardon == 0 or events.restart != KICK_OFF:
         return
     for r in range(robots.shape[0]):
@@ -88,7 +88,7 @@ def pardon(match, ball, robots, events, robot_events, k):
 
 @compiled
 def come_back(match, ball, robots, r, k):
-    """Put a robot back on the touchline at the halfway line, away from the ball and free of others."""
+    """Put a robot back on the touchline at the halfway line, away from the ball and clear of other robots."""
     robot, ahead = robots[r], direction_of(match, robots[r].team)
     side = -1.0 if ball.y > 0.0 else (1.0 if ball.y < 0.0 else ahead * match.handedness)
     edge = 0.5 * k.pitch_width - k.body_reach - k.legs * k.pitch_board_foot - MARGIN
@@ -103,7 +103,7 @@ def come_back(match, ball, robots, r, k):
 
 @compiled
 def nearest_free(ball, robots, r, ahead, y, k):
-    """Return how far from the halfway line towards its own goal robot r finds room beside a touchline [m], or -1."""
+    """Return the distance from the halfway line, towards its own goal, of robot r's first free place [m], or -1."""
     for step in range(int((0.5 * k.pitch_length - k.body_reach) / STEP_ASIDE)):
         if is_free(ball, robots, r, -ahead * step * STEP_ASIDE, y, k):
             return step * STEP_ASIDE
@@ -112,7 +112,7 @@ def nearest_free(ball, robots, r, ahead, y, k):
 
 @compiled
 def is_free(ball, robots, r, x, y, k):
-    """Tell whether robot r could stand at a place [m, m] without touching another, or the ball."""
+    """Tell whether robot r could stand at a place [m, m] without touching another robot or the ball."""
     if length(ball.x - x, ball.y - y) < k.body_reach + k.ball_radius + MARGIN:
         return False
     for other in range(robots.shape[0]):

@@ -1,11 +1,11 @@
-"""Illegal defender: a field player in its own penalty area.  Illegal attacker: one that camps in the opponents'.
+"""Illegal defender: a field player in its own penalty area.  Illegal attacker: a robot that stays in the opponents'.
 
-The book: only the goalkeeper may be in its team's penalty area; a field player is in it with both feet (of four: two,
-as in the legged books), whether or not the goalkeeper is there too, and is taken out for 30 s; not so a defender whom
-an opponent pushed in. The book gives no time; a second passes here until the referee is sure, assumed. Whom an
-opponent or the referee put there has time to walk out. A team that lines up without a goalkeeper has no such area.
+The book: only the goalkeeper may be in its team's penalty area. A field player with both feet in the area (two of four,
+as in the legged books) is taken out for 30 s, wherever the goalkeeper is; a defender that an opponent pushed in is not.
+The book gives no time; here the referee waits a second, assumed. A robot that an opponent or the referee put there has
+time to walk out. A team that lines up without a goalkeeper has no such area.
 
-None of the books at hand has an illegal attacker in the legged league: the rule is there, and off.
+No book at hand has an illegal attacker in the legged league: the rule exists, and is off.
 
 `k`: the league's constants.
 """
@@ -20,12 +20,12 @@ from soccer_env.referee.restarts import TO_WALK_OUT
 from soccer_env.types import Foul
 
 DEFENDER, ATTACKER = int(Foul.ILLEGAL_DEFENDER), int(Foul.ILLEGAL_ATTACKER)
-FEET = 2  # of four that make a field player stand in the area
+FEET = 2  # of four: with so many a field player stands in the area
 
 
 @inlined
 def judge_areas(match, ball, robots, events, robot_events, k):
-    """Whistle field players that stay in a penalty area in which they may not."""
+    """Whistle field players that stay in a penalty area that is forbidden to them."""
     for r in range(robots.shape[0]):
         robot = robots[r]
         if robot.active == 0 or robot.keeper == 1:
@@ -55,37 +55,37 @@ def trespass_of(match, ball, robots, r, k):
 
 @compiled
 def has_keeper(robots, team):
-    """Tell whether a team lined up with a goalkeeper, be it out or not."""
-    found = False
+    """Tell whether a team lined up with a goalkeeper, active or not."""
+    lined_up = False
     for r in range(robots.shape[0]):
-        found = found or (robots[r].team == team and robots[r].keeper == 1)
-    return found
+        lined_up = lined_up or (robots[r].team == team and robots[r].keeper == 1)
+    return lined_up
 
 
 @compiled
 def in_own_area(match, robot, k, feet):
-    """Tell whether a robot has at least so many feet in its own penalty area or goal."""
+    """Tell whether a robot has at least `feet` feet in its own penalty area or goal."""
     return in_area(robot, k, -direction_of(match, robot.team), feet)
 
 
 @compiled
 def in_area(robot, k, end, feet):
-    """Tell whether a robot has at least so many feet in the penalty area or goal at an end of the pitch (+1 or -1)."""
+    """Tell whether a robot has at least `feet` feet in the penalty area or goal at an end of the pitch (+1 or -1)."""
     line, side = 0.5 * k.pitch_length - k.pitch_penalty_depth, 0.5 * k.pitch_penalty_width
     if end * robot.x + k.body_reach < line or abs(robot.y) - k.body_reach > side:
-        return False  # as most robots, most of the time
+        return False  # most robots, most of the time
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    found = 0
+    inside = 0
     for leg in range(LEGS):
         ahead, left = foot(k, leg)
         x, y = point_of_frame(robot.x, robot.y, ahead, left, cosine, sine)
-        found += 1 if is_inside(x, y, k, end) else 0
-    return found >= feet
+        inside += 1 if is_inside(x, y, k, end) else 0
+    return inside >= feet
 
 
 @compiled
 def foot(k, leg):
-    """Return where a foot stands in mid-stroke [m, m], robot frame; a body of one piece has hind feet like its fore."""
+    """Return the place of a foot in mid-stroke [m, m], robot frame; without legs hind feet mirror the fore feet."""
     if leg < 2 or k.body_hind_y > 0.0:
         return stance(k, leg, 1.0)
     ahead, left = stance(k, leg - 2, 1.0)

@@ -1,6 +1,6 @@
-"""All rules of the legged league in their order, and what becomes of those who are guilty.
+"""All rules of the legged league in their order, and the removal of guilty robots.
 
-All is judged before anybody is moved, so that nobody is favoured by its number.
+All fouls are judged before any robot is moved, so that no robot is favoured by its number.
 
 `k`: the league's constants.
 """
@@ -52,28 +52,28 @@ def judge_legged(match, ball, robots, events, robot_events, touching, k):
 
 @inlined
 def restart_if_stuck(match, ball, robots, events, robot_events, k):
-    """Call the restart of a game that is stuck, if it needs one."""
-    found = judge_stuck(match, ball, robots, events, robot_events, k)
-    if found == GLOBAL:
+    """Call the restart of a stuck game, if it needs one."""
+    verdict = judge_stuck(match, ball, robots, events, robot_events, k)
+    if verdict == GLOBAL:
         events.stuck = 1
         call_restart(match, events, KICK_OFF, defender_at(match, ball.x), 0.0, 0.0)
-    elif found == TO_CENTRE:
+    elif verdict == TO_CENTRE:
         events.stuck = 1
         call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, 0.0)
 
 
 @compiled
 def take_out_guilty(match, ball, robots, robot_events, k):
-    """Take those out who were whistled; tell whether there are any.
+    """Take out whistled robots; tell whether there are any.
 
-    Who lay for too long, was in the way of a stuck game or is a goalkeeper that held the ball comes back at once.
+    A fallen robot, a robot in the way of a stuck game and a goalkeeper that held the ball come back at once.
     """
-    found = False
+    moved = False
     for r in range(robots.shape[0]):
         foul = robot_events[r].foul
         if foul == 0:
             continue
         at_once = foul in (FALLEN, GAME_STUCK) or (foul == HOLDING and robots[r].keeper == 1)
         take_out(match, ball, robots, robot_events, r, 0.0 if at_once else k.rules_removal_time, k)
-        found = True
-    return found
+        moved = True
+    return moved

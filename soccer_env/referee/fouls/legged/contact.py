@@ -1,7 +1,7 @@
-"""Who walks into whom: what all rules about pushing are built on.
+"""Find robots that walk into opponents, the basis of all rules about pushing.
 
-A robot pushes an opponent when the two touch and the walk that its legs make leads it into the other. What its body
-does is not asked: who is shoved pushes nobody, and who turns on the spot does not either.
+A robot pushes an opponent when the two touch and the walk of its legs leads into the opponent. The motion of its body
+does not count: a robot that is shoved, or turns on the spot, pushes nobody.
 
 `k`: the league's constants.
 """
@@ -13,13 +13,13 @@ from soccer_env.geometry import length, out_of_frame
 from soccer_env.physics.contacts import TOUCH_GAP, touches
 from soccer_env.referee.fouls.legged.areas import in_own_area
 
-PRESS = 0.25  # [1] of the top speed, towards the other, above which a walk leads into it, assumed
-PLAYER, KEEPER = 1, 2  # who is pushed: anybody, a goalkeeper in its own area
+PRESS = 0.25  # [1] of the top speed: a walk towards an opponent above this leads into it, assumed
+PLAYER, KEEPER = 1, 2  # the pushed robot: any opponent, a goalkeeper in its own area
 
 
 @inlined
 def note_pushes(match, ball, robots, robot_events, touching, k):
-    """Mark who walks into an opponent, and who is walked into; a goalkeeper also through the ball between the two."""
+    """Mark robots that push an opponent, or a goalkeeper through the ball, and mark the pushed robots."""
     near = 2.0 * k.body_reach + TOUCH_GAP
     for r in range(robots.shape[0]):
         if robot_events[r].collision == 1:
@@ -45,7 +45,7 @@ def note_push(match, robots, robot_events, r, other, k):
 
 @compiled
 def note_pushes_through_ball(match, ball, robots, robot_events, keeper, k):
-    """Mark those who push a goalkeeper that is in its own area indirectly, through the ball that both touch."""
+    """Mark robots that push a goalkeeper in its own area through the ball that both touch."""
     for r in range(robots.shape[0]):
         if robots[r].team == robots[keeper].team or robot_events[r].touch == 0 or robot_events[r].pushes == KEEPER:
             continue
@@ -66,7 +66,7 @@ def walks_into(robot, other, k):
 
 @compiled
 def press_of(robot, other):
-    """Return the part of a robot's walk towards another [m/s]."""
+    """Return the component of a robot's walk towards another robot [m/s]."""
     x, y = other.x - robot.x, other.y - robot.y
     walk_x, walk_y = out_of_frame(robot.walk.forward, robot.walk.left, cos(robot.heading), sin(robot.heading))
     return (walk_x * x + walk_y * y) / max(length(x, y), 1e-6)
@@ -74,5 +74,5 @@ def press_of(robot, other):
 
 @compiled
 def run_clock(clock, runs, dt):
-    """Return a clock [s] that runs, or that runs back to zero: who lets go for as long as it pushed starts anew."""
+    """Return a clock [s]: a step of dt on if it runs, else a step back towards zero."""
     return clock + dt if runs else max(clock - dt, 0.0)

@@ -1,11 +1,11 @@
 """Falling over: a robot that an opponent pushes may fall; it lies still and gets up, or is put on its feet.
 
-The book: a fallen robot has 5 s to begin to get up; one that does not is put on the halfway line at once, without
-time out. A robot is down for the league's `drive.fall_time`.
+The book: a fallen robot has 5 s to begin to get up; if it does not, it is put on the halfway line at once, without a
+time penalty. A robot is down for the league's `drive.fall_time`.
 
-Who falls is drawn here, from the impulse with which an opponent walks into it (mass, thrust of the legs, share of the
-top speed, time), times the league's `drive.fall` [1/(N s)]; the contacts of the physics know nothing of it. The
-league has 0: no source says how often an ERS-210 fell, and its four paws stand wider than it is high.
+Falls are drawn here: the probability is the impulse with which opponents walk into the robot (mass, thrust of the legs,
+share of the top speed, time) times the league's `drive.fall` [1/(N s)]; the physics has no falls. The league has 0: no
+source says how often an ERS-210 fell, and its four paws stand wider than it is high.
 
 `k`: the league's constants.
 """
@@ -22,7 +22,7 @@ FALL = int(RobotStream.FALL)
 
 @inlined
 def judge_falling(match, robots, events, robot_events, k):
-    """Let robots fall that are pushed, and whistle those that lie for too long."""
+    """Draw falls of pushed robots, and whistle robots that lie for too long."""
     for r in range(robots.shape[0]):
         robot = robots[r]
         if robot.fallen > 0.0:
@@ -38,7 +38,7 @@ def judge_falling(match, robots, events, robot_events, k):
 
 @compiled
 def impulse_on(robots, robot_events, r, k):
-    """Return the impulse [N s] of those who walk into robot r in this step."""
+    """Return the impulse [N s] of opponents that walk into robot r in this step."""
     total, near = 0.0, 2.0 * k.body_reach + k.ball_radius
     for other in range(robots.shape[0]):
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y

@@ -1,17 +1,18 @@
 """Ball holding: a ball that is trapped for longer than 3 s, by a goalkeeper in its own area 5 s.
 
-The book: a robot that leaves not enough open space round the ball for more than 3 s is removed for 30 s; a goalkeeper
-may hold it for 5 s with a foot in its own area, and is put on the halfway line at once; who lets go for about as long
-as it held starts anew, without it all counts as one hold. Enough is half of the ball outside the robot's hull, which
-a ball between the forepaws of an ERS-210 always has. We count while the ball is trapped:
+The book: a robot that leaves too little open space round the ball for more than 3 s is removed for 30 s. A goalkeeper
+with a foot in its own area may hold the ball for 5 s, and is then put on the halfway line at once. Holds count as one
+unless the robot lets go for about as long as it held. Half of the ball outside the robot's hull is enough space; a ball
+between the forepaws of an ERS-210 always has it. So we count while the ball is trapped:
 
-* it lies between the forepaws and goes along although the robot does not walk ahead but turns, steps aside or goes
-  back. A robot that stands, to kick for instance, neither holds on nor lets go;
-* or no paw of an opponent could reach it: robot and boards cover it on all sides. It does not matter whether the
-  robot touches it, as the book says too.
+* the ball lies between the forepaws and goes along although the robot turns, steps aside or goes back instead of
+  walking ahead. A robot that stands, for instance to kick, neither holds nor lets go;
+* or no paw of an opponent could reach the ball: robot and boards cover it on all sides, whether or not the robot
+  touches it, as in the book.
 
-A ball that is pushed ahead is free to roll away, as the paper dribbles [Sacks 2001, 3.3], and one that an opponent
-touches is not trapped. The 50 cm that a ball may be carried in the book are a rule of their own (`carrying`).
+A ball that is pushed ahead is free to roll away, as in the paper's dribbling [Sacks 2001, 3.3], and a ball that an
+opponent touches is not trapped. The 50 cm that a robot may carry the ball in the book are a rule of their own
+(`carrying`).
 
 `k`: the league's constants.
 """
@@ -27,15 +28,15 @@ from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import Foul
 
 HOLDING = int(Foul.HOLDING)
-FREE, KEPT, TRAPPED = -1.0, 0.0, 1.0  # which way the clock runs
+FREE, KEPT, TRAPPED = -1.0, 0.0, 1.0  # direction in which the clock runs
 WALKS = 0.25  # [1] of a top speed, below which a robot stands, assumed
-SIDES = 16  # directions from which a paw may come
+SIDES = 16  # directions from which a paw may reach the ball
 
 
 @inlined
 def judge_holding(match, ball, robots, events, robot_events, k):
     """Whistle robots that have held the ball for too long, or carried it too far."""
-    reach = k.body_reach + k.ball_radius + 2.0 * k.body_tip_radius  # as near as no paw fits between
+    reach = k.body_reach + k.ball_radius + 2.0 * k.body_tip_radius  # no paw fits between at this distance
     for r in range(robots.shape[0]):
         robot = robots[r]
         near = robot.active == 1 and square_to_ball(ball, robot) < reach * reach
@@ -51,14 +52,14 @@ def judge_holding(match, ball, robots, events, robot_events, k):
 
 @compiled
 def time_to_hold(match, robot, k):
-    """Return how long a robot may hold the ball where it is [s]."""
+    """Return the time for which a robot may hold the ball at its place [s]."""
     keeps = robot.keeper == 1 and in_own_area(match, robot, k, 1)
     return k.rules_keeper_holding_time if keeps else k.rules_holding_time
 
 
 @compiled
 def way_of_ball(ball, robots, r, robot_events, k):
-    """Tell whether the ball at a robot is trapped by it, free, or neither."""
+    """Return whether a robot traps the ball, leaves it free, or neither: TRAPPED, FREE or KEPT."""
     for other in range(robots.shape[0]):
         if robots[other].team != robots[r].team and robot_events[other].touch == 1:
             return FREE
@@ -81,12 +82,12 @@ def moves(robot, k):
 
 @compiled
 def is_covered(robot, ball, k):
-    """Tell whether a robot and the boards leave no side of the ball to the paw of another robot."""
+    """Tell whether a robot and the boards cover all sides of the ball, so that no other paw reaches it."""
     room = k.body_tip_radius + k.legs * k.pitch_board_foot
     far = k.ball_radius + k.body_tip_radius
     x, y = 0.5 * k.pitch_length - room - far, 0.5 * k.pitch_width - room - far
     if abs(ball.x) < x and abs(ball.y) < y:
-        return False  # no board is near, and a robot alone cannot cover it
+        return False  # no board is near, and a robot alone cannot cover the ball
     cosine, sine = cos(robot.heading), sin(robot.heading)
     for side in range(SIDES):
         angle = robot.heading + (side + 0.5) * 2.0 * pi / SIDES
@@ -106,7 +107,7 @@ def has_room(x, y, room, k):
 
 @compiled
 def carries_too_far(robot, k):
-    """Tell whether a robot has carried the ball between its paws too far, from where it took it up."""
+    """Tell whether a robot has carried the ball too far from the place where it took the ball."""
     if robot.active == 0 or robot.has_ball == 0:
         robot.carry_x, robot.carry_y = robot.x, robot.y
         return False

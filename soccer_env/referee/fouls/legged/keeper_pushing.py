@@ -1,12 +1,11 @@
 """Goalkeeper pushing: an attacker that walks into a goalkeeper in its own area for longer than 1 s is taken out.
 
 The book, in the legged book's words: while the goalkeeper has a foot on or inside the line of its area, no attacker
-may be in contact with it, or push it through the ball, for more than a second; of two at once the second is removed
-immediately; short pushes count as one, unless the attacker backs off for as long as it pushed. Unlike there the
-attacker has to walk into the goalkeeper: a goalkeeper that runs into a standing robot gets nobody removed. Nobody is
-exempt.
+may be in contact with it, or push it through the ball, for more than a second; of two attackers at once the second is
+removed immediately; short pushes count as one, unless the attacker backs off for as long as it pushed. Unlike the book,
+an attacker is guilty only if it walks into the goalkeeper, not if the goalkeeper runs into it. No robot is exempt.
 
-What becomes of the goal: `referee.fouls.goals`.
+`referee.fouls.goals` decides whether a goal after such a push counts.
 
 `k`: the league's constants.
 """
@@ -21,7 +20,7 @@ KEEPER_PUSHING = int(Foul.KEEPER_PUSHING)
 
 @inlined
 def judge_keeper_pushing(match, robots, events, robot_events, k):
-    """Whistle attackers that have pushed the goalkeeper for too long, and those that join another."""
+    """Whistle attackers that have pushed the goalkeeper for too long, or join another attacker in it."""
     for r in range(robots.shape[0]):
         pushes = robot_events[r].pushes == KEEPER
         if pushes or robots[r].keeper_pushing > 0.0:
@@ -35,7 +34,7 @@ def judge_keeper_pushing(match, robots, events, robot_events, k):
 
 @compiled
 def joins(robots, robot_events, r, k):
-    """Tell whether a mate of robot r pushes the goalkeeper already, and for longer; of two equals neither joins."""
+    """Tell whether a mate has pushed the goalkeeper for longer than robot r; of two equals neither joins."""
     for mate in range(robots.shape[0]):
         if mate == r or robots[mate].team != robots[r].team or robot_events[mate].pushes != KEEPER:
             continue

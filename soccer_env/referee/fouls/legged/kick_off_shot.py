@@ -1,8 +1,8 @@
 """No goal straight from the kick-off.
 
-The book: a kick-off shot never scores. The whole ball must have left the centre circle, and then a player of the team
-that kicked off must touch it, before that team can score, whoever else it touches on its way; otherwise the defenders
-kick off.
+The book: a kick-off shot never scores. Before the team that kicked off can score, the whole ball must leave the centre
+circle, and then a player of that team must touch it, whichever robots it touches on its way; else the defenders kick
+off.
 
 `k`: the league's constants.
 """
@@ -15,7 +15,7 @@ KICK_OFF = int(Phase.KICK_OFF)
 
 @inlined
 def watch_kick_off(match, ball, robots, robot_events, k):
-    """Note whose kick-off it is, until that team touches the ball beyond the centre circle."""
+    """Note the team that kicks off, until it touches the ball beyond the centre circle."""
     if match.phase == KICK_OFF:
         match.kick_off_shot = match.restart_team
     if match.kick_off_shot == NO_TEAM:

@@ -1,7 +1,7 @@
 """Leaving the field: on a pitch with boards a robot leaves it through a goal.
 
-The book: a robot that leaves the carpet is removed for 30 s; one that chases the ball off the field, then turns and
-comes straight back is not. Here it has left with its middle beyond the goal line, and 5 s to turn and come back,
+The book: a robot that leaves the carpet is removed for 30 s, unless it chases the ball off the field, then turns and
+comes straight back. Here a robot has left when its centre is beyond the goal line, and has 5 s to turn and come back,
 assumed: half a turn takes 4 s. A goalkeeper may stand in its own goal.
 
 `k`: the league's constants.

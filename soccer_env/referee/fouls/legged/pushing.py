@@ -1,8 +1,8 @@
 """Pushing: a robot that walks into an opponent for longer than 3 s is taken out.
 
-The book: who pushes another robot for more than 3 s is removed for 30 s; the robot of each team that is closest to
-the ball, if within 50 cm of it, cannot be called, nor can a robot that stands still, nor a goalkeeper with at least
-two feet in its own area; of two that charge into each other both are removed.
+The book: a robot that pushes another robot for more than 3 s is removed for 30 s. Exempt are the robot of each team
+closest to the ball, if within 50 cm of it, a robot that stands still, and a goalkeeper with at least two feet in its
+own area. Two robots that charge into each other are both removed.
 
 `k`: the league's constants.
 """
@@ -31,7 +31,7 @@ def judge_pushing(match, ball, robots, events, robot_events, k):
 
 @compiled
 def is_exempt(match, ball, robots, r, k):
-    """Tell whether a robot may push: of its team the nearest to the ball and near it, or a goalkeeper in its area."""
+    """Tell whether a robot may push: its team's nearest to the ball and near it, or a goalkeeper in its area."""
     if robots[r].keeper == 1 and in_own_area(match, robots[r], k, FEET):
         return True
     mine = square_to_ball(ball, robots[r])

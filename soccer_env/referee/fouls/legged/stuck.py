@@ -1,15 +1,15 @@
 """Game stuck: local, where play does not move on, and global, where nobody touches the ball.
 
 The book: if nothing substantial changes for 30 s, the robot nearest to the ball is carried to the halfway line and the
-ball stays; if that is a goalkeeper with a foot in its own half, the ball is put on the centre spot instead. If nobody
-touches the ball for 30 s there is a kick-off, by the team in whose half the ball lies.
+ball stays; if that robot is a goalkeeper with a foot in its own half, the ball is put on the centre spot instead. If no
+robot touches the ball for 30 s, the team in whose half the ball lies kicks off.
 
-The book of 2008 has no dropped ball after 15 s, which is remembered of 2001. The three go together as steps:
+The book of 2008 lacks the dropped ball after 15 s, which is remembered of 2001. The three rules follow each other:
 
-* 15 s within 10 cm: a dropped ball, which takes it out of the scrum or off the board;
-* 30 s within 50 cm of one point, dropped balls in between or not: local game stuck. Seconds in which nobody is at the
-  ball do not count, and after 15 s of them it is not robots that are stuck;
-* 30 s without a touch: global game stuck. A dropped ball that nobody comes for does not stop that clock.
+* 15 s within 10 cm: a dropped ball, which takes the ball out of the scrum or off the board;
+* 30 s within 50 cm of one point, also with dropped balls in between: local game stuck. Time without a robot at the ball
+  does not count, and 15 s of it start the count anew;
+* 30 s without a touch: global game stuck. A dropped ball that no robot comes for does not stop this clock.
 
 `k`: the league's constants.
 """
@@ -22,13 +22,18 @@ from soccer_env.types import AWAY, HOME, Foul, Phase
 
 GAME_STUCK = int(Foul.GAME_STUCK)
 KICK_OFF, DROP_BALL, PLAY = int(Phase.KICK_OFF), int(Phase.DROP_BALL), int(Phase.PLAY)
-AT_BALL = 5.0  # [s] since a touch, for which play is at the ball, assumed
-NOBODY, STUCK, GLOBAL, TO_CENTRE = 0, 1, 2, 3  # what a step of the game is, and how it goes on
+AT_BALL = 5.0  # [s] after a touch in which a robot is at the ball, assumed
+NOBODY, STUCK, GLOBAL, TO_CENTRE = (
+    0,
+    1,
+    2,
+    3,
+)  # a step: not stuck, robot removed, kick-off, ball to the centre
 
 
 @inlined
 def judge_stuck(match, ball, robots, events, robot_events, k):
-    """Whistle a game that is stuck; return GLOBAL or TO_CENTRE if the ball is to be put elsewhere, else NOBODY."""
+    """Whistle a stuck game; return GLOBAL or TO_CENTRE if the ball has to be moved, STUCK or NOBODY if not."""
     if match.phase != PLAY and match.phase != DROP_BALL:
         match.idle_clock = 0.0
         start_anew(match, ball)
@@ -59,7 +64,7 @@ def judge_stuck(match, ball, robots, events, robot_events, k):
 
 @compiled
 def start_anew(match, ball):
-    """Begin to watch where play is now."""
+    """Start the clock of local game stuck at the ball's place."""
     match.local_x, match.local_y, match.local_clock = ball.x, ball.y, 0.0
 
 

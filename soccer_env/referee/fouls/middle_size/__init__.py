@@ -1,13 +1,11 @@
-"""Fouls of the middle size, a small module a rule: each is a free kick for the opponents.
+"""Fouls of the middle size, a small module for each rule: the opponents get a free kick.
 
-book.py         all of them in their order, and what follows
-taking.py       who takes a restart, and that it does not touch the ball again
+book.py         all fouls in their order, with free kicks and cards
+taking.py       the taker of a restart does not touch the ball again
 distances.py    opponents keep off a restart
 charging.py     driving into opponents and into the goalkeeper
-handling.py     the ball within the hull, going back with it, dribbling
-areas.py        who may not stay before the goals
-free_kicks.py   where a free kick is taken
-cards.py        yellow, and out
+handling.py     enclosing the ball, going back with it, dribbling
+areas.py        robots that may not stay before the goals
 
-The book of 2006 is not to be had; the books of these years follow FIFA's laws, which are cited by their numbers.
+The book of 2006 is not available; the books of these years follow FIFA's laws, which are cited by their numbers.
 """

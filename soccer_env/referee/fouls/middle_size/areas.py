@@ -1,8 +1,8 @@
-"""Who may not stay in the areas before the goals.
+"""Robots that may not stay in the areas before the goals.
 
-The rules of the middle size, remembered: only the goalkeeper stays in its own goal area; opponents are in it for 10 s
-at most; at most one field player is in its own penalty area. That the 10 s are given in all three cases is assumed.
-Of several field players in the penalty area the one nearest to the ball may stay.
+The rules of the middle size, remembered: only the goalkeeper stays in its own goal area; opponents stay in it for at
+most 10 s; at most one field player is in its own penalty area. Assumed: the 10 s hold in all three cases. Of several
+field players in the penalty area the nearest to the ball may stay.
 
 `k`: the league's constants.
 """
@@ -17,7 +17,7 @@ FAIR, GOAL_AREA, PENALTY_AREA = 0, 1, 2
 
 @inlined
 def find_trespassing(match, ball, robots, k):
-    """Return the row of a robot that stays where it may not, or -1, and in which area; clocks run on the way."""
+    """Run the clocks of the areas; return the row of a robot that stays too long, or -1, and the area."""
     row, where = -1, FAIR
     if k.rules_goal_area == 0 and k.rules_penalty_area == 0:
         return row, where
@@ -41,7 +41,7 @@ def find_trespassing(match, ball, robots, k):
 
 @compiled
 def crowds(match, ball, robots, r, k):
-    """Tell whether field player r is in its own penalty area beside a mate that is nearer to the ball."""
+    """Tell whether field player r is in its own penalty area with a mate that is nearer to the ball."""
     if robots[r].keeper == 1 or not in_penalty_area(match, robots[r], robots[r].team, k):
         return False
     own = length(robots[r].x - ball.x, robots[r].y - ball.y)

@@ -1,10 +1,10 @@
 """Robots that drive into opponents: charging, and charging the goalkeeper.
 
-FIFA's Law 12 of 2005, with what a referee of robots can see. A foul is to drive into an opponent hard, or for longer
-than a moment; who stands, or is run into, is never guilty. The robot of each team that is nearest to the ball may
-fight for it. In its goal area nobody may drive into the goalkeeper. Speeds and times are assumed.
+FIFA's Law 12 of 2005, as far as a referee of robots can see it. Driving into an opponent hard, or for longer than a
+moment, is a foul; a robot that stands, or is run into, is never guilty. The robot of each team nearest to the ball may
+fight for the ball. No robot may drive into the goalkeeper in its goal area. Speeds and times are assumed.
 
-A robot drives into another as fast as its wheels aim at it, less what the other drives away.
+The speed of driving into a robot is the wheels' speed towards it, less the speed at which that robot drives away.
 
 `k`: the league's constants.
 """
@@ -21,25 +21,25 @@ NEVER, CHARGES, CHARGES_HARD, CHARGES_KEEPER = 0, 1, 2, 3
 
 @inlined
 def find_charging(match, ball, robots, robot_events, touching, k):
-    """Return the row of the robot that charges worst, or -1, and what it does; the clocks of the others run on."""
+    """Run the clocks of charging; return the row of the worst offender, or -1, and its offence."""
     row, worst = -1, NEVER
     if k.rules_charging == 0 and k.rules_keeper_charge == 0:
         return row, worst
     for r in range(robots.shape[0]):
-        found = NEVER
+        offence = NEVER
         if robot_events[r].collision == 1 and robots[r].active == 1:
-            found = judge_driver(match, ball, robots, touching, r, k)
+            offence = judge_driver(match, ball, robots, touching, r, k)
         elif robots[r].charging > 0.0:
             robots[r].charging = max(robots[r].charging - k.dt, 0.0)
-        if found > worst:
-            row, worst = r, found
+        if offence > worst:
+            row, worst = r, offence
     return row, worst
 
 
 @compiled
 def judge_driver(match, ball, robots, touching, r, k):
-    """Return what a robot in contact with others does to the opponents among them."""
-    found, speed = NEVER, 0.0
+    """Return the offence of robot r against the opponents that it touches."""
+    offence, speed = NEVER, 0.0
     for other in range(robots.shape[0]):
         if robots[other].team == robots[r].team or robots[other].active == 0:
             continue
@@ -48,24 +48,24 @@ def judge_driver(match, ball, robots, touching, r, k):
             continue
         keeper = robots[other].keeper == 1 and in_goal_area(match, robots[other], robots[other].team, k)
         if keeper and k.rules_keeper_charge == 1:
-            found = CHARGES_KEEPER
+            offence = CHARGES_KEEPER
         speed = max(speed, into)
     if speed == 0.0 or fights_for_ball(ball, robots, r, k):
         robots[r].charging = max(robots[r].charging - k.dt, 0.0)
-        return found
+        return offence
     fresh = robots[r].charging == 0.0
     robots[r].charging += k.dt
-    if found == NEVER and k.rules_charging == 1:
+    if offence == NEVER and k.rules_charging == 1:
         if fresh and speed >= k.rules_charging_hard:
-            found = CHARGES_HARD
+            offence = CHARGES_HARD
         elif robots[r].charging >= k.rules_charging_time - 0.5 * k.dt:
-            found = CHARGES
-    return found
+            offence = CHARGES
+    return offence
 
 
 @compiled
 def drives_into(robot, other, k):
-    """Return how fast a robot drives at another [m/s], less what that one drives away; 0 if they are far apart."""
+    """Return the speed at which a robot drives into another [m/s]; 0 if they are far apart."""
     x, y = other.x - robot.x, other.y - robot.y
     away = length(x, y)
     if away > 2.0 * k.body_reach + k.dt * k.drive_forward or away < 1e-6:
@@ -77,13 +77,13 @@ def drives_into(robot, other, k):
 
 @compiled
 def driven(robot):
-    """Return the velocity at which a robot's legs or wheels drive it [m/s, field frame]."""
+    """Return the velocity that a robot's legs or wheels want [m/s, field frame]."""
     return out_of_frame(robot.walk.forward, robot.walk.left, cos(robot.heading), sin(robot.heading))
 
 
 @compiled
 def fights_for_ball(ball, robots, r, k):
-    """Tell whether robot r is the one of its team that is nearest to the ball, and near enough to fight for it."""
+    """Tell whether robot r is its team's nearest to the ball, and near enough to fight for it."""
     own = length(robots[r].x - ball.x, robots[r].y - ball.y)
     if own > k.rules_charging_exempt:
         return False

@@ -1,8 +1,8 @@
 """Opponents keep off a restart until the ball is in play.
 
-FIFA's Laws 8 and 13 to 17: a player who is too near is put back and cautioned; one that plays the ball too early has
-the restart taken again. How long and how far a robot that knows its place only roughly may be too near is assumed.
-The goalkeeper may stay in its goal area.
+FIFA's Laws 8 and 13 to 17: a player who is too near is put back and cautioned; after a touch by an opponent the restart
+is taken again. Assumed: how long and how far a robot, which knows its place only roughly, may be too near. The
+goalkeeper may stay in its goal area.
 
 `k`: the league's constants.
 """
@@ -20,10 +20,7 @@ FAIR, TOO_NEAR, TOUCHED = 0, 1, 2
 
 @compiled
 def find_encroaching(match, robots, robot_events, k):
-    """Return the row of an opponent that does not keep off a restart, or -1, and what it did.
-
-    The clocks of those who are too near run on the way.
-    """
+    """Run the clocks of opponents too near a restart; return the row of an offender, or -1, and its offence."""
     if k.rules_distances == 0 or match.phase == PLAY or match.restart_team == NO_TEAM:
         return -1, FAIR
     row, what = -1, FAIR
@@ -46,7 +43,7 @@ def find_encroaching(match, robots, robot_events, k):
 
 @compiled
 def put_back(match, robots, r, k):
-    """Put robot r back to where it may stand at the restart."""
+    """Put robot r back to the nearest place where it may stand at the restart."""
     for other in range(robots.shape[0]):
         stay(robots[other])
     send_back(match, robots, r, k)

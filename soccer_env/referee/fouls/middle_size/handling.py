@@ -1,8 +1,8 @@
-"""What a robot may do with the ball: it does not surround it, go back with it, or dribble it without end.
+"""Limits for a robot with the ball: it does not enclose it, go back with it, or dribble it without end.
 
 The rules of the middle size, remembered: at most a third of the ball's diameter lies within the convex hull of a
-robot, but for a moment to stop it; a robot does not go back with the ball more than 0.5 m. The limit of 3 m for
-dribbling came later. For how long more of the ball may lie within the hull is assumed.
+robot, except for a moment to stop the ball; a robot goes back with the ball at most 0.5 m. The limit of 3 m for
+dribbling came later. Assumed: the time for which more of the ball may lie within the hull.
 
 `k`: the league's constants.
 """
@@ -13,12 +13,12 @@ from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import into_frame, length
 
 FAIR, SURROUNDS, DRIBBLES = 0, 1, 2
-FREE = 2.0  # [ball radii] between robot and ball after which it has lost the ball, assumed
+FREE = 2.0  # [ball radii] gap between robot and ball at which the robot has lost the ball, assumed
 
 
 @inlined
 def find_handling(ball, robots, k):
-    """Return the row of a robot that does what it may not with the ball, or -1, and what; clocks run on the way."""
+    """Run the clocks of handling; return the row of an offender, or -1, and its offence."""
     row, what = -1, FAIR
     if k.rules_handling == 0 and k.rules_dribble_limit == 0:
         return row, what
@@ -28,15 +28,15 @@ def find_handling(ball, robots, k):
         if robots[r].active == 0 or x * x + y * y > near * near:
             robots[r].handling = robots[r].backed = robots[r].dribbled = 0.0
             continue
-        found = judge_handler(robots[r], k, x, y)
-        if found != FAIR:
-            row, what = r, found
+        offence = judge_handler(robots[r], k, x, y)
+        if offence != FAIR:
+            row, what = r, offence
     return row, what
 
 
 @compiled
 def judge_handler(robot, k, x, y):
-    """Let the clocks of a robot near the ball run; return what it does that it may not."""
+    """Run the clocks of a robot near the ball; return its offence."""
     cosine, sine = cos(robot.heading), sin(robot.heading)
     ahead, left = into_frame(x, y, cosine, sine)
     deep = share_within(k, ahead, left) > k.rules_handling_share
@@ -57,7 +57,7 @@ def judge_handler(robot, k, x, y):
 def share_within(k, ahead, left):
     """Return the share of the ball's diameter that lies within a robot's convex hull, seen from its front.
 
-    The hull ends ahead at the line that touches both tips of the guide; only between them can a ball lie within it.
+    The front of the hull is the line that touches both tips of the guide; a ball within it lies between them.
     """
     if abs(left) > k.body_tip_y or ahead < k.body_disc_x:
         return 0.0

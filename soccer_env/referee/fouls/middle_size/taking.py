@@ -1,11 +1,11 @@
-"""Who takes a restart, and what it may do with the ball.
+"""The taker of a restart, and its touches of the ball.
 
-FIFA's Laws 8 and 13 to 17 of 2005, which the middle size follows: who takes a restart does not touch the ball again
-before somebody else has; from an indirect restart no goal is scored before somebody else has touched the ball. That
-all restarts of the middle size are indirect is remembered. A kick is a moment there, but a robot that pushes is in
-contact for a while: what it does until the ball is in play, and its contact from then on, is one touch until it has
-left the ball for `touch_break` or has brought it farther than `taking_distance` from its spot (assumed: the longer of
-the two distances that the ball has to go by the books of these years).
+FIFA's Laws 8 and 13 to 17 of 2005, which the middle size follows: the taker of a restart does not touch the ball again
+before another robot has; from an indirect restart no goal is scored before another robot has touched the ball. All
+restarts of the middle size are indirect, remembered. A robot that pushes is in contact for a while: all its contact up
+to the moment when the ball is in play, and from then on, is one touch until it has left the ball for `touch_break` or
+has moved it farther than `taking_distance` from the spot (assumed: the longer of the two distances that the ball has to
+go in the books of these years).
 
 `k`: the league's constants.
 """
@@ -13,17 +13,13 @@ the two distances that the ball has to go by the books of these years).
 from soccer_env.compiled import compiled, inlined
 from soccer_env.types import NO_TEAM, Phase
 
-PLAY = int(Phase.PLAY)
-KICK_OFF = int(Phase.KICK_OFF)
-THROW_IN = int(Phase.THROW_IN)
-GOAL_KICK = int(Phase.GOAL_KICK)
-CORNER_KICK = int(Phase.CORNER_KICK)
-FREE_KICK = int(Phase.FREE_KICK)
+PLAY, KICK_OFF, FREE_KICK = int(Phase.PLAY), int(Phase.KICK_OFF), int(Phase.FREE_KICK)
+THROW_IN, GOAL_KICK, CORNER_KICK = int(Phase.THROW_IN), int(Phase.GOAL_KICK), int(Phase.CORNER_KICK)
 
 
 @inlined
 def watch_taking(match, ball, robots, robot_events, k):
-    """Note who takes a restart, until somebody else touches the ball; tell whether the taker touches it again."""
+    """Note the taker of a restart until another robot touches the ball; tell whether it touches the ball twice."""
     if match.phase != PLAY:
         note_taker(match, robots, robot_events, k)
         return False
@@ -47,7 +43,7 @@ def watch_taking(match, ball, robots, robot_events, k):
 
 @compiled
 def note_taker(match, robots, robot_events, k):
-    """Note who of the restart's team touched the ball last before it is in play."""
+    """Note the last robot of the restart's team that touches the ball before it is in play."""
     if match.restart_team == NO_TEAM:
         return
     for r in range(robots.shape[0]):
@@ -65,7 +61,7 @@ def touches(robot_event):
 
 @compiled
 def allows_goal(k, phase):
-    """Tell whether a goal counts that follows straight from a restart."""
+    """Tell whether a goal straight from a restart counts."""
     if phase == KICK_OFF:
         return k.rules_direct_kick_off == 1
     if phase == THROW_IN:

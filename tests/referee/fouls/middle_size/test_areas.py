@@ -2,7 +2,7 @@
 
 import pytest
 
-from soccer_env.referee.fouls.middle_size.cards import OUT, YELLOW, book
+from soccer_env.referee.fouls.middle_size.book import OUT, YELLOW, book
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
 from tests.scenes.staging import asking, each_step, play

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env.match.staging import put_ball
-from soccer_env.referee.fouls.middle_size.free_kicks import spot
+from soccer_env.referee.fouls.middle_size.book import spot
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
 from tests.scenes.staging import each_step, stand
