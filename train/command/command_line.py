@@ -105,10 +105,11 @@ def swallowed_interrupts_again() -> Iterator[None]:
     usual = sys.unraisablehook
 
     def hook(unraisable: Any) -> None:
-        if not issubclass(unraisable.exc_type, KeyboardInterrupt):
-            return usual(unraisable)
-        timers.append(threading.Timer(AGAIN, signal.raise_signal, (signal.SIGINT,)))
-        timers[-1].start()
+        if issubclass(unraisable.exc_type, KeyboardInterrupt):
+            timers.append(threading.Timer(AGAIN, signal.raise_signal, (signal.SIGINT,)))
+            timers[-1].start()
+        else:
+            usual(unraisable)
 
     sys.unraisablehook = hook
     try:

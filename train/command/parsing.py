@@ -43,12 +43,13 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
         raise ValueError(f"{in_words(event, kind, words, default is not None)} (see soccer {name} --help)")
 
     more: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)} if default is None else {"default": default}
-    help_of = partial(tyro.cli, kind, args=["--help"], prog=f"soccer {name}", registry=REGISTRY, **more)
+    read: Any = partial(tyro.cli, kind, args=["--help"], prog=f"soccer {name}", registry=REGISTRY, **more)
     if {"-h", "--help"} & {*words}:
-        print(first_options(printed(help_of), getattr(kind, "BASIC", ""), name))
+        print(first_options(printed(read), getattr(kind, "BASIC", ""), name))
         raise SystemExit(0)
     with _errors.on_parse_error(refuse):
-        return help_of(args=["--help"] if ALL_OPTIONS in words else words)
+        settings: T = read(args=["--help"] if ALL_OPTIONS in words else words)
+        return settings
 
 
 def printed(show: Callable[[], Any]) -> str:
