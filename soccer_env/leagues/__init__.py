@@ -36,7 +36,7 @@ RETIRED = {"legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the
 
 
 def find_league(league: str | League) -> League:
-    """Return a league by name or MODULE:NAME, or the object itself; ValueError lists the names."""
+    """Return the league with a name or MODULE:NAME; a League passes through. ValueError lists the known names."""
     league = of_module("league", league, League) or league
     if isinstance(league, League):
         return league

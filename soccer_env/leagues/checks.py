@@ -1,4 +1,4 @@
-"""The base class of the parts of a league, and checks of their numbers: 0 or more, unless a part says otherwise."""
+"""The base class of the parts of a league, and checks of their numbers: 0 or more, unless a part sets other bounds."""
 
 import re
 
@@ -23,7 +23,7 @@ def check_family(where: str, family: object) -> None:
 
 
 def is_convex(corners: tuple[tuple[float, float], ...]) -> bool:
-    """Tell whether finite corners run counter-clockwise round a convex hull."""
+    """Tell whether the corners are finite and run counter-clockwise round a convex polygon."""
     points = np.asarray(corners, float)
     edges = np.roll(points, -1, axis=0) - points
     after = np.roll(edges, -1, axis=0)

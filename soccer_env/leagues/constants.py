@@ -24,7 +24,7 @@ def has_ranger(league: League) -> bool:
 
 
 def switch_of(league: League, name: str) -> int:
-    """Return a switch of a league's rules."""
+    """Return the rule `name` of a league as a whole number; for a switch 1 (on) or 0 (off)."""
     return int(getattr(league.rules, name))
 
 
@@ -68,7 +68,7 @@ CONSTANTS = np.dtype(
 
 
 def constants_of(league: League) -> np.ndarray:
-    """Return the (1,) record of a league's numbers, with instant placement and no drill."""
+    """Return the (1,) record of a league's numbers, set to instant placement at restarts and to no drill."""
     record = np.zeros(1, CONSTANTS)
     record["dt"] = league.dt
     for name, (part, field) in NUMBERS.items():

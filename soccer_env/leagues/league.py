@@ -81,7 +81,7 @@ class BallModel(Part):
 
 @dataclass(frozen=True)
 class Slots(Part):
-    """Room for other players in tracks and observations."""
+    """The numbers of slots for other players in a robot's tracks and observations."""
 
     NUMBER = Range(0, MAX_TEAM)
 
@@ -121,7 +121,7 @@ class Substeps(Part):
 
 @dataclass(frozen=True)
 class League(Part):
-    """A league: pitch, ball, robots, rules and time. Variants by `dataclasses.replace`."""
+    """A league: pitch, ball, robots, rules and time. Make variants with `dataclasses.replace`."""
 
     BOUNDS = {"control_rate": Range(1, MAX_RATE), "team_size": Range(1, MAX_TEAM)}
 
@@ -167,13 +167,13 @@ class League(Part):
             raise ValueError("Body.reach is too large for the pitch: robots need room to be placed")
 
     def __repr__(self) -> str:
-        """Return the league in short; `in_full` returns every number."""
+        """Return a short description of the league; `in_full` lists every number."""
         size = f"{self.pitch.length:g} x {self.pitch.width:g} m"
         teams = f"{self.team_size} a side, {self.control_rate} steps a second"
         return f"<League {self.name}: {self.family}, {size}, {teams}>"
 
     def in_full(self) -> str:
-        """Return every number of the league, as Python writes it."""
+        """Return the repr of the league with all its fields: every number."""
         return f"League({', '.join(f'{item.name}={getattr(self, item.name)!r}' for item in fields(self))})"
 
     def _check_leap(self) -> None:
@@ -186,7 +186,7 @@ class League(Part):
             )
 
     def must_be_of(self, families: tuple[str, ...], who: str) -> None:
-        """Raise ValueError, naming a team or scene, unless the league's family is among `families`; empty: any."""
+        """Raise ValueError, naming a team or scene `who`, unless the league's family is in `families`; empty: any."""
         if families and self.family not in families:
             raise ValueError(f"{who} is for {' and '.join(families)} leagues, {self.name!r} is {self.family}")
 
@@ -197,7 +197,7 @@ class League(Part):
 
     @property
     def highest_foot(self) -> float:
-        """Return the height of a board's foot [m] at which a ball on the floor would meet it before the board.
+        """Return the greatest height [m] of a board's foot at which a ball on the floor meets the board, not the foot.
 
         The slope of a foot of height h is x + z = h, with x the distance from the board. The centre of a ball that
         touches floor and board lies at x = z = r, (2 r - h) / sqrt(2) from the slope: r or more if h is at most
@@ -207,7 +207,7 @@ class League(Part):
 
     @property
     def foot(self) -> float:
-        """Return the distance [m] at which the feet of boards keep robots with legs off the boards."""
+        """Return how far [m] the boards' feet keep legged robots off the boards; 0 for robots on wheels."""
         return self.pitch.board_foot if self.body.legs else 0.0
 
     @property

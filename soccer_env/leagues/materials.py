@@ -8,7 +8,7 @@ from soccer_env.leagues.checks import Part
 
 @dataclass(frozen=True)
 class Pair(Part):
-    """Two surfaces that collide, or lean on each other."""
+    """The elasticity and friction between two surfaces that collide or rest against each other."""
 
     BOUNDS = {"elasticity": SHARE}
 
@@ -16,13 +16,15 @@ class Pair(Part):
     friction: float  # [1] Coulomb's: greatest impulse along the surface over impulse along the normal
 
     def text(self) -> str:
-        """Return both numbers in short, for lists."""
+        """Return the text "elasticity/friction", for tables."""
         return f"{self.elasticity:g}/{self.friction:g}"
 
 
 @dataclass(frozen=True)
 class Materials(Part):
-    """Every pair that collides in a match. Robots meet boards, posts and nets alike; all parts of a robot are alike."""
+    """The elasticity and friction of every pair of surfaces in a match.
+    To a robot, boards, posts and nets are alike; all parts of a robot are alike.
+    """
 
     ball_board: Pair  # all boards
     ball_post: Pair  # posts of a goal

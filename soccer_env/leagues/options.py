@@ -28,7 +28,7 @@ class Options(Checked):
 
     @classmethod
     def allowed(cls, name: str, kind: str) -> str:
-        """Return the allowed values of a field in words."""
+        """Return a text that states the allowed values of the field `name`."""
         if name in cls.NAMES:
             return ", ".join(cls.NAMES[name])
         if kind == "bool":
@@ -40,7 +40,7 @@ class Options(Checked):
         return ", ".join(words)
 
     def changed(self: T, changes: Mapping[str, Any]) -> T:
-        """Return the settings with changes by name; ValueError for an unknown name lists the names."""
+        """Return a copy of the settings with some values changed; ValueError for an unknown name lists the names."""
         known = [field.name for field in fields(self)]  # type: ignore[arg-type]
         for name in changes:
             if name not in known:
@@ -85,7 +85,7 @@ def own_notes(kind: type) -> dict[str, str]:
 
 
 def record_type(kind: type[Options]) -> np.dtype:
-    """Return the dtype of a settings class; one object for each class, so that kernels are compiled once."""
+    """Return the record dtype of a settings class; always the identical object, so that kernels are compiled once."""
     if kind not in RECORD_TYPES:
         columns = [(field.name, "f8" if type_of(field) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
         RECORD_TYPES[kind] = np.dtype(columns)

@@ -56,7 +56,7 @@ class Body(Part):
         self._check_reach()
 
     def _check_reach(self) -> None:
-        """Raise ValueError unless the reach holds the whole outline."""
+        """Raise ValueError unless a disc of radius `reach` round the origin contains the whole outline."""
         outermost = max(
             *(hypot(x, y) + self.tip_radius for x, y in self.posts or ((0.0, 0.0),)),
             abs(self.disc_x) + self.disc_radius,
@@ -130,7 +130,7 @@ class Kicker(Part):
 class Block(Part):
     """How a goalkeeper with legs blocks: it lies down on its chest, forelegs spread; all zero: it cannot.  MS53
 
-    Once started, the motion runs to its end: legs out, held, and in again. Places are seen from above, as in `Body`.
+    Once started, the motion runs to its end: legs out, held, and in again. Positions are seen from above, as in `Body`.
     """
 
     raise_time: float = 0.0  # [s] from the stance to the spread forelegs

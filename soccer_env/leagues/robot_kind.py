@@ -24,7 +24,7 @@ Group = list[Any]  # [name, number of things, names of the parts of each thing]
 
 
 class Seen(NamedTuple):
-    """The things that percepts (R,) show."""
+    """The objects that the robots see in their percepts (R,), and the ranger's reading."""
 
     ball: np.ndarray  # (R,) bool
     own_goal: np.ndarray  # (R,) bool
@@ -36,7 +36,7 @@ class Seen(NamedTuple):
 
 @dataclass(frozen=True)
 class Noted:
-    """The percepts that a replay keeps and that pictures show.
+    """The percepts of a robot kind that replays store and renderings show.
 
     Groups named `ball`, `own_goal`, `opponent_goal` and `players` have their own colours; all others are white. Groups
     with the parts POLAR are drawn as rays; `render/overlays/sight.py` draws groups of blobs and lines.
@@ -69,7 +69,7 @@ class RobotKind:
 
 
 def check_kind(sensors: Any) -> str:
-    """Return the name of the robot kind of some sensors; ValueError for an unknown kind lists the kinds."""
+    """Return the name of the robot kind that `sensors` belong to; ValueError for an unknown kind lists the kinds."""
     name = getattr(sensors, "KIND", sensors)
     if not isinstance(name, str) or name not in KINDS:
         raise ValueError(unknown("kind of sensors", name, KINDS))

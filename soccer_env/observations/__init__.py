@@ -29,7 +29,7 @@ OBSERVE = BUILT_IN
 
 
 def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
-    """Return the entries of a built-in observation in a league, or of a user's own, in order."""
+    """Return the entries of an observation in a league, in order; the observation is built in or a user's own."""
     if isinstance(observe, str):
         return LAYOUTS[observe](league)
     entries = getattr(observe, "entries", None)
@@ -54,13 +54,13 @@ LAYOUTS: dict[str, Callable[[League], list[Entry]]] = {
 
 @cache
 def every_entry(observe: str) -> dict[str, Entry]:
-    """Return every entry that an observation has in any league, by name; none for percepts."""
+    """Return a dict, by name, of all entries that an observation has in any league; empty for percepts."""
     listed = {"truth": truth.every_entry, "belief": belief.every_entry, "percepts": list[Entry]}[observe]()
     return {entry.name: entry for entry in listed}
 
 
 def entries_named(observe: str, names: Sequence[str]) -> list[Entry]:
-    """Return the entries of a policy's inputs by name; for unknown names and for percepts, entries with a name only.
+    """Return the entry of each named input of a policy; unknown names and percepts get entries with only a name.
 
     The meaning of a percept depends on the kind of robot, not only on its name.
     """

@@ -56,13 +56,13 @@ def entries(league: League) -> list[Entry]:
 
 
 def every_entry() -> list[Entry]:
-    """Return all entries of observations of beliefs in any league."""
+    """Return all entries that observe="belief" has in any league."""
     return [*FIXED, *OBSTACLE, *slot_entries(MAX_TEAM, MAX_TEAM, BELIEVED_PLAYER)]
 
 
 @compiled
 def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_length, rows, first, last):
-    """Write observations (M, R, n) of the robots in `rows`; from `robots` only exact readings of the own body."""
+    """Write the observations (M, R, n) of the robots in `rows`; `robots` gives only exact readings of the own body."""
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for m in range(first, last):
@@ -150,7 +150,7 @@ def write_obstacle(obstacle, row, diagonal):
 
 @compiled
 def write_player(track, row, k, diagonal):
-    """Write one slot; an empty slot is zeros."""
+    """Write the slot of one tracked player; an empty slot is all zeros."""
     used = 1.0 if track.present == 1 else 0.0
     speed = 1.0 / k.drive_forward
     row.present = used
@@ -162,11 +162,11 @@ def write_player(track, row, k, diagonal):
 
 @compiled
 def soft(value, half):
-    """Return the value on a soft scale that approaches 1: `half` gives one half."""
+    """Map a value to value / (|value| + half), a soft scale between -1 and 1 on which `half` becomes 0.5."""
     return value / (abs(value) + half)
 
 
 @compiled
 def soft_age(age):
-    """Return an age on a soft scale; an infinite age is 1."""
+    """Map an age to a soft scale from 0 to 1; an infinite age becomes 1."""
     return 1.0 if age == inf else age / (age + AGE)

@@ -48,14 +48,14 @@ class Entry:
 
     @property
     def mirror(self) -> int | None:
-        """Return its factor in a left-right mirror, 1 or -1; None if unknown, or if entries change places."""
+        """Return the entry's factor in a left-right mirror, 1 or -1; None if unknown, or if the entry swaps places."""
         if self.frame is None or self.axis == SIDE:
             return None
         return -1 if self.axis in (Y, TURN) else 1
 
     @property
     def half_turn(self) -> int | None:
-        """Return its factor in a half-turn of the field, 1 or -1; None if unknown."""
+        """Return the entry's factor in a half-turn of the field, 1 or -1; None if unknown."""
         if self.frame is None:
             return None
         return -1 if self.frame == FIELD and self.axis in (X, Y) else 1
@@ -74,17 +74,17 @@ class Observation(Protocol):
     space: Any  # or instead: a gymnasium Box of what one robot observes, or a Dict of such
 
     def __call__(self, match: Any) -> Any:
-        """Return (M, R, ...) for all robots from the records of a match, or a dict of such arrays for a Dict."""
+        """Return the observations (M, R, ...) of all robots from a match's records; a dict of arrays for a Dict."""
         ...
 
 
 def of_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
-    """Return the entries with the name of their group."""
+    """Return copies of the entries with `group` as their group."""
     return tuple(replace(entry, group=group) for entry in entries)
 
 
 def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries of slots for other players, team-mates first."""
+    """Return the entries `rows` for each slot of another player, team-mates first."""
     return [
         replace(entry, name=f"{kind}_{slot}_{entry.name}", group=kind, slot=slot)
         for kind, slots in ((TEAMMATE, teammates), (OPPONENT, opponents))
@@ -94,7 +94,7 @@ def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[
 
 
 def things(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries of `count` things of one name, numbered if `count` is above 1."""
+    """Return the entries `rows` for each of `count` objects called `name`, numbered if `count` is above 1."""
     return [
         replace(entry, name=f"{one}_{entry.name}", meaning=f"{words}: {entry.meaning}", group=name, slot=slot)
         for slot, one in ([(i, f"{name}_{i}") for i in range(count)] if count > 1 else [(None, name)])
@@ -104,10 +104,10 @@ def things(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
 
 
 def slots_of(league: League) -> tuple[int, int]:
-    """Return the numbers of a league's slots for team-mates and opponents."""
+    """Return how many slots a league has for team-mates and for opponents."""
     return league.slots.teammates, league.slots.opponents
 
 
 def record_of(entries: Iterable[Entry]) -> np.dtype:
-    """Return the record with the entries as fields, in order, which kernels write by name."""
+    """Return a record dtype with one float32 field for each entry, in order; kernels write the fields by name."""
     return np.dtype([(entry.name, "f4") for entry in entries])

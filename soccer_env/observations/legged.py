@@ -48,7 +48,7 @@ def entries(league: League) -> list[Entry]:
 
 @compiled
 def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
-    """Write the observations (M, R, n) of legged robots; from `beliefs` only the state of the match."""
+    """Write the observations (M, R, n) of legged robots; `beliefs` gives only the state of the match."""
     k, s = constants[0], sensors[0]
     for m in range(first, last):
         for r in rows:
@@ -82,7 +82,7 @@ def write_touch(touch, row):
 
 @compiled
 def write_blobs(blobs, observation, s, at):
-    """Write the blobs of a colour from index `at` on; return the index after them."""
+    """Write the blobs of one colour into the observation from index `at` on; return the next index."""
     width, height = 44.0 * 2.0**s.resolution, 36.0 * 2.0**s.resolution
     for i in range(blobs.shape[0]):
         blob, row = blobs[i], part(observation, at, BLOB_ROW)

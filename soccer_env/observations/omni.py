@@ -39,7 +39,7 @@ def entries(league: League) -> list[Entry]:
 
 @compiled
 def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
-    """Write the observations (M, R, n) of middle-size robots; from `beliefs` only the state of the match."""
+    """Write the observations (M, R, n) of middle-size robots; `beliefs` gives only the state of the match."""
     k, s = constants[0], sensors[0]
     for m in range(first, last):
         for r in rows:
@@ -61,7 +61,7 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
 
 @compiled
 def write_sighting(sighting, observation, at):
-    """Write a sighting in the mirror's picture from index `at` on; return the index after it."""
+    """Write a sighting from the mirror's picture into the observation from index `at` on; return the next index."""
     row, seen = part(observation, at, SIGHTING_ROW), 1.0 if sighting.seen == 1 else 0.0
     row.seen = seen
     row.cos, row.sin = seen * cos(sighting.bearing), seen * sin(sighting.bearing)

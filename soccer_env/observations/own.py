@@ -23,7 +23,7 @@ WHAT = f"a name, {OBJECTS}"
 
 @dataclass(frozen=True)
 class Sides:
-    """The observations of home and of away: names, or a user's own objects."""
+    """The kinds of observation of the teams home and away: built-in names, or a user's own objects."""
 
     home: Any
     away: Any
@@ -31,7 +31,7 @@ class Sides:
 
 @dataclass(frozen=True)
 class Part:
-    """Numbers of one shape that a robot observes, with their bounds."""
+    """The shape, bounds and dtype of an array that a robot observes."""
 
     shape: tuple[int, ...]
     low: np.ndarray
@@ -39,7 +39,7 @@ class Part:
     dtype: np.dtype
 
     def limits(self, at: tuple[int, ...]) -> str:
-        """Return the allowed numbers at an index in words."""
+        """Return a text that states the allowed numbers at an index."""
         low, high = (np.broadcast_to(bound, self.shape)[at] for bound in (self.low, self.high))
         return f"numbers in [{low:g}, {high:g}]" if np.isfinite([low, high]).any() else "finite numbers"
 
@@ -48,7 +48,7 @@ Form = Part | dict[str, Any]  # whose values are forms
 
 
 def check_observe(observe: Any) -> Any:
-    """Return a valid `observe`, a mapping as Sides; ValueError says what is allowed."""
+    """Check the argument `observe` and return it, a mapping converted to Sides; ValueError says what is allowed."""
     if isinstance(observe, Mapping):
         check_names("side of observe", observe, ("home", "away"))
         home, away = (check_observe(observe.get(side, "truth")) for side in ("home", "away"))
@@ -67,7 +67,7 @@ def check_observe(observe: Any) -> Any:
 
 
 def form_of(observe: Any, numbers: int) -> Form:
-    """Return the form of one robot's observation: that of the `space` of a user's object, else a vector."""
+    """Return the form of one robot's observation: from the `space` of a user's object, else a vector of `numbers`."""
     if not isinstance(observe, str) and hasattr(observe, "space"):
         return form_of_space(observe.space, "space of observe")
     low, high = (np.asarray(getattr(observe, name, usual), float) for name, usual in (("low", -1.0), ("high", 1.0)))
@@ -111,7 +111,7 @@ def zeros(form: Form, matches: int, robots: int) -> Any:
 
 
 def pick(seen: Any, at: Any) -> Any:
-    """Return `array[at]` of an array, or of each array of a dict."""
+    """Index an array, or each array of a dict, with `at`."""
     return {name: pick(part, at) for name, part in seen.items()} if isinstance(seen, dict) else seen[at]
 
 
@@ -121,7 +121,7 @@ def copied(seen: Any) -> Any:
 
 
 def fill(form: Form, into: Any, values: Any, what: str, agents: list[str], rows: slice) -> None:
-    """Write the result of a user's function for the robots in `rows`; ValueError names the robot and the value."""
+    """Copy a user's `values` for the robots in `rows` into the arrays `into`; ValueError names robot and value."""
     if isinstance(form, dict):
         if not isinstance(values, Mapping) or set(values) != set(form):
             got = f"the keys {', '.join(map(str, values))}" if isinstance(values, Mapping) else brief(values)
@@ -144,7 +144,7 @@ def check_within(part: Part, numbers: np.ndarray, what: str, agents: list[str]) 
 
 
 def as_numbers(values: Any, shape: tuple[int, ...], what: str, agents: list[str]) -> np.ndarray:
-    """Return values as numbers (M, R, ...), one number for all robots included; ValueError names the robots."""
+    """Convert values to an array of `shape` (M, R, ...), which one number fills; ValueError names the robots."""
     try:
         numbers = np.asarray(values)
     except ValueError:

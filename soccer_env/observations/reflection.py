@@ -10,7 +10,7 @@ ACTIONS = (1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 1.0)  # forward, left, turn, kick, h
 
 
 def observation_signs(entries: Sequence[Entry]) -> np.ndarray:
-    """Return 1 or -1 for each entry (n,); ValueError names an entry without a frame, or one that changes places."""
+    """Return the sign of each entry (n,) in a left-right mirror; ValueError names an entry without a known sign."""
     for entry in entries:
         if entry.frame is None:
             raise ValueError(
@@ -23,5 +23,5 @@ def observation_signs(entries: Sequence[Entry]) -> np.ndarray:
 
 
 def action_signs(size: int) -> np.ndarray:
-    """Return 1 or -1 for each of the 4 or 7 numbers of an action."""
+    """Return the sign, 1 or -1, of each of the 4 or 7 numbers of an action in a left-right mirror."""
     return np.array(ACTIONS[:size])

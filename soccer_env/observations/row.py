@@ -9,7 +9,7 @@ NUMBER = np.dtype("f4").itemsize  # [bytes]
 
 
 def part(row: Any, at: int, record: Any) -> Any:
-    """Return the numbers of a row (n,) from index `at` on as a record, whose writes reach the row.
+    """Return a record view of the row (n,) from index `at` on; writing to the record changes the row.
 
     `record` comes from `entry.record_of`. In compiled code this costs nothing, while the checks of a view of a slice
     cost tens of nanoseconds; the caller makes sure that the row is long enough.
@@ -19,7 +19,7 @@ def part(row: Any, at: int, record: Any) -> Any:
 
 @intrinsic
 def _part(context, row, at, record):
-    """Return the address of a number as the address of a record."""
+    """Compile `part`: cast the address of the row's number at index `at` to the address of a record."""
 
     def generate(target, builder, signature, arguments):
         array = target.make_array(signature.args[0])(target, builder, arguments[0])

@@ -14,14 +14,14 @@ from soccer_env.types import Phase
 
 
 def in_numbers(entry: Entry, league: League) -> str:
-    """Return the value of an entry's 1, or the formula of its soft scale, with numbers and units."""
+    """Return the quantity that an entry shows as 1, or its soft scale's formula, as text with numbers and units."""
     known = words(league)
     pattern = "|".join(re.escape(text) for text in sorted(known, key=len, reverse=True))
     return re.sub(pattern, lambda found: known[found[0]], entry.scale).removeprefix("soft: ")
 
 
 def words(league: League) -> dict[str, str]:
-    """Return the number in a league for each phrase that scales use."""
+    """Return a dict of the phrases that scales use: for each the number and unit in a league."""
     pitch, drive, fastest = league.pitch, league.drive, league.ball.top_speed
     diagonal = hypot(pitch.length, pitch.width)
     return {
@@ -46,7 +46,7 @@ def words(league: League) -> dict[str, str]:
 
 
 def words_of_sensors(sensors: Any) -> dict[str, str]:
-    """Return the number for each phrase about the sensors of a kind of robot."""
+    """Return a dict of the phrases about sensors that scales use: for each the number and unit."""
     numbers = {}
     if hasattr(sensors, "infrared_far"):
         numbers["its greatest valid range"] = f"{sensors.infrared_far:.4g} m"

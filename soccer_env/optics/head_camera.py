@@ -41,13 +41,13 @@ def focal_y(s):
 
 @compiled
 def tilt_at(share, low, high):
-    """Return the tilt [rad] at a share of its range: -1 the lowest, 1 the highest."""
+    """Convert a share of the tilt's range (-1 lowest, 1 highest) to a tilt [rad]."""
     return 0.5 * (high + low) + 0.5 * (high - low) * share
 
 
 @compiled
 def share_of_tilt(tilt, low, high):
-    """Return the share of its range at which a tilt [rad] is: -1 the lowest, 1 the highest, not clipped."""
+    """Convert a tilt [rad] to a share of the tilt's range: -1 lowest, 1 highest, not clipped."""
     return (tilt - 0.5 * (high + low)) / (0.5 * (high - low))
 
 

@@ -52,7 +52,7 @@ def ground_distance(mirror: Any, radius: Any) -> Any:
 def metres_per_pixel(mirror: Any, distance: Any) -> Any:
     """Return how many metres a pixel spans along and across the line of sight [m/px] at a distance [m].
 
-    Along it that is the inverse of the derivative of (1), and grows with the distance's square; across it d / radius.
+    Along the line the span is 1 / the derivative of (1) and grows with the squared distance; across it, d / radius.
     """
     scale, bend, height = mirror
     ray = sqrt(distance * distance + height * height)  # [m] from the viewpoint

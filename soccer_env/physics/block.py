@@ -85,7 +85,9 @@ def leg_back(k, leg, spread, handedness):
 
 @compiled
 def share_along(x, y, leg_x, leg_y):
-    """Return the share of a leg, a vector from its paw, that lies nearest to x, y [m], seen from the paw."""
+    """Return where a leg is nearest to the point x, y: 0 at its paw, 1 at its upper end.
+    The point x, y and the leg's upper end leg_x, leg_y [m] are relative to the paw.
+    """
     size = leg_x * leg_x + leg_y * leg_y
     return clip((x * leg_x + y * leg_y) / size, 0.0, 1.0) if size > 0.0 else 0.0
 
@@ -94,7 +96,7 @@ def share_along(x, y, leg_x, leg_y):
 def forelegs_gap(robot, k, ahead, left, handedness, swings):
     """Return the distance [m] of a point, robot frame, from the forelegs of a blocking robot.
 
-    `swings` 1 takes the legs where they are in their stroke, 0 in mid-stroke.
+    With `swings` 1 the legs are at their present place in the stroke, with 0 in mid-stroke.
     """
     spread = spread_of(robot, k, 0.0)
     gap = 1e9

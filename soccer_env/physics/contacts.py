@@ -72,7 +72,7 @@ def trunk_gap(k, ahead, left):
 
 @compiled
 def hull_gap(k, ahead, left):
-    """Return the distance [m] of a point from a robot's convex hull; inside, minus the depth."""
+    """Return the distance [m] of a point from a robot's convex hull; inside the hull, minus the depth."""
     inside = -1e9
     outside = 1e9
     for i in range(k.corners):
@@ -89,7 +89,7 @@ def hull_gap(k, ahead, left):
 
 @compiled
 def find_touches(ball, robots, robot_events, k, knock_x, knock_y, handedness):
-    """Mark the robots that touch the ball; return the row of the nearest of them, as the last to touch it, or -1.
+    """Mark the robots that touch the ball; return the row of the nearest, which counts as the last to touch it, or -1.
 
     The knock [m/s] is the change of the ball's velocity by the contacts of this step. A knocked ball may have left its
     robot already: the robot touched it if the ball moves away from the robot, and the gap is no wider than the two can
@@ -137,7 +137,7 @@ def find_collisions(robots, robot_events, touching, k):
 
 @compiled
 def touches(touching, r, other):
-    """Tell whether robot r touches another, from the bits that `find_collisions` set."""
+    """Tell whether robot r touches the robot `other`, from the bits that `find_collisions` set."""
     return (touching[r] >> other) & 1 == 1
 
 

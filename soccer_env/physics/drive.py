@@ -44,7 +44,7 @@ def drive(robot, k, step, handedness, stance):
 
 @compiled
 def request_walk(robot, k, step):
-    """Put this step's command into the delay line [m/s, rad/s], the length of (forward, left) limited to 1."""
+    """Put this step's walk command into the delay line [m/s, rad/s]; (forward, left) is limited to length 1 first."""
     forward, left, turn = robot.command.forward, robot.command.left, robot.command.turn
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         left = 0.0
@@ -68,7 +68,7 @@ def latch_walk(robot, k, step):
 
 @compiled
 def draw_slip(robot, k, handedness):
-    """Draw the ratio of the coming steps to the walk."""
+    """Draw random slip factors for the next steps: actual over commanded speed, forward, sideways and in turning."""
     robot.slip.forward = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
     robot.slip.left = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
     robot.slip.turn = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
@@ -78,7 +78,7 @@ def draw_slip(robot, k, handedness):
 def change_walk(robot, k):
     """Bring the walk towards its target as fast as gait or motors allow.  MH01
 
-    A robot that kicks, blocks, lies on the ground or is sent off stands.
+    A robot that kicks, blocks, lies on the ground or is sent off stands still.
     """
     stands = robot.kick_clock > 0.0 or robot.fallen > 0.0 or robot.active == 0
     ahead = (0.0 if stands else robot.target.forward) - robot.walk.forward
@@ -95,7 +95,7 @@ def change_walk(robot, k):
 def stand_on_ground(robot, k, stance):
     """Set the velocity that the legs or wheels want in this control step, and the force that the ground bears.  MH01
 
-    A standing robot holds with all paws or wheels. A moving one has less: a trot stands on two of four paws, and
+    A standing robot holds with all paws or wheels. A moving robot has less: a trot stands on two of four paws, and
     wheels give no more than their motors, except sideways on a differential base. Wheels that others turn backwards
     brake with the full traction, so that of two robots that push each other neither is carried off. The solver
     applies the force in every substep.
@@ -114,9 +114,9 @@ def stand_on_ground(robot, k, stance):
 
 @compiled
 def is_driven_back(robot, k, stance):
-    """Tell whether others push a robot against its wheels, faster than the motors make good in a control step.
+    """Tell whether a robot is pushed against its wheels' drive, faster than its motors can correct in a control step.
 
-    A differential base turns to go elsewhere: it never brakes with more than its motors give.
+    Only omnidirectional bases count: a differential base turns away, and never brakes with more than its motors give.
     """
     wanted = length(stance.vx, stance.vy)
     along = stance.vx * robot.vx + stance.vy * robot.vy
@@ -139,7 +139,7 @@ def keeps_standing(robot, k):
 def move_head(robot, k, ball):
     """Move the head towards the commanded pan and tilt, within its joint limits and speeds.  MS07
 
-    Without a head command it follows the gaze of the robot's belief, or the true ball under ideal senses.
+    Without a head command the head follows the gaze that the belief has chosen, or the true ball under ideal senses.
     """
     if k.head_pan_limit <= 0.0:
         return
@@ -166,7 +166,7 @@ def gaze_at(robot, k, ball):
 
 @compiled
 def note_paws(robot, k, stance, handedness):
-    """Note the places of a robot's paws before its gait goes on, and the spread of its forelegs in a block."""
+    """Store the positions of a robot's paws before its gait advances, and the spread of its forelegs in a block."""
     for leg in range(LEGS):
         paw = stance.posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)

@@ -17,7 +17,7 @@ HELD = 1e-9  # [1] share of its inverse mass that a ball keeps while the referee
 
 @compiled
 def count_substeps(ball, robots, k):
-    """Return the number of substeps: enough that no body travels too far in one, and more where robots are close."""
+    """Return the number of substeps of this control step: more if a body is fast or a contact is near."""
     fastest = length(ball.vx, ball.vy)
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -29,7 +29,7 @@ def count_substeps(ball, robots, k):
 
 @compiled
 def anyone_close(ball, robots, k):
-    """Tell whether a robot is within reach of the ball or of another robot: there overlaps grow."""
+    """Tell whether a robot is within reach of the ball or of another robot, where overlaps can grow."""
     to_ball, to_robot = most_reach(k) + k.ball_radius, 2.0 * most_reach(k)
     for r in range(robots.shape[0]):
         robot = robots[r]

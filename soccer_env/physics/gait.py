@@ -36,7 +36,7 @@ def stance(k, leg, handedness):
 def paw_offset(robot, k, leg, handedness):
     """Return the offset of a paw from its stance [m, m], robot frame, at the end of the control step.
 
-    The stroke is the way of the ground under the stance in half a gait step; when the robot turns, paws differ in it.
+    The stroke is the path of the ground under the stance in half a gait step; in a turn each paw has its own stroke.
     """
     x, y = stance(k, leg, handedness)
     half = swing(robot.gait_phase, k.gait_steps, leg) * 0.25 * k.gait_steps * k.dt

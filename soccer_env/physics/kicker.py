@@ -134,7 +134,7 @@ def place_at_kicker(robot, k, ball_x, ball_y):
 
 @compiled
 def kicked_by(ball, robots, robot_events):
-    """Return the row of the robot that kicked in this step, the nearest to the ball of several, or -1."""
+    """Return the row of the robot that kicked in this step, or -1; if several kicked, of the nearest to the ball."""
     row, least = -1, 0.0
     for r in range(robot_events.shape[0]):
         distance = length(ball.x - robots[r].x, ball.y - robots[r].y)

@@ -21,7 +21,7 @@ ASIDE = 0.25  # [1] of the pitch's width, from the middle to a ball dropped afte
 
 @compiled
 def judge(match, ball, robots, events, k, toucher):
-    """Apply the rules to one match after a control step; `toucher` is the row that touched the ball, or -1."""
+    """Apply the rules to one match after a control step; `toucher`: row of the robot that touched the ball, or -1."""
     events.ball_x, events.ball_y = ball.x, ball.y
     match.clock += k.dt if match.shoot_out == 0 else 0.0
     match.phase_clock += k.dt
@@ -156,7 +156,7 @@ def drop_place(ball, k):
     """Return the place at which a stuck ball is dropped [m, m, field frame].
 
     * A ball at a board is moved straight away from the board until a robot has room between the two, at most by the
-      rules' `drop_way`; in a corner, away from both boards. So neither team loses the pitch that it has won.
+      rules' `drop_way`; in a corner, away from both boards. So neither team loses the ground that it has won.
     * A ball before a goal is dropped where it lay, on the line of the goal area parallel to the goal line, so that no
       robot gets a free shot from nearer. The laws of football have it so (Law 8, remembered); the legged league only
       has a penalty area, and its book of 2008 puts a ball that is stuck with a goalkeeper on the centre spot.

@@ -1,8 +1,8 @@
 """Free places: each robot that the referee must move gets the nearest place that is allowed and free.
 
 The referee moves single robots at a restart, at a dropped ball and when robots are pulled apart; other robots stay. The
-robot with the longest way chooses first. The choice depends on no team and no number, so that neither team is favoured;
-the handedness of the match decides which side of the straight way is tried first.
+robot with the longest path chooses first. The choice depends on no team and no number, so that neither team is
+favoured; the handedness of the match decides which side of the straight path is tried first.
 
 `k`: the league's constants.
 """
@@ -25,7 +25,7 @@ HAIR = 1e-9  # [m] tolerance for rounding
 
 @compiled
 def settle(match, robots, settled, bans, goal_gap, k):
-    """Give each robot that is not settled (R,) the nearest free place, the robot with the longest way first.
+    """Give each robot that is not settled (R,) the nearest free place, the robot with the longest path first.
 
     `bans` (R, N, 3) are discs that a robot has to stay out of: x, y and radius [m], radius 0: none. A robot comes no
     nearer to the goal that it attacks than goal_gap (R,) [m], unless no such place is close.
@@ -77,7 +77,7 @@ def most_way(bans, k):
 
 @compiled
 def nearer(bans, k):
-    """Return discs (N, 3) smaller by a body's reach, but large enough to keep a robot out of the ball."""
+    """Return copies of discs (N, 3), smaller by a body's reach, but large enough to keep a robot out of the ball."""
     smaller = bans.copy()
     for i in range(bans.shape[0]):
         smaller[i, 2] = max(bans[i, 2] - k.body_reach, min(bans[i, 2], k.body_reach + k.ball_radius + MARGIN))
@@ -188,5 +188,5 @@ def spine_gap(x, y, other_x, other_y, heading, half):
 
 @compiled
 def new_bans(count, each):
-    """Return empty discs (count, each, 3), settled (count,) all False, and goal gaps (count,) of 0."""
+    """Return empty arguments of `settle`: bans (count, each, 3), settled (count,) all False, goal gaps (count,)."""
     return np.zeros((count, each, 3)), np.zeros(count, np.bool_), np.zeros(count)

@@ -89,7 +89,7 @@ def put_ball(ball, x, y):
 
 @compiled
 def stay(robot):
-    """Make a robot's present pose its place."""
+    """Make a robot stay: set its assigned place to its present pose."""
     robot.place_x, robot.place_y, robot.place_heading = robot.x, robot.y, robot.heading
 
 
@@ -163,7 +163,7 @@ def send_back(match, robots, r, k):
 
 @compiled
 def nearest_waiting(match, robots, settled, seen, keepers):
-    """Return the goalkeeper, or the robot, nearest to the ball that is neither settled nor seen; -1: none."""
+    """Return the row of the robot (goalkeeper if `keepers`) nearest to the ball, neither settled nor seen; -1: none."""
     nearest, least = -1, 1e9
     for r in range(robots.shape[0]):
         if settled[r] or seen[r] > 0.0 or (keepers and robots[r].keeper == 0):
@@ -203,7 +203,7 @@ def is_carried(robot):
 
 @compiled
 def gap_to_keep(match, robots, r, k):
-    """Return the least distance of robot r's centre from the ball [m]; a goalkeeper that may stay only clears it."""
+    """Return the least distance [m] of robot r's centre from the ball; a goalkeeper that may stay just clears it."""
     robot = robots[r]
     gap = distance_from_ball(match, robot, k) + k.body_reach
     if robot.keeper == 1 and (match.phase != DROP_BALL or in_penalty_area(match, robot, robot.team, k)):

@@ -122,7 +122,7 @@ def pull_apart(ball, robots, match, k):
 
 @compiled
 def has_to_go(match, ball, robots, r, other, k):
-    """Tell whether robot r, of two that hold each other, has to go."""
+    """Tell whether the referee has to move robot r, not the robot `other`, when the two hold each other."""
     robot, its = robots[r], robots[other]
     if robot.keeper == 1 and in_penalty_area(match, robot, robot.team, k):
         return False
@@ -139,7 +139,7 @@ def has_to_go(match, ball, robots, r, other, k):
 
 @compiled
 def ban_other(robots, bans, r, other, k):
-    """Ban robot r from places too near to the robot that it is pulled from.
+    """Ban robot r from places too near to the robot `other`, from which the referee pulls it apart.
 
     Team-mates, who hold each other by the legs, only have to come free.
     """

@@ -27,7 +27,7 @@ OFF_AREA = 0.4  # [m] distance of the waiting defenders from their penalty area,
 
 @compiled
 def has_to_pass(match, k):
-    """Tell whether another robot must touch the ball before the taker of the current restart may again."""
+    """Tell whether the taker of the current restart may not touch the ball again before another robot does."""
     return k.rules_second_touch == 1 and match.phase != KICK_OFF and match.phase != PENALTY_KICK
 
 

@@ -55,13 +55,13 @@ def steer_to_place(match, robot, k):
 
 @compiled
 def braking_speed(k, room):
-    """Return the speed [m/s] from which a robot still stops within a room [m]."""
+    """Return the greatest speed [m/s] from which a robot can stop within a distance `room` [m]."""
     return min(room / SLOW_ZONE, sqrt(2.0 * BRAKING * k.drive_acceleration * room))
 
 
 @compiled
 def paced(k, x, y):
-    """Return the velocity along a way [m, m], as a share of the top speed, from which a robot stops at its end."""
+    """Return a velocity along the path x, y [m], a share of the top speed, from which a robot can stop at its end."""
     distance = max(length(x, y), 1e-9)
     share = min(braking_speed(k, distance) / k.drive_forward, 1.0) / distance
     return share * x, share * y
@@ -84,9 +84,9 @@ def out_to_ring(x, y, ring):
 
 @compiled
 def way_round(x, y, to_x, to_y, ring, handedness):
-    """Return a vector from (x, y) along the way to (to_x, to_y): straight, or along a tangent of the ring.
+    """Return a vector from (x, y) along the path to (to_x, to_y): straight, or along a tangent of the ring.
 
-    Its length is that of the straight way. If that leads through the centre, handedness chooses the side.
+    Its length is that of the straight path. If the straight path leads through the centre, handedness chooses the side.
     """
     to_x, to_y = to_x - x, to_y - y
     distance = length(to_x, to_y)
@@ -104,7 +104,7 @@ def way_round(x, y, to_x, to_y, ring, handedness):
 
 @compiled
 def hold_off(k, x, y, to_x, to_y, ring):
-    """Return a velocity, as a share of the top speed, changed so that it stays out of the ring or backs out of it."""
+    """Return the velocity to_x, to_y (shares of the top speed), changed to stay out of the ring or to leave it."""
     away = max(length(x, y), 1e-6)
     room = away - ring
     most = (braking_speed(k, room) if room > 0.0 else room / SLOW_ZONE) / k.drive_forward
@@ -115,7 +115,7 @@ def hold_off(k, x, y, to_x, to_y, ring):
 
 @compiled
 def aim_ahead(ahead, left, turn, distance, may_turn):
-    """Return the walk of a base that cannot step aside: face the way, drive, then turn to the final heading."""
+    """Return the walk of a base that cannot move sideways: turn to the target, drive, turn to the final heading."""
     if distance < 0.5 * ARRIVED:
         return 0.0, 0.0, turn
     bearing = atan2(left, ahead)

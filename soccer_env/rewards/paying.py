@@ -26,7 +26,7 @@ def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
 
 
 def add_potential(measure_others, column, index, function):
-    """Return a kernel that writes the potentials of other terms and of one more term, 0 if its weight is 0."""
+    """Return a kernel that calls `measure_others`, then writes the potential of one more term, 0 if its weight is 0."""
 
     @inlined
     def measure(match, ball, robots, k, team, weights, potentials):
@@ -38,7 +38,7 @@ def add_potential(measure_others, column, index, function):
 
 
 def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that adds the rewards of robots to (R, terms or more), one column for each term."""
+    """Return a kernel that adds the robots' rewards to an array (R, terms or more), one column for each term."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
@@ -55,7 +55,7 @@ def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
 
 
 def add_shaping(pay_others, column, index):
-    """Return a kernel that pays other terms, and the shaping of one potential."""
+    """Return a kernel that calls `pay_others`, then adds the shaping reward of one potential for each robot."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
@@ -71,7 +71,7 @@ def add_shaping(pay_others, column, index):
 
 
 def add_event(pay_others, column, function, sign):
-    """Return a kernel that pays other terms, and an event (sign 1) or a cost (sign -1)."""
+    """Return a kernel that calls `pay_others`, then adds an event (sign 1) or cost (sign -1) term for each robot."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):

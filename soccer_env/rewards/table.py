@@ -93,7 +93,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
     """A user's own terms by name: an OwnTerm, or a function, which becomes an event of weight 1."""
 
     def __new__(cls, **values: Any) -> Rewards:
-        """Raise ValueError for a term that does not exist."""
+        """Create the weights; raise ValueError for the name of a term that does not exist."""
         check_names("reward term", values, [item.name for item in fields(cls)])
         made: Rewards = super().__new__(cls)
         return made
@@ -111,7 +111,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     @staticmethod
     def only(**values: Any) -> Rewards:
-        """Return rewards in which all other terms have weight 0."""
+        """Return rewards with the given weights; all other terms have weight 0."""
         return Rewards(**{**dict.fromkeys(NAMES, 0.0), **values})
 
     def weights(self) -> np.ndarray:
@@ -129,7 +129,7 @@ PRESETS = {
 
 
 def find_rewards(rewards: str | Rewards) -> Rewards:
-    """Return rewards by preset or MODULE:NAME, or the object itself; ValueError lists the presets."""
+    """Return the rewards of a preset or MODULE:NAME; a Rewards passes through. ValueError lists the presets."""
     rewards = of_module("rewards", rewards, Rewards) or rewards
     if isinstance(rewards, Rewards):
         return rewards

@@ -101,7 +101,7 @@ def guard(match, ball, robots, k, team):
 
 @compiled
 def crowding(match, ball, robots, k, team):
-    """Return minus the nearness to the ball of a mate of the robot at the ball: 0 far away, -1 at the ball."""
+    """Return minus the nearness to the ball of the team's second-nearest robot: 0 far from the ball, -1 at the ball."""
     first, far = at_ball(ball, robots, team), CROWD * k.body_reach
     least = far
     for r in range(robots.shape[0]):

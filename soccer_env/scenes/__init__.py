@@ -28,7 +28,7 @@ SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_
 
 
 def find_scene(scene: str | Scene) -> Scene:
-    """Return a scene by name, MODULE:NAME or names with shares, or the object itself; ValueError lists the names."""
+    """Return the scene of a name, MODULE:NAME or names with shares; a Scene passes through. ValueError lists names."""
     chosen = of_module("scene", scene, Scene) or scene
     if isinstance(chosen, Scene):
         return chosen

@@ -32,7 +32,9 @@ def place_lost_ball(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def show_ball_ahead(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Show the ball as far ahead of home's robot as it lies behind, like a memory from before a dropped ball."""
+    """Show the ball, at the robot's first look only, as far ahead of home's robot as the ball really lies behind.
+    So the robot begins with an outdated memory, as after a dropped ball.
+    """
     seeker = robots[last_of(robots, HOME)]
     ball["x"], ball["y"] = 2.0 * seeker["x"] - ball["x"], 2.0 * seeker["y"] - ball["y"]
 

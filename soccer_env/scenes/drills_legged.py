@@ -69,7 +69,7 @@ def place_head_on(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Let home's robot face the board on a touchline, a paw at its foot, the ball behind its back."""
+    """Let home's robot face the board on a touchline, a paw at the board's foot, the ball behind the robot's back."""
     seeker = last_of(robots, HOME)
     send_away(league, robots, seeker)
     side, off = draw.side(), draw.between(-0.4, 0.4)
@@ -82,7 +82,7 @@ def place_facing_wall(league: League, ball: Any, robots: Any, draw: Draw) -> Non
 
 
 def start_dribble(league: League, ball: Any, robots: Any, draw: Draw, others: int) -> tuple[Any, list[Any], float]:
-    """Put the ball between the paws of home's last robot; return it, the opponents and the way to goal [rad]."""
+    """Put the ball between the paws of home's last robot; return robot, opponents and direction of the goal [rad]."""
     row, rows = last_of(robots, HOME), last_rows(robots, AWAY, others)
     send_away(league, robots, row, *rows)
     robot = robots[row]
@@ -100,7 +100,7 @@ def put_at(league: League, robot: Any, other: Any, distance: float, angle: float
 
 
 def place_still(count: int) -> Place:
-    """Return a function that puts `count` still players on the way to the goal, one behind another."""
+    """Return a function that puts `count` still players on the path to the goal, one behind another."""
 
     def place(league: League, ball: Any, robots: Any, draw: Draw) -> None:
         robot, players, way = start_dribble(league, ball, robots, draw, count)
@@ -114,9 +114,9 @@ def place_still(count: int) -> Place:
 
 
 def place_mover(near: float, far: float, aside: float, meets: tuple[float, float]) -> Place:
-    """Return a function that puts a mover `near` to `far` [m] off, within `aside` [rad] of the way to the goal.
+    """Return a function that puts a moving player `near` to `far` [m] off, up to `aside` [rad] off the path to goal.
 
-    The mover heads for a point on the way, `meets` [m] from the dribbler.
+    The moving player heads for a point on the path to the goal, `meets` [m] from the dribbler.
     """
 
     def place(league: League, ball: Any, robots: Any, draw: Draw) -> None:
@@ -130,7 +130,7 @@ def send_mover(
     league: League, robot: Any, mover: Any, draw: Draw, way: float, distance: tuple[float, float], off: float,
     meets: tuple[float, float],
 ) -> None:  # fmt: skip
-    """Put a mover at a distance [m], `off` [rad] from the way, heading for a point on it."""
+    """Put a moving player at a distance [m], `off` [rad] from the path to the goal, heading for a point on it."""
     put_at(league, robot, mover, draw.between(*distance), way + off, 0.0)
     ahead = draw.between(*meets)
     x, y = robot["x"] + ahead * cos(way) - mover["x"], robot["y"] + ahead * sin(way) - mover["y"]
@@ -138,7 +138,7 @@ def send_mover(
 
 
 def place_mover_and_still(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put a still player to one side of the way to the goal, and a mover that comes from the other side."""
+    """Put a still player to one side of the path to the goal, and a moving player that comes from the other side."""
     robot, (still, mover), way = start_dribble(league, ball, robots, draw, 2)
     side = draw.side()
     put_at(league, robot, still, draw.between(0.5, 0.7), way - side * draw.between(0.25, 0.5), draw.between(-pi, pi))
@@ -146,7 +146,7 @@ def place_mover_and_still(league: League, ball: Any, robots: Any, draw: Draw) ->
 
 
 def place_gap(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put two still players on the way to the goal, beside each other, half a metre between their centres."""
+    """Put two still players on the path to the goal, beside each other, half a metre between their centres."""
     robot, players, way = start_dribble(league, ball, robots, draw, 2)
     distance, middle = draw.between(0.6, 0.9), draw.between(-0.05, 0.05)
     x, y = robot["x"] + distance * cos(way), robot["y"] + distance * sin(way)

@@ -3,7 +3,7 @@
     "we showed in the technical challenge at the world championship in Padova 2003, that our high-level control code was
     still good enough, to win the technical challenge by dribbling the ball around static obstacles"
 
-Every distance, angle and speed is drawn from a range; all are assumed but for the kick's up to 10 m/s.
+Every distance, angle and speed is drawn from a range; all are assumed, except the kick's speed of up to 10 m/s.
 
     far-post-shot        challenge-2003                       three-v-one            counter-attack
 
@@ -56,7 +56,7 @@ def place_rolling(league: League, ball: Any, robots: Any, draw: Draw) -> None:
 
 
 def place_challenge(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put still obstacles on the way from home's last robot, which has the ball, to the goal.  MH24"""
+    """Put still obstacles on the path from home's last robot, which has the ball, to the goal.  MH24"""
     dribbler, others = last_of(robots, HOME), last_rows(robots, AWAY, OBSTACLES)
     send_away(league, robots, dribbler, *others)
     x, y, side = draw.between(-2.6, -2.3), draw.between(-0.5, 0.5), draw.side()
@@ -80,14 +80,14 @@ def players_of(robots: Any, team: int, most: int) -> list[int]:
 
 
 def place_three_v_one(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put up to three of home's, the last with the ball, before one of away's and its goalkeeper."""
+    """Put up to three players of home, the last with the ball, before one field player and the goalkeeper of away."""
     side = draw.side()
     places = [(draw.between(2.0, 3.0), side * 2.0), (draw.between(2.0, 3.0), -side * 2.0)]
     attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
 
 
 def place_counter(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put two of home's, the last with the ball, before one of away's and its goalkeeper, others of away's behind."""
+    """Put two of home, the last with the ball, before a player and the goalkeeper of away, two of away behind."""
     side = draw.side()
     behind = [(draw.between(-1.6, -1.2), 1.5), (draw.between(-1.6, -1.2), -1.5)]
     attack(league, ball, robots, draw, [(0.5, side * draw.between(1.5, 2.5))], [*behind, (draw.between(2.0, 3.0), 0.0)])
@@ -97,7 +97,7 @@ def attack(
     league: League, ball: Any, robots: Any, draw: Draw,
     mates: list[tuple[float, float]], defenders: list[tuple[float, float]],
 ) -> None:  # fmt: skip
-    """Give home's last field player the ball before the middle; put its mates, away's players and goalkeeper."""
+    """Put home's last field player with the ball near the centre spot; put mates, away's players and goalkeeper."""
     own = players_of(robots, HOME, 1 + len(mates))
     keeper, others = goalkeeper_of_away(robots), players_of(robots, AWAY, len(defenders))
     others = [row for row in others if row != keeper]

@@ -88,7 +88,7 @@ def is_near(ball, robots, team, k):
 def who_is_free(match, ball, robots, k):
     """Return +1 if home has freed the ball, -1 if away has, else 0; the ball lay at restart_x, restart_y.
 
-    If both have a ball that was carried far, the team wins that attacks in the direction in which the ball went.
+    If both have a ball that was carried far, the winner is the team that attacks in the direction of that motion.
     """
     home, away = has_ball(robots, HOME), has_ball(robots, AWAY)
     if home and not is_near(ball, robots, AWAY, k):

@@ -17,7 +17,7 @@ SCENE = int(MatchStream.SCENE)
 
 
 class Draw:
-    """Draws of a scene's own noise stream."""
+    """Random numbers from a scene's own noise stream."""
 
     def __init__(self, match: Any) -> None:
         self.noise = match["noise"]
@@ -72,7 +72,7 @@ class Scene:
 
     @property
     def meant_for(self) -> str:
-        """Return in words the players of home, the opponents and the most players a side for which it is meant."""
+        """Return a text on the intended players: number of home, names of opponents, greatest number a side."""
         if self.success == "none":
             return "any"
         meant = f"{self.players} v {', '.join(self.opponents)}" if self.opponents else f"{self.players}"

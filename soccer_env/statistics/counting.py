@@ -77,7 +77,7 @@ def count_ball(match, ball, k, tally):
 
 @compiled
 def count_restart(events, tally, trail):
-    """Count a restart, and forget the player of the ball before it."""
+    """Count a restart, and forget which robot played the ball before the restart."""
     end_flight(tally, trail)
     trail.player = trail.kicker = -1
     trail.since_restart[HOME] = trail.since_restart[AWAY] = 0
@@ -89,7 +89,7 @@ def count_restart(events, tally, trail):
 
 @compiled
 def count_whistles(match, robots, events, robot_events, tally):
-    """Count annulled goals and the fouls of a step: one for each whistled robot, or one for the team without any."""
+    """Count annulled goals and the fouls of a step: one for each whistled robot, else one for the whistled team."""
     whistled = 0
     for r in range(robots.shape[0]):
         if robot_events[r].foul != 0:

@@ -34,17 +34,17 @@ class Statistic:
 
 
 def of_match(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = "") -> Statistic:
-    """Return a statistic of a match."""
+    """Return a Statistic with one number for each match."""
     return Statistic(name, unit, text, False, kind, whole, field or name)
 
 
 def of_team(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = "") -> Statistic:
-    """Return a statistic of each team."""
+    """Return a Statistic with one number for each team."""
     return Statistic(name, unit, text, True, kind, whole, field or name)
 
 
 def by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, ...]:
-    """Return a statistic of each team for each code; {} in the text stands for the name of the code."""
+    """Return a Statistic of each team for each code; {} in the text stands for the name of the code."""
     return tuple(
         Statistic(
             f"{prefix}_{code.name.lower()}", "", text.format(code.name.lower().replace("_", " ")), True,
@@ -157,7 +157,7 @@ def numbers_of(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
 
 
 def column_of(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
-    """Return a statistic of matches: (M,), or of a team (M, 2)."""
+    """Return the values of a statistic in matches: (M,), or (M, 2) if each team has one."""
     if figure.name == "goals":
         return np.asarray(statistics["goals"].sum(axis=-1))
     values = statistics[figure.field]
@@ -167,7 +167,7 @@ def column_of(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
 
 
 def length_of(counts: np.ndarray, share: float) -> np.ndarray:
-    """Return the length [s] below which a share of the spells stays, from counts (..., BINS); 0 without spells."""
+    """Return the quantile `share` of the lengths of spells [s], from their histogram (..., BINS); 0 without spells."""
     total = np.cumsum(counts, axis=-1)
     place = (total >= share * total[..., -1:]).argmax(axis=-1)
     middle = SHORTEST * 2.0 ** ((place + 0.5) / BINS_PER_OCTAVE)

@@ -47,13 +47,13 @@ def is_pushed(step, ball, k, trail):
 
 @compiled
 def steps_in(seconds, k):
-    """Return a time [s] in control steps."""
+    """Convert a time [s] to control steps, rounded."""
     return int(seconds / k.dt + 0.5)
 
 
 @compiled
 def is_over(step, k, trail):
-    """Tell whether the time of a flight is over."""
+    """Tell whether a flight has lasted too long, in total or since it was deflected."""
     return step - trail.flight_step > steps_in(LONGEST, k) or (
         trail.deflected != LONG_AGO and step - trail.deflected > steps_in(DEFLECTED, k)
     )

@@ -104,7 +104,7 @@ def end_spell(team, player, k, tally):
 
 @compiled
 def count_standing(match, ball, robot, contact, k, tally, trail):
-    """Count a robot near the ball, idle, or as a goalkeeper; note its team's nearest robot to the ball.
+    """Count a robot near the ball, a mate's idle time or a goalkeeper; note the team's nearest robot to the ball.
 
     `contact` is the last step in which the robot touched an opponent.
     """
@@ -173,7 +173,7 @@ def count_moving(match, robot, r, player, k, tally):
 
 @compiled
 def look(robot, r, direction, k, maps):
-    """Count the place of robot r for the time until the next look."""
+    """Add the position of robot r to the maps, for the time until its next sample."""
     note_place(robot, robot.team, direction, k, maps)
     maps.places[r, 0] += LOOK * k.dt * direction * robot.x
     maps.places[r, 1] += LOOK * k.dt * direction * robot.y
@@ -182,7 +182,7 @@ def look(robot, r, direction, k, maps):
 
 @compiled
 def is_stopped(robot, k):
-    """Tell whether a robot that can walk makes less than a quarter of the walk that it aims at."""
+    """Tell whether a robot that can walk, and wants to, moves at less than a quarter of the speed that it aims at."""
     made = robot.vx * robot.vx + robot.vy * robot.vy
     most = max(k.drive_forward, k.drive_backward) + k.drive_sideways
     if made >= MAKES * MAKES * most * most:  # whatever it aims at; the target is not read
@@ -194,7 +194,7 @@ def is_stopped(robot, k):
 
 @compiled
 def count_stuck(team, step, player, k, tally):
-    """Count a step in which a robot is stopped; once it is stuck, with all steps since the start."""
+    """Count a step in which a robot is stopped; once it is stuck, add all steps since it first stopped."""
     if (step - player.stuck_last - 1) * k.dt > BREAK + 0.5 * k.dt:
         player.stuck_since, player.stuck_steps = step, 0
     player.stuck_last = step

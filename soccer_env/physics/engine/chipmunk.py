@@ -141,7 +141,7 @@ def read_bodies(links: Links, m: int) -> None:
 
 @compiled
 def write_bodies(links: Links, m: int) -> None:
-    """Set poses and velocities of match m's bodies from `bodies[m]`; rows left as they were read change nothing."""
+    """Set poses and velocities of match m's bodies from `bodies[m]`; rows unchanged since reading have no effect."""
     link = links[m]
     check_space(link)
     link.body_array.num = 0
@@ -183,7 +183,7 @@ def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
 
 @compiled
 def fetch(links: Links, m: int) -> bool:
-    """Fetch the memory of match m's next step into the cache, if the match exists and has spans; tell whether."""
+    """Prefetch the memory of match m's next step into the cache; return False if match or spans do not exist."""
     if m >= len(links) or links[m].spans == 0:
         return False
     fetch_spans(spans_at(links[m].spans))
@@ -238,7 +238,7 @@ def space_address(space: pymunk.Space) -> int:
 
 
 def c_addresses() -> dict[str, int]:
-    """Return the addresses of the C functions by field of LINK."""
+    """Return a dict from fields of LINK to the addresses of the C functions that they hold."""
     return {field: _function_address(name) for field, name in C_FUNCTIONS.items()}
 
 

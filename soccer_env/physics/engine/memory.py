@@ -95,7 +95,7 @@ else:
 
 
 def record_reader(dtype: np.dtype) -> Any:
-    """Return a function for kernels: it returns the record of a dtype at an address, for reading and writing."""
+    """Return a function for kernels that maps a memory address to a record of the dtype, for reading and writing."""
     if config.DISABLE_JIT:
         return lambda address: np.frombuffer(ffi.buffer(ffi.cast("char *", int(address)), dtype.itemsize), dtype).view(
             np.recarray

@@ -77,7 +77,7 @@ def pointer(at):
 
 @compiled
 def note_step(spans, space):
-    """Count a control step of a Space, and after step 1, 2, 4, 8, ... list its spans anew."""
+    """Count a control step of a Space, and after step 1, 2, 4, 8, ... rebuild the list of its spans."""
     spans.steps += 1
     if spans.steps & (spans.steps - 1) == 0:
         note_space(spans, space)
@@ -85,7 +85,7 @@ def note_step(spans, space):
 
 @compiled
 def note_space(spans, space):
-    """List the spans that the steps of a Space touch."""
+    """List the spans of memory that the steps of a Space touch."""
     spans.count = 0
     add(spans, space, pools.SPACE_SIZE)
     note_items(spans, pointer(space + pools.SPACE_BODIES), pools.BODY_SIZE)
@@ -102,7 +102,7 @@ def note_space(spans, space):
 
 @compiled
 def note_solver(spans, constraints, robots):
-    """Note the constraint of our part of the solver, if there is one, and its SOLVER record."""
+    """Add the constraint of our part of the solver, if there is one, and its SOLVER and STANCE records to the spans."""
     note_items(spans, constraints, pools.CONSTRAINT_SIZE)
     if count_at(constraints) == 1:
         constraint = pointer(pointer(constraints + pools.ARRAY_ITEMS))
@@ -132,7 +132,7 @@ def add(spans, at, size):
 
 @compiled
 def note_items(spans, array, size):
-    """Note a cpArray of addresses, and `size` bytes at each address."""
+    """Add a cpArray of addresses, and `size` bytes at each address, to the spans."""
     items, count = pointer(array + pools.ARRAY_ITEMS), count_at(array)
     add(spans, array, pools.ARRAY_SIZE)
     add(spans, items, max(8 * count, 8))
@@ -142,7 +142,7 @@ def note_items(spans, array, size):
 
 @compiled
 def note_shapes(spans, tree):
-    """Note the shapes of a tree; return their number."""
+    """Add the shapes of a tree, and the hash set of its leaves, to the spans; return the number of shapes."""
     leaves = pointer(tree + pools.TREE_LEAVES)
     table, count = pointer(leaves + pools.SET_TABLE), 0
     for i in range(count_at(leaves + pools.SET_ROOM)):
@@ -165,7 +165,7 @@ def note_shapes(spans, tree):
 
 @compiled
 def note_nodes(spans, tree, leaves):
-    """Note the nodes of a tree (its first pool) and its pairs of neighbours (the other pools)."""
+    """Add a tree with its nodes (its first pool) and its pairs of neighbours (the other pools) to the spans."""
     add(spans, tree, pools.TREE_SIZE)
     buffers = pointer(tree + pools.TREE_BUFFERS)
     for i in range(count_at(buffers)):
@@ -175,7 +175,7 @@ def note_nodes(spans, tree, leaves):
 
 @compiled
 def note_set(spans, hash_set, items):
-    """Note a hash set, and the bins of `items` items."""
+    """Add the memory of a hash set, and of the bins of `items` items, to the spans that are prefetched."""
     add(spans, hash_set, pools.SET_SIZE)
     add(spans, pointer(hash_set + pools.SET_TABLE), 8 * count_at(hash_set + pools.SET_ROOM))
     buffers = pointer(hash_set + pools.SET_BUFFERS)
@@ -185,14 +185,14 @@ def note_set(spans, hash_set, items):
 
 @compiled
 def note_pool(spans, buffer, used):
-    """Note the head of a pool's buffer, and the last `used` bytes of its tail."""
+    """Add the head of a pool's buffer, and the last `used` bytes of the buffer, to the spans."""
     add(spans, buffer, LINE)
     add(spans, buffer + pools.BUFFER_SIZE - used, used)
 
 
 @compiled
 def note_contacts(spans, newest):
-    """Note the heads of the buffers of contacts, which Chipmunk uses in turn."""
+    """Add the heads of the buffers of contacts, which Chipmunk uses in turn, to the spans."""
     place = newest
     while place != 0:
         add(spans, place, pools.CONTACTS_SIZE)
@@ -203,7 +203,9 @@ def note_contacts(spans, newest):
 
 @compiled
 def note_pooled(spans, array):
-    """Note the arbiters that are used next: the stack of their addresses, the lowest of which is the buffer's."""
+    """Add the free arbiters that Chipmunk takes next, and the top of the stack of their addresses, to the spans.
+    The lowest address on the stack is that of the arbiters' buffer.
+    """
     items, count = pointer(array + pools.ARRAY_ITEMS), count_at(array)
     add(spans, array, pools.ARRAY_SIZE)
     if count > USUAL_ARBITERS:
@@ -216,5 +218,5 @@ def note_pooled(spans, array):
 
 
 def is_useful(matches: int) -> bool:
-    """Tell whether a batch of so many matches gains by fetching, and this pymunk has the expected structs."""
+    """Tell whether a batch of `matches` matches gains from prefetching, and this pymunk has the expected structs."""
     return matches >= FEWEST_MATCHES and pools.layout_fits()

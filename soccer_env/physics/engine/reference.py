@@ -37,7 +37,7 @@ def reference_space(rng: np.random.Generator) -> Any:
 
 @compiled
 def write_slice(links, first, last):
-    """Write the velocities of a slice of matches."""
+    """Copy the velocities of a slice of matches from the arrays into the Spaces."""
     for m in range(first, last):
         write_velocities(links, m)
 
@@ -51,6 +51,6 @@ def bare_slice(links, substeps, dt, first, last):
 
 @compiled
 def read_slice(links, first, last):
-    """Read the bodies of a slice of matches."""
+    """Copy poses and velocities of a slice of matches from the Spaces into the arrays."""
     for m in range(first, last):
         read_bodies(links, m)

@@ -65,7 +65,7 @@ def reseat(links, seats, shapes, functions, bodies, velocities, rows):
 
 @compiled
 def place_bodies(links, bodies, velocities, m):
-    """Move match m's bodies to the poses in `bodies[m]`, without speed; move their speeds to `velocities[m]`."""
+    """Move match m's bodies to the poses in `bodies[m]`, at rest; move the velocities in it to `velocities[m]`."""
     link = links[m]
     for i in range(link.count):
         bodies[m, i, 0] += 0.0  # -0 becomes 0, as it does when Chipmunk places a body that is new
@@ -82,7 +82,7 @@ def place_bodies(links, bodies, velocities, m):
 
 @compiled
 def forget(memory, first, address, rows):
-    """Set the solver's memory of the matches in `rows`, words (M, n), to its first values, except addresses."""
+    """Reset the solver's records of the matches in `rows`, as words (M, n), to the initial values, except addresses."""
     for m in rows:
         for i in range(len(first)):
             if not address[i]:
@@ -90,7 +90,7 @@ def forget(memory, first, address, rows):
 
 
 class Memory:
-    """The solver's records of M matches, and their first values: equal in all matches except for addresses."""
+    """The solver's records of M matches, and their initial values, equal in all matches except for addresses."""
 
     def __init__(self, records: NDArray[Any]) -> None:
         self.words = records.view(np.uint64).reshape(len(records), -1)
@@ -101,17 +101,17 @@ class Memory:
         self.address = np.tile(self.address, self.words.shape[1] // len(self.address))
 
     def remember(self, m: int) -> None:
-        """Take the records of match m as the first values of all matches."""
+        """Keep the records of match m as the initial values of all matches, unless there are initial values already."""
         if self.first is None:
             self.first = self.words[m].copy()
 
     def put_back(self, rows: NDArray[np.int64]) -> None:
-        """Set the records of the matches in `rows` to their first values."""
+        """Reset the records of the matches in `rows` to their initial values."""
         forget(self.words, self.first, self.address, rows)
 
 
 class Seats:
-    """All that resets the Spaces of M matches: the addresses of their shapes, and the solver's first values."""
+    """The data that resets the Spaces of M matches: the addresses of their shapes, and the solver's initial values."""
 
     def __init__(self, matches: int, solvers: NDArray[Any], stances: NDArray[Any]) -> None:
         self.known = np.zeros(matches, bool)  # matches whose Spaces can be reset
@@ -121,7 +121,7 @@ class Seats:
         self._memories = Memory(solvers), Memory(stances)
 
     def remember(self, m: int, space: pymunk.Space) -> None:
-        """Remember match m's Space, which our part of the solver is attached to and which was never stepped."""
+        """Store the data that resets match m's Space, which was never stepped and has our part of the solver."""
         moving = [address_of(shape) for shape in space.shapes if shape.body is not space.static_body]
         if len(moving) > self.shapes.shape[1]:
             self.shapes = np.zeros((len(self.shapes), len(moving)), np.uint64)

@@ -65,12 +65,12 @@ def robot_shapes(body: pymunk.Body, league: League, surface: Surface) -> list[py
 
 
 def loose_posts(outline: Body) -> tuple[tuple[float, float], ...]:
-    """Return the posts [m] of a body that are no shapes in the Space: all, unless the body is a hull."""
+    """Return the posts [m] of a body that are not shapes in the Space: all posts, or none if the body is a hull."""
     return () if outline.corners else outline.posts
 
 
 def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
-    """Return the hull, disc or capsule of a robot."""
+    """Return the shape of a robot's trunk: a hull, disc or capsule."""
     if outline.corners:
         return pymunk.Poly(body, outline.corners)
     if outline.disc_back > 0.0:
@@ -80,7 +80,7 @@ def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
 
 
 def surroundings(static: pymunk.Body, league: League, surfaces: Surfaces) -> list[pymunk.Shape]:
-    """Return boards, posts and nets: first those that the ball meets, then those that robots meet."""
+    """Return the shapes of boards, posts and nets: first the copies for the ball, then the copies for robots."""
     kinds = ((surfaces.board, boards), (surfaces.post, goal_posts), (surfaces.net, nets))
     of_ball = [finish(shape, surface, BALL_WALL) for surface, make in kinds for shape in make(static, league.pitch)]
     of_robots = [finish(shape, surfaces.edge, BODY_WALL) for _, make in kinds for shape in make(static, league.pitch)]
@@ -117,7 +117,7 @@ def goal_posts(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
 
 
 def nets(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
-    """Return the backs of the goals."""
+    """Return the shapes of the backs of the goals."""
     near, half = pitch.length / 2 + pitch.goal_depth, pitch.goal_width / 2
     return [box(static, end * near, end * (near + BOARD), -half, half) for end in (1, -1)]
 

@@ -83,7 +83,7 @@ class SpaceBatch:
                     drop(kept)
 
     def set_space(self, m: int, space: pymunk.Space) -> None:
-        """Set the Space of match m, and read its bodies; the batch keeps the Space alive until the next."""
+        """Set the Space of match m, and read its bodies; the batch keeps the Space alive until it is replaced."""
         _check_space(space, self.size)
         with HeldBack():
             self._kept[m].append(space)  # first, so that a Space in `links` is alive whatever raises below
@@ -164,7 +164,7 @@ class SpaceBatch:
             self._write(m, VELOCITY, self.velocities[m])
 
     def write_bodies(self, m: int) -> None:
-        """Set poses and velocities of match m's bodies from `bodies[m]`; rows left as they were change nothing."""
+        """Set poses and velocities of match m's bodies from `bodies[m]`; an unchanged row has no effect."""
         if self.links is not None:
             chipmunk.write_bodies(self.links, m)
         else:
@@ -196,7 +196,9 @@ class SpaceBatch:
 
 
 def _check_space(space: pymunk.Space, bodies: int) -> None:
-    """Raise ValueError for a Space that `Space.step` would refuse, which the C backend bypasses, or with other rows."""
+    """Raise ValueError for a Space with other bodies than expected, or that `Space.step` would refuse.
+    The C backend calls Chipmunk directly and so bypasses the checks of `Space.step`.
+    """
     if len(space.bodies) != bodies or any(body.body_type != pymunk.Body.DYNAMIC for body in space.bodies):
         raise ValueError(f"the Space must hold {bodies} dynamic bodies and no others; walls go on its static body")
     if not all(0.0 < number < math.inf for body in space.bodies for number in (body.mass, body.moment)):

@@ -30,13 +30,13 @@ MEETS = {BALL: BODY | BALL_WALL, BODY: BALL | BODY | BODY_WALL, BALL_WALL: BALL,
 
 
 class Surface(NamedTuple):
-    """The factors of a shape [1]."""
+    """The factors of a shape for elasticity and friction [1]."""
 
     elasticity: float
     friction: float
 
     def over(self, other: Surface) -> Surface:
-        """Return the factors whose products with `other` are these factors."""
+        """Return the factors that, multiplied by those of `other`, give the factors of this surface."""
         return Surface(self.elasticity / other.elasticity, self.friction / other.friction)
 
 
@@ -62,12 +62,12 @@ def surfaces_of(materials: Materials) -> Surfaces:
 
 
 def at_least(pair: Pair) -> Surface:
-    """Return the numbers of a pair, raised to LEAST so that others can be divided by them."""
+    """Return the numbers of a pair, each at least LEAST, so that other numbers can be divided by them."""
     return Surface(max(pair.elasticity, LEAST), max(pair.friction, LEAST))
 
 
 def finish(shape: pymunk.Shape, surface: Surface, category: int) -> pymunk.Shape:
-    """Set the surface of a shape, its category, and the categories that it meets."""
+    """Set a shape's surface, its category and the categories that it collides with; return the shape."""
     shape.elasticity, shape.friction = surface
     shape.filter = pymunk.ShapeFilter(categories=category, mask=MEETS[category])
     return shape

@@ -124,7 +124,7 @@ def take_roll(solver):
 
 @compiled
 def slow_roll(solver, nx, ny, most, rub):
-    """Slow the roll along a normal by the friction [N s] that is left of `most` after the level impulse `rub`."""
+    """Slow the roll along a normal by the upright friction [N s] that the level impulse `rub` leaves of `most`."""
     left = most * most - rub * rub
     if left > 0.0:
         change = sqrt(left) / solver.spin_mass

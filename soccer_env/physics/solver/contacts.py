@@ -36,7 +36,7 @@ CONTACT_BYTES, LAST_BYTES, STANCE_BYTES = (int(kind.itemsize) for kind in (POST_
 
 @compiled
 def stance_of(solver, r):
-    """Return a robot's STANCE, for reading and writing."""
+    """Return the STANCE record of robot r, for reading and writing."""
     return stance_at(solver.stances + r * STANCE_BYTES)
 
 
@@ -52,28 +52,30 @@ def keep_impulses(solver):
 
 @compiled
 def forget(contact):
-    """Start a contact of robots that hold each other without an impulse: such rounds only take energy.
+    """Set the impulses of a contact of robots that hold each other to zero, so that the rounds only take energy out.
 
-    Impulses of the last substep would add energy, since held robots turn and nearly equal contacts agree slowly.
+    Impulses of the last substep would add energy, since held robots turn and nearly equal contacts converge slowly.
     """
     contact.push = contact.rub = 0.0
 
 
 @compiled
 def normal(x, y, gap):
-    """Return the direction of a vector of a length [m]; (1, 0) at length 0."""
+    """Return the unit vector along (x, y), a vector of length `gap` [m]; (1, 0) at length 0."""
     return (x / gap, y / gap) if gap > 0.0 else (1.0, 0.0)
 
 
 @compiled
 def contact_key(r, i, other, part):
-    """Return the unique key of a contact."""
+    """Return the unique key of the contact between post i of robot r and a part of another object."""
     return ((r * POSTS + i) * 32 + other) * 8 + part
 
 
 @compiled
 def add_contact(solver, key, a, b):
-    """Return a new contact, with its impulses of the last substep if there were any; the last one if all are taken."""
+    """Add a contact of bodies a and b, with its last impulses if it existed in the last substep, and return it.
+    In a full list the last contact is replaced.
+    """
     if solver.contact_count < solver.contact_room:
         solver.contact_count += 1
     contact = contact_at(solver.contacts + (solver.contact_count - 1) * CONTACT_BYTES)
@@ -91,7 +93,7 @@ def add_contact(solver, key, a, b):
 
 @compiled
 def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
-    """Set the aims of a contact at x, y [m]: the velocity after the blow, and the speed that undoes the overlap."""
+    """Set a contact's geometry at x, y [m] and its targets: velocity after the blow, speed that undoes the overlap."""
     a, b = contact.a, contact.b
     contact.nx, contact.ny, contact.friction = nx, ny, friction
     contact.ax, contact.ay = x - number_at(a + BODY_X), y - number_at(a + BODY_Y)
@@ -106,7 +108,7 @@ def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
 
 @compiled
 def softness(contact, x, y):
-    """Return the change of the relative velocity along a direction for a unit of impulse along it [1/kg]."""
+    """Return the change of the relative velocity along a direction per unit of impulse in that direction [1/kg]."""
     a, b = contact.a, contact.b
     turn_a, turn_b = contact.ax * y - contact.ay * x, contact.bx * y - contact.by * x
     linear = number_at(a + BODY_MASS_INVERSE) + number_at(b + BODY_MASS_INVERSE)
@@ -119,7 +121,7 @@ def softness(contact, x, y):
 
 @compiled
 def skew(contact, nx, ny):
-    """Return the change of the relative velocity across a normal for a unit of impulse along it [1/kg]."""
+    """Return the change of the relative velocity across a normal per unit of impulse along the normal [1/kg]."""
     along_a, across_a = contact.ax * ny - contact.ay * nx, contact.ax * nx + contact.ay * ny
     along_b, across_b = contact.bx * ny - contact.by * nx, contact.bx * nx + contact.by * ny
     ease_a, ease_b = number_at(contact.a + BODY_MOMENT_INVERSE), number_at(contact.b + BODY_MOMENT_INVERSE)
@@ -147,7 +149,7 @@ def share_with_roll(solver, contact):
 
 @compiled
 def resume_posts(solver, share):
-    """Apply the impulses of the last substep, times the ratio of the substeps' lengths."""
+    """Apply the last substep's impulses at the contacts of posts, times the ratio `share` of the substeps' lengths."""
     for i in range(solver.contact_count):
         contact = contact_at(solver.contacts + i * CONTACT_BYTES)
         contact.push *= share
@@ -157,7 +159,7 @@ def resume_posts(solver, share):
 
 @compiled
 def solve_posts(solver):
-    """Change the impulse of every contact once."""
+    """Run one solver iteration over all contacts of the posts."""
     for i in range(solver.contact_count):
         contact = contact_at(solver.contacts + i * CONTACT_BYTES)
         part(contact)
@@ -176,7 +178,7 @@ def solve_posts(solver):
 
 @compiled
 def hold(contact, along, across):
-    """Return the impulses, along and across, by which a held leg moves straight out or not at all.
+    """Return the impulses along and across the normal that let a held leg only move straight out of its gap.
 
     Both are solved at once, since each changes the other: in turn they would not agree within the rounds of a substep.
     """
@@ -206,7 +208,7 @@ def give(contact, push, rub):
 
 @compiled
 def part(contact):
-    """Set velocities that part two overlapping bodies."""
+    """Set extra velocities, for one substep, that separate two overlapping bodies."""
     a, b, nx, ny = contact.a, contact.b, contact.nx, contact.ny
     turn_a, turn_b = number_at(a + BODY_REPAIR_OMEGA), number_at(b + BODY_REPAIR_OMEGA)
     vx = number_at(b + BODY_REPAIR_VX) - turn_b * contact.by - number_at(a + BODY_REPAIR_VX) + turn_a * contact.ay

@@ -24,7 +24,7 @@ HOLD = 6  # in the place of the other robot's leg in a contact's key
 
 @compiled
 def catch_legs(robots, r, k, handedness):
-    """Note, at the start of a robot's gait step, whether one of its legs is caught between the legs of another.
+    """Record, at the start of a robot's gait step, whether one of its legs is caught between the legs of another robot.
 
     Legs that are spread for a block neither catch nor are caught.
     """
@@ -53,7 +53,7 @@ def catch_legs(robots, r, k, handedness):
 
 @compiled
 def gap_at(k, ahead, left, handedness):
-    """Return the gap between a robot's legs in which a leg at a place [m] in its frame stands; -1: in none."""
+    """Return the index of the gap between a robot's legs in which a point [m], robot frame, lies; -1: in none."""
     for gap in range(GAPS):
         if gap_distance(k, gap, ahead, left, handedness) < k.body_tip_radius:
             return gap
@@ -73,7 +73,7 @@ def gap_distance(k, gap, ahead, left, handedness):
 
 @compiled
 def way_out(gap, handedness):
-    """Return the direction out of a gap, in the frame of its robot."""
+    """Return the unit vector out of a gap between two legs, in the frame of the legs' robot."""
     if gap < 2:
         return (1.0, 0.0) if gap == 0 else (-1.0, 0.0)
     return (0.0, handedness) if gap == 2 else (0.0, -handedness)
@@ -81,7 +81,7 @@ def way_out(gap, handedness):
 
 @compiled
 def hold_caught(solver, k):
-    """List the holds of a match: while a leg is near its gap, contacts that allow motion out of the gap alone."""
+    """Add a contact for each caught leg that is still near its gap: the leg can then only move out of the gap."""
     solver.holds = 0
     for r in range(solver.robots):
         other = stance_of(solver, r).caught_by - 1
@@ -105,10 +105,10 @@ def is_held(solver, k, r):
 
 @compiled
 def hold_leg(solver, k, r, other, mutual):
-    """List the hold of robot r's leg between the legs of another robot.
+    """Add the contact that holds robot r's leg between the legs of another robot.
 
-    Two robots that hold a leg of each other get one hold, midway between both and along the mean of both directions:
-    two nearly equal holds would need too many rounds to agree.
+    Two robots that hold a leg of each other get one contact, midway between both legs, along the mean direction:
+    two nearly equal contacts would need too many rounds to converge.
     """
     robot, holder = stance_of(solver, r), stance_of(solver, other)
     solver.holds += 1
@@ -129,7 +129,7 @@ def hold_leg(solver, k, r, other, mutual):
 
 @compiled
 def hold_at(solver, r):
-    """Return where the leg of a robot is held [m, m], and the direction into the gap, field frame."""
+    """Return the position of robot r's caught leg [m, m] and the unit vector into the gap, field frame."""
     robot = stance_of(solver, r)
     body = stance_of(solver, robot.caught_by - 1).body
     out_x, out_y = way_out(robot.caught_gap, solver.handedness)

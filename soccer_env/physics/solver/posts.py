@@ -131,7 +131,7 @@ def meet_trunk(solver, k, r, i, other):
 
 @compiled
 def meet_spread_legs(solver, k, r, other):
-    """List the contacts of two robots, at least one of which blocks: where their legs are nearest.  MS53"""
+    """List the contacts of two robots, of which at least one blocks, at the nearest points of their legs.  MS53"""
     both = 2.0 * k.body_tip_radius
     for i in range(solver.posts):
         a = stance_of(solver, r).posts[i]
@@ -168,7 +168,7 @@ def meet_trunk_along(solver, k, r, i, other):
 def touch_robot(solver, k, r, i, other, part, at_x, at_y, x, y, gap, reach):
     """List a contact of robot r's post, its axis at at_x, at_y [m], with a part of another robot.
 
-    The axis of that part is x, y [m] away from the post's axis; the two touch within `reach`.
+    The vector from the post's axis to the axis of that part is x, y [m]; the two touch within `reach` [m].
     """
     stance_of(solver, r).meets = 1
     stance_of(solver, other).meets = 1

@@ -62,7 +62,7 @@ constants_at: Any = record_reader(CONSTANTS)
 
 @callback("void", "address", "float64")
 def prepare(constraint, dt):
-    """Find contacts of posts, drive robots that touch nothing, list robots that touch something, and ball contacts."""
+    """Find the contacts of posts and of the ball, drive robots that touch nothing, list robots that touch something."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solver.time += dt
     if solver.posts > 0:
@@ -145,7 +145,7 @@ def lead_off(solver, dt):
 
 @compiled
 def is_free(stance):
-    """Tell whether a robot touches nothing in this substep, or in the last substep before the next one begins."""
+    """Tell whether a robot touches nothing in this substep; between substeps, in the last substep."""
     return address_at(stance.body + BODY_ARBITERS) == 0 and stance.meets == 0
 
 

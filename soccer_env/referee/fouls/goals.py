@@ -46,7 +46,7 @@ def is_kick_off_shot(match, k, scorer):
 
 @inlined
 def note_whistled_attack(match, robots, robot_events, k):
-    """Remember for a while the team whose attack was whistled; of both teams, that of the later row."""
+    """Remember for a while a team whistled for keeper pushing or holding; of both teams, that of the later row."""
     if match.whistled != NO_TEAM:
         match.whistled_clock += k.dt
         if match.whistled_clock > k.rules_annulled_time - 0.5 * k.dt:

@@ -103,7 +103,7 @@ def come_back(match, ball, robots, r, k):
 
 @compiled
 def nearest_free(ball, robots, r, ahead, y, k):
-    """Return the distance from the halfway line, towards its own goal, of robot r's first free place [m], or -1."""
+    """Return the distance [m] from the halfway line back to robot r's first free place in its own half; -1: none."""
     for step in range(int((0.5 * k.pitch_length - k.body_reach) / STEP_ASIDE)):
         if is_free(ball, robots, r, -ahead * step * STEP_ASIDE, y, k):
             return step * STEP_ASIDE

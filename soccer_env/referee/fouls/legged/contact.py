@@ -74,5 +74,5 @@ def press_of(robot, other):
 
 @compiled
 def run_clock(clock, runs, dt):
-    """Return a clock [s]: a step of dt on if it runs, else a step back towards zero."""
+    """Return a clock [s] advanced by dt if it runs, else turned back by dt towards zero."""
     return clock + dt if runs else max(clock - dt, 0.0)

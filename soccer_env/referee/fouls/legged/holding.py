@@ -52,7 +52,7 @@ def judge_holding(match, ball, robots, events, robot_events, k):
 
 @compiled
 def time_to_hold(match, robot, k):
-    """Return the time for which a robot may hold the ball at its place [s]."""
+    """Return the time [s] for which a robot may hold the ball at its present position."""
     keeps = robot.keeper == 1 and in_own_area(match, robot, k, 1)
     return k.rules_keeper_holding_time if keeps else k.rules_holding_time
 

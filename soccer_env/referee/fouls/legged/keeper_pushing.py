@@ -20,7 +20,7 @@ KEEPER_PUSHING = int(Foul.KEEPER_PUSHING)
 
 @inlined
 def judge_keeper_pushing(match, robots, events, robot_events, k):
-    """Whistle attackers that have pushed the goalkeeper for too long, or join another attacker in it."""
+    """Whistle attackers that have pushed the goalkeeper for too long, or that join an attacker who already pushes."""
     for r in range(robots.shape[0]):
         pushes = robot_events[r].pushes == KEEPER
         if pushes or robots[r].keeper_pushing > 0.0:
@@ -34,7 +34,7 @@ def judge_keeper_pushing(match, robots, events, robot_events, k):
 
 @compiled
 def joins(robots, robot_events, r, k):
-    """Tell whether a mate has pushed the goalkeeper for longer than robot r; of two equals neither joins."""
+    """Tell whether robot r joins a mate that has pushed the goalkeeper for longer; at equal times neither joins."""
     for mate in range(robots.shape[0]):
         if mate == r or robots[mate].team != robots[r].team or robot_events[mate].pushes != KEEPER:
             continue

@@ -64,7 +64,7 @@ def judge_stuck(match, ball, robots, events, robot_events, k):
 
 @compiled
 def start_anew(match, ball):
-    """Start the clock of local game stuck at the ball's place."""
+    """Restart the clock of local game stuck, and store the ball's position as the point that the ball has to leave."""
     match.local_x, match.local_y, match.local_clock = ball.x, ball.y, 0.0
 
 
