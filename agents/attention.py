@@ -32,18 +32,18 @@ SHAPE = 6  # numbers of the shape
 
 @dataclass(frozen=True)
 class Layout:
-    """The parts of an observation, by numbers of entries; slots come last, team-mates first."""
+    """The number of entries in each part of an observation; slots come last, team-mates first."""
 
     fixed: int  # entries that belong to no slot
     slots: tuple[int, int]  # of team-mates and opponents
     entries: tuple[int, int]  # of a slot of each
 
     def shapes(self, width: int) -> tuple[tuple[int, ...], ...]:
-        """Return the shapes of TENSORS."""
+        """Return the shape of each of TENSORS for attention of this width."""
         return tuple(shape for size in self.entries for shape in ((width, size), (width,), (width, self.fixed)))
 
     def features(self, width: int) -> int:
-        """Return the number of inputs of the first layer."""
+        """Return the number of inputs of the first layer after attention of this width."""
         return self.fixed + len(PLAYERS) * width
 
 
@@ -76,12 +76,12 @@ def _alike(entry: Entry) -> Entry:
 
 
 def width_beside(hidden: Sequence[int]) -> int:
-    """Return the width of attention before these hidden layers."""
+    """Return the width of attention for a network with these hidden layers."""
     return max(NARROWEST, hidden[0] // SHARE)
 
 
 def shape_of(layout: Layout, width: int) -> tuple[int, ...]:
-    """Return the shape (SHAPE,) that `attend` reads."""
+    """Return the SHAPE numbers that tell `attend` the layout and the width."""
     return (layout.fixed, width, *layout.slots, *layout.entries)
 
 
@@ -105,7 +105,7 @@ def observed(numbers, shape):
 
 @compiled
 def attend(numbers, shape, start, smooth, scratch):
-    """Write both pooled vectors after the fixed entries of scratch[2]; return the index of the next number.
+    """Write both pooled vectors after the fixed entries of scratch[2]; return the index after the last number read.
 
     scratch[0] and scratch[1] are working space; `smooth` is True for tanh.
     """
@@ -125,7 +125,7 @@ def attend(numbers, shape, start, smooth, scratch):
 
 @compiled
 def ask(numbers, at, fixed, width, scratch):
-    """Write q into scratch[0]."""
+    """Write the query q = Q fixed into scratch[0]."""
     for j in range(width):
         scratch[0, j] = 0.0
     for i in range(fixed):
@@ -162,7 +162,7 @@ def pool(numbers, at, first, slots, entries, width, to, smooth, scratch):
 
 @compiled
 def encode(numbers, at, slot, entries, width, smooth, scratch):
-    """Write e of one slot into scratch[0], after q."""
+    """Write the encoding e of one slot into scratch[0], after q."""
     bias = at + entries * width
     for j in range(width):
         scratch[0, width + j] = numbers[bias + j]

@@ -54,7 +54,7 @@ def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
 
 
 def team_again(data: bytes, at_once: bool) -> LearnedTeam:
-    """Return the pickled team."""
+    """Rebuild a pickled team from the content of its policy's file."""
     return team_of(parse(data, "a pickled team"), at_once)
 
 
@@ -97,7 +97,7 @@ def first_decision(delay_steps: int, repeat: int) -> int:
 
 @compiled
 def decide_slice(observations, memory, commands, players, constants, numbers, first, last):
-    """Command every player of a slice of matches; memory (M, P) is by place in `players`."""
+    """Command every player of a slice of matches; memory (M, P) has a column for each of `players`."""
     repeat, size = int(numbers[REPEAT]), given(numbers)
     delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
     scratch = np.empty((3, widest(numbers)))

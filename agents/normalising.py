@@ -67,5 +67,5 @@ def check_number(key: str, value: object, least: float) -> None:
 
 
 def numbers_of(table: Mapping[str, Any]) -> np.ndarray:
-    """Return the table as numbers (1 + 2 inputs,): limit, means, deviations; no numbers for an empty table."""
+    """Return the table as numbers (1 + 2 inputs,): limit, means, deviations; an empty array for an empty table."""
     return np.array([table["limit"], *table["mean"], *table["deviation"]] if table else [], np.float64)

@@ -108,7 +108,7 @@ def inputs_of(model: Any) -> list[Any]:
 
 
 def axes_of(value: Any) -> Any:
-    """Return the axes of an array in the file."""
+    """Return the list of axes that the file declares for an array."""
     return value.type.tensor_type.shape.dim
 
 
@@ -139,7 +139,7 @@ def check_sizes(model: Any, rows: int) -> None:
 
 
 def check_cost(cost: int, what: str, once: int, each: int, rows: int) -> None:
-    """Raise ValueError if a cost exceeds its limit."""
+    """Raise ValueError if a cost exceeds its limit: `once`, plus `each` for every row."""
     if cost > once + each * rows:
         raise ValueError(f"computes {cost} {what} for {rows} rows, the limit is {once + each * rows}")
 
@@ -158,7 +158,7 @@ def check_divisions(graph: Any, kinds: dict[str, int]) -> None:
 
 
 def size_of(value: Any) -> tuple[int, ...]:
-    """Return the axes of an array of numbers; ValueError if they are unknown."""
+    """Return the sizes of the axes of an array; ValueError if a size is unknown."""
     kind = value.type.tensor_type
     axes = tuple(axis.dim_value if axis.HasField("dim_value") else -1 for axis in kind.shape.dim)
     if not kind.HasField("shape") or min(axes, default=0) < 0:

@@ -34,7 +34,7 @@ ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices
 
 
 def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
-    """Return the numbers (n,) float64 of a policy's network; `at_once`: it decides in the first step of an episode."""
+    """Return the numbers (n,) float64 of a policy's network; `at_once`: decide in an episode's first step."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
     output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
@@ -55,7 +55,7 @@ def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
 def act(numbers, row, action, scratch):
     """Write the action (a,) for one observation (n,), in [-1, 1]; scratch (3, widest) is working space.
 
-    With MIRROR it is the mean of the network and of its mirror image.
+    With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = entries(numbers), int(numbers[SIZES + layers])
@@ -96,7 +96,7 @@ def normalise(numbers, scale, inputs, scratch):
 
 @compiled
 def choose(outputs, action, scratch):
-    """Write the discrete action of the largest output in scratch[0], the first of equal ones."""
+    """Write the discrete action with the largest output in scratch[0]; of equal outputs the first counts."""
     best = 0
     for i in range(1, outputs):
         if scratch[0, i] > scratch[0, best]:

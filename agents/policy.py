@@ -201,7 +201,7 @@ def _check_made(made: object) -> None:
 
 
 def _check_array(what: str, array: object) -> None:
-    """Raise ValueError unless something is an array of float32."""
+    """Raise ValueError unless `array` is an array of float32."""
     if not isinstance(array, np.ndarray) or array.dtype != np.float32:
         kind = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
         raise ValueError(f"{what} must be an array of float32, got {kind}")
@@ -286,7 +286,7 @@ def _check_reached(what: str, reached: float) -> None:
 
 
 def _frozen(array: np.ndarray) -> np.ndarray:
-    """Return a read-only copy."""
+    """Return a read-only copy of an array as float32."""
     copy = np.array(array, dtype=np.float32, order="C", subok=False)
     copy.setflags(write=False)
     return copy

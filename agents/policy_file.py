@@ -197,7 +197,7 @@ def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
 
 
 def maker(table: Mapping[str, Any]) -> str:
-    """Return in words the version of the package that made a policy, if its file names it, and the present version."""
+    """Describe which version of the package made a policy, if its file names one, and the present version."""
     made = table.get("made")
     by = made.get("soccer_env") if isinstance(made, dict) else None
     origin = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
@@ -205,7 +205,7 @@ def maker(table: Mapping[str, Any]) -> str:
 
 
 def _more(table: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return the names of a policy's tensors that are not its layers."""
+    """Return the names of a policy's tensors other than layers: the tensors of attention."""
     return TENSORS if table["kind"] == "attention" else ()
 
 

@@ -45,7 +45,7 @@ ALGORITHMS = (
 
 
 def algorithm_of(state: Mapping[str, np.ndarray]) -> Algorithm:
-    """Return the algorithm of some parameters; ValueError names the first parameter that fits no algorithm."""
+    """Return the algorithm that saved these parameters; ValueError names the first parameter that fits no algorithm."""
     for one in ALGORITHMS:
         if f"{one.last or one.hidden + '0'}.weight" in state:
             for key in state:

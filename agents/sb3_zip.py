@@ -98,7 +98,7 @@ def load_sb3(
 def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **settings: Any) -> Policy:
     """Write the policy of a stable-baselines3 zip as a policy file and return it, with the settings of `load_sb3`.
 
-    Unlike there, `at_once` is True by default.
+    Unlike in `load_sb3`, `at_once` is True by default.
     """
     if Path(out).suffix != ".safetensors":
         raise ValueError(f"a policy file must end in .safetensors, got {os.fspath(out)!r}")
@@ -263,7 +263,7 @@ def _stem(path: str | os.PathLike[str]) -> str:
 
 
 def _actions(size: int) -> str:
-    """Return the kind of actions of that many numbers."""
+    """Return the kind of actions that have `size` numbers."""
     kinds = {ACTIONS[kind]: kind for kind in ("box", "full")}
     if size not in kinds:
         raise ValueError(f"gives {size} numbers as actions, must be one of {', '.join(map(str, kinds))}")

@@ -86,7 +86,7 @@ def as_numbers(tensor: Any) -> np.ndarray:
 
 
 def applied(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
-    """Return the outputs of a module, several modules in a row, or a function for observations (B, n), as in play.
+    """Return the outputs of `function`, which may be a module or several in a row, for observations (B, n), as in play.
 
     Of several outputs the first counts; of a distribution its mean.
     """

@@ -42,7 +42,7 @@ def known_senses(senses: str | None, pose: str | None) -> dict[str, Any]:
 
 
 def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the fields of a policy for the settings of a run of `soccer train`; "" if it was trained with both."""
+    """Return the fields of a policy for the settings of a run of `soccer train`; "" if unknown or both."""
     share = settings.get("ideal_share", 0.0)
     senses = IDEAL if share == 1.0 else str(settings.get("senses", ""))
     if senses not in KNOWN["senses"]:
@@ -73,7 +73,7 @@ def policies_in(team: Any) -> Iterator[Policy]:
 
 
 def differences(team: Any, senses: str, pose: str) -> list[Difference]:
-    """Return the settings of the training of a team's policies that differ from these senses and this pose."""
+    """Return each difference between the training of a team's policies and the given senses and pose."""
     differing = []
     for policy in policies_in(team):
         known = trained_with(policy)
@@ -85,7 +85,7 @@ def differences(team: Any, senses: str, pose: str) -> list[Difference]:
 
 
 def tell_of_truth(policy: Policy) -> None:
-    """Warn, once in a process, that a policy which observes the truth needs ideal senses."""
+    """Warn, once in a process, if a policy observes the truth: such a policy needs ideal senses."""
     if policy.observe == "truth":
         warn_once(
             f"policy {policy.name!r} observes the truth: it plays only with senses='ideal' (a command takes --senses "

@@ -177,7 +177,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         return tuple(self._screen.frame(m) for m in range(self.num_envs))
 
     def close_extras(self, **ignored: Any) -> None:
-        """End the threads."""
+        """End the worker threads of the Match."""
         if hasattr(self, "match"):  # Gymnasium 1.2 also closes envs whose __init__ failed
             self.match.close()
 
@@ -198,7 +198,7 @@ def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
 
 
 def seeds_of_each(seeds: Any) -> list[int]:
-    """Return the match seeds of a list of seeds; ValueError for a wrong seed."""
+    """Return for each seed of a list the seed of its match; ValueError for a wrong seed."""
     from soccer_env.random_numbers import seeds_for
 
     match_seeds = []

@@ -104,7 +104,7 @@ class FlatArrays:
         self._before = self._now = met.now(self._team)
 
     def infos(self) -> dict[str, Any]:
-        """Return new arrays, each with a mask `_key` that is True for all matches."""
+        """Return the infos as new arrays (M,), each with a mask `_key` that is True for all matches."""
         match, row = self._match, self._row
         self._before, self._now = self._now, self._met.now(self._team)  # a step may have ended episodes
         score, own = match.matches["score"], match.robot_events[:, row]
@@ -123,7 +123,7 @@ class FlatArrays:
         }
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
-        """Return the infos to add where episodes ended (M,): none."""
+        """Return {}: flat infos have no further entries where episodes ended (M,)."""
         return {}
 
     def last(self, index: int) -> dict[str, Any]:
@@ -139,7 +139,7 @@ class FlatArrays:
 
 
 def as_python(numbers: np.ndarray) -> np.ndarray:
-    """Return a copy as int64 or float64, the types of Python's numbers."""
+    """Return a copy of an array as int64 or float64, the types of Python's numbers."""
     return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
 
 

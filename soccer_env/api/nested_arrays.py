@@ -41,14 +41,14 @@ class NestedArrays:
         return self._masked(infos)
 
     def _masked(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Return values that all matches have, each with its mask."""
+        """Return values that all matches have, and for each a mask `_key` that is True everywhere."""
         everywhere = np.ones(self._match.count, bool)
         return {
             name: item for key, value in values.items() for name, item in ((key, value), (f"_{key}", everywhere.copy()))
         }
 
     def _events(self) -> dict[str, Any]:
-        """Return the events that happened in any match: a word or True where they happened, and the mask."""
+        """Return the events that happened in any match: a word or True where an event happened, and its mask."""
         match, events = self._match, {}
         for name in QUIET.dtype.names or ():
             codes = match.events[name]
@@ -71,7 +71,7 @@ class NestedArrays:
         return {"statistics": both, "_statistics": ended, "maps": self._maps(ended), "_maps": ended}
 
     def _maps(self, ended: np.ndarray) -> dict[str, Any]:
-        """Return the maps of ended matches, lists in arrays (M,) of objects, each with its mask."""
+        """Return the maps of ended matches by name, each an array (M,) of lists, None elsewhere, with its mask."""
         maps: dict[str, Any] = {}
         for m in np.flatnonzero(ended).tolist():
             for name, value in maps_of(self._match.statistics[m], self._team, self._match.settings.rows).items():

@@ -40,7 +40,7 @@ class Met:
 
 
 def last_opponent(match: Match, team: int) -> int:
-    """Return the row of the last robot of the other team."""
+    """Return the row of the last robot of the opponents of `team`."""
     return match.settings.rows[0] - 1 if team == 1 else len(match.agents) - 1
 
 

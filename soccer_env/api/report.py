@@ -70,7 +70,7 @@ class Report:
     def of(
         self, m: int, match: Any, robots: np.ndarray, events: Any, robot_events: np.ndarray, terms: np.ndarray
     ) -> Infos:
-        """Return the infos from the records of match m, by agent."""
+        """Return the infos of each agent, made from the records of match m."""
         happened = dict(self._say(events.item()))
         home, away = match["score"].tolist()
         scores, phase = ((home, away), (away, home)), PHASES[match["phase"]]

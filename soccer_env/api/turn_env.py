@@ -79,7 +79,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
 
     @held
     def load(self, saved: bytes) -> None:
-        """Go on from a save of this or an equal env, also before a reset; ValueError, and no change, if it is wrong."""
+        """Go on from a save of this or an equal env, before a reset too; ValueError, and no change, for other saves."""
         turn, match = self._opened(saved)
         self._observations, self.infos = self.env.load(match)
         self.possible_agents, self.agents = self.env.possible_agents, turn["agents"]

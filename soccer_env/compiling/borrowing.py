@@ -16,7 +16,7 @@ from soccer_env.compiling.numba_parts import cgutils
 
 
 def borrowed(given):
-    """Return an array, or a tuple of arrays and numbers, without owners; in compiled functions."""
+    """Return an array, or a tuple of arrays and numbers, without owners; for use in compiled functions only."""
     return given
 
 
@@ -39,7 +39,7 @@ def _build_without_owner(context, builder, signature, arguments):
 
 
 def _strip(context, builder, kind, value):
-    """Return a value of a type, without the owners of its arrays."""
+    """Return the LLVM value of a numba type, without the owners of its arrays."""
     if isinstance(kind, types.BaseTuple):
         kinds: Any = kind  # mypy does not know that it can be gone through
         parts = zip(kinds, cgutils.unpack_tuple(builder, value, len(kind)), strict=True)

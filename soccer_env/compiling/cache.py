@@ -47,7 +47,7 @@ config: Any = numba.config
 def is_kept(function: Any) -> bool:
     """Tell whether a function with its present sources is on disk, for any types of arguments.
 
-    Also True if it cannot be stored, because a source file has changed since this process read it.
+    Also True if the function cannot be stored, because a source file has changed since this process read it.
     """
     identity = _identity(function.py_func)
     pattern = "" if identity is None else f"{function._cache.name}.{identity[0][:16]}.*"
@@ -81,19 +81,19 @@ class SourceCache(Base):  # type: ignore[misc]
 
     @property
     def cache_path(self) -> str:
-        """Return the first folder."""
+        """Return the first folder of the cache."""
         return str(folders()[0])
 
     def enable(self) -> None:
-        """Use the files from now on."""
+        """Use the files on disk from now on."""
         self._enabled = True
 
     def disable(self) -> None:
-        """Ignore the files from now on."""
+        """Ignore the files on disk from now on."""
         self._enabled = False
 
     def flush(self) -> None:
-        """Delete all versions of this function."""
+        """Delete the files of all compiled versions of this function."""
         for folder in folders():
             _delete(folder.glob(f"{self.name}.*"))
 
@@ -226,7 +226,7 @@ def _cannot_be_swapped(folder: Path) -> bool:
 
 @functools.cache
 def _warn(folder: Path) -> None:
-    """Print once that a folder is not used."""
+    """Print once that a folder of the cache is not used, and why."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") in ("", "0"):
         why = "it is another user's, or anybody can write to it or above it, and compiled code in it would be executed"
         print(f"{PACKAGE}: the cache {folder} is not used: {why}", file=sys.stderr, flush=True)

@@ -67,7 +67,7 @@ class InnerLibrary(KernelLibrary):
         return 0
 
     def serialize_using_object_code(self) -> tuple[str, str, bytes]:
-        """Return the library in the form of the cache."""
+        """Return the library as the cache stores it: name, the mark INNER, and bitcode of LLVM."""
         return self.name, INNER, self._get_module_for_linking().as_bitcode()
 
     def _finalize_final_module(self) -> None:
@@ -96,7 +96,7 @@ class KernelCompiler(Pipeline):  # type: ignore[misc]
     """numba's compiler, which makes no machine code of inner functions."""
 
     def define_pipelines(self) -> Any:
-        """Return numba's own pipelines."""
+        """Choose the kind of library, and return numba's own pipelines."""
         kind = InnerLibrary if for_another() else KernelLibrary
         self.state.library = kind(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
         if for_another():
@@ -157,6 +157,6 @@ def is_inner(result: Any) -> bool:
 
 
 def set_environments(result: Any) -> None:
-    """Give the environments of all functions inside a compiled one to the engine, as numba does after loading it."""
+    """Give the engine the environments of all functions inside a compiled function, as numba does after loading."""
     for environment in result._find_referenced_environments():
         result.library.codegen.set_env(environment.env_name, environment)

@@ -73,7 +73,7 @@ class _Imports(ast.NodeVisitor):
             self.visit(child)
 
     def visit_Import(self, node: ast.Import) -> None:
-        """Take a module, and for `import a.b.c` its parent packages too."""
+        """Collect an imported module, and for `import a.b.c` its parent packages too."""
         for alias in node.names:
             self.found.add(alias.name)
             if alias.asname is None:
@@ -81,7 +81,7 @@ class _Imports(ast.NodeVisitor):
                 self.found.update(".".join(parts[:n]) for n in range(1, len(parts)))
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
-        """Take the submodule of that name, or else the module that holds the name."""
+        """Collect each imported name that is a submodule; for any other name the module that defines the name."""
         parents = self.package.split(".")
         base = parents[: len(parents) - node.level + 1] if node.level else []
         source = ".".join([*base, *([node.module] if node.module else [])])

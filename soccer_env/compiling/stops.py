@@ -24,7 +24,7 @@ PASS = "numba:run_pass"  # numba's event before and after each pass
 
 
 class Compiling(threading.local):
-    """What this thread compiles."""
+    """The state of compiling in this thread."""
 
     depth = 0  # nested functions of ours that are being compiled
     stoppable = False

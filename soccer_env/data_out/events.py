@@ -54,7 +54,7 @@ class Listener:
         return sorted([*self._events, *saves], key=lambda event: event.frame)
 
     def _save(self, shot: Event) -> Event:
-        """Return the save of a shot."""
+        """Return the event of the save that ended a shot."""
         team = 1 - shot.team
         return Event(shot.end_frame, "save", team, self._keepers.get(team, NOBODY), shot.end_x, shot.end_y)
 
@@ -77,13 +77,13 @@ class Listener:
         self._remember(now)
 
     def _begin(self, match: Match) -> None:
-        """Start from the present statistics."""
+        """Start to compare statistics anew, from the present statistics and with no shot on its way."""
         self._step = int(match.matches["step"][0])
         self._shot = NOBODY  # place in the list of the shot that is on its way
         self._remember(match.statistics[0])
 
     def _remember(self, now: Any) -> None:
-        """Store the statistics for the comparison in the next step."""
+        """Store copies of the statistics, to compare them in the next step."""
         self._passes = now["maps"]["passes"].copy()
         self._tried = int(now["passes_tried"].sum())
         self._counts = {name: now[name].copy() for name in ("goals", "shots")}
@@ -129,7 +129,7 @@ class Listener:
                 self._shot = NOBODY
 
     def _listen_to_goal(self, events: Any, now: Any) -> None:
-        """Note a goal with its counted kind."""
+        """Note a goal, with the kind under which the statistics count it."""
         team = int(events["goal"])
         kinds = np.flatnonzero(now["goals"][team] > self._counts["goals"][team])
         kind = GoalKind(int(kinds[0])).name.lower() if len(kinds) else ""

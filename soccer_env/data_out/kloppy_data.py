@@ -125,7 +125,7 @@ class About:
         return self.since_start(frame - self.starts[int(self.numbers[frame])])
 
     def team(self, team: int) -> Any:
-        """Return a team, None for nobody."""
+        """Return the kloppy team of a side, None for nobody."""
         return self.teams[team] if team in (HOME, AWAY) else None
 
     def moment(self, frame: int, owner: int, in_play: bool) -> dict[str, Any]:
@@ -139,7 +139,7 @@ class About:
         }
 
     def metadata(self, rate: float | None) -> Any:
-        """Return the metadata of a dataset; `rate` [1/s]: of a tracking dataset."""
+        """Return the metadata of a dataset; `rate`: frames a second of a tracking dataset."""
         domain, recording = self.domain, self.recording
         first = recording.match["home_direction"][0] > 0.0
         if recording.periods[0] not in (1, SHOOT_OUT):
@@ -158,7 +158,7 @@ class About:
         )  # fmt: skip
 
     def event(self, event: Event, number: int) -> Any:
-        """Return an event in kloppy's classes."""
+        """Convert an event to kloppy's classes."""
         domain, build = self.domain, self.domain.EventFactory()
         common = {
             "event_id": f"{number}", "team": self.team(event.team), "player": self.player(event.row),
@@ -188,7 +188,7 @@ class About:
         return build.build_generic(**common, event_name=event.kind)
 
     def player(self, row: int) -> Any:
-        """Return a player, None for nobody."""
+        """Return the kloppy player of a robot (row), None for nobody."""
         return self.players[row] if row != NOBODY else None
 
 

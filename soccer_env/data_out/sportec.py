@@ -38,7 +38,7 @@ def write_sportec(recording: Collected, path: Path) -> Path:
 
 
 def lines_of(recording: Collected) -> Iterator[str]:
-    """Yield the file line by line."""
+    """Yield the XML file line by line."""
     chosen = {period: frames_of(recording, period) for period in SECTIONS}
     yield '<?xml version="1.0" encoding="UTF-8"?>'
     yield "<PutDataRequest>"
@@ -54,7 +54,7 @@ def lines_of(recording: Collected) -> Iterator[str]:
 
 
 def frames_of(recording: Collected, period: int) -> np.ndarray:
-    """Return the frames of the recording that the format shows of a period, 25 a second."""
+    """Return the indices of the recorded frames that the file shows of a period, 25 a second."""
     inside = np.flatnonzero(recording.periods == period)
     if not len(inside):
         return inside
@@ -76,7 +76,7 @@ def printable(text: str) -> str:
 
 
 def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator[str]:
-    """Yield teams, players, pitch and duration of the match."""
+    """Yield the XML elements of teams, players, pitch and duration of the match."""
     pitch, (home, away) = recording.league.pitch, recording.score[-1].tolist()
     yield "<MatchInformation>"
     yield element(
@@ -105,12 +105,12 @@ def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator
 
 
 def stamp(recording: Collected, frame: int) -> str:
-    """Return the time of a frame of the recording."""
+    """Return the date and time of a frame of the recording as text."""
     return (KICK_OFF + timedelta(seconds=frame / recording.league.control_rate)).isoformat(timespec="milliseconds")
 
 
 def ball_set(recording: Collected, period: int, frames: np.ndarray) -> Iterator[str]:
-    """Yield the frames of the ball."""
+    """Yield the XML elements of the ball's frames."""
     section, first = SECTIONS[period]
     in_play, owners, radius = recording.in_play, recording.owners(), recording.league.ball.radius
     yield element("FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId="BALL", PersonId="BALL")
@@ -125,7 +125,7 @@ def ball_set(recording: Collected, period: int, frames: np.ndarray) -> Iterator[
 
 
 def player_set(recording: Collected, period: int, frames: np.ndarray, player: Player) -> Iterator[str]:
-    """Yield the frames of a robot while it is on the pitch."""
+    """Yield the XML elements of a robot's frames while the robot is on the pitch."""
     section, first = SECTIONS[period]
     robots, row = recording.robots, player.row
     yield element(
@@ -140,5 +140,5 @@ def player_set(recording: Collected, period: int, frames: np.ndarray, player: Pl
 
 
 def moved_words(x: float, y: float, vx: float, vy: float) -> str:
-    """Return the attributes of a place [m] and of the speed of a velocity [m/s]."""
+    """Return the XML attributes for a place [m] and for the speed of a velocity [m/s]."""
     return f'X="{x:.4f}" Y="{y:.4f}" S="{KMH * hypot(vx, vy):.3f}"'

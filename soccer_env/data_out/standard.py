@@ -81,7 +81,7 @@ class Standard:
         return round(sign * x, DIGITS) + 0.0, round(sign * y, DIGITS) + 0.0
 
     def meta(self) -> dict[str, Any]:
-        """Return meta.json."""
+        """Return the content of meta.json."""
         recording, pitch = self.recording, self.recording.league.pitch
         vendor = {"version": version(), "name": "soccer_env"}
         return {
@@ -142,7 +142,7 @@ class Standard:
         }  # fmt: skip
 
     def sheet(self) -> dict[str, Any]:
-        """Return match.json."""
+        """Return the content of match.json."""
         recording = self.recording
         home, away = (int(goals) for goals in recording.score[-1])
         first = recording.score[self.periods == 1]
@@ -176,7 +176,7 @@ class Standard:
         }  # fmt: skip
 
     def goals(self) -> Iterator[dict[str, Any]]:
-        """Yield the goals of the match sheet; who scored without a touch is "unknown"."""
+        """Yield the goals of the match sheet; the scorer is "unknown" if no robot touched the ball."""
         for goal in self.recording.events:
             if goal.kind == "goal":
                 yield {
@@ -187,7 +187,7 @@ class Standard:
                 }  # fmt: skip
 
     def name(self, row: int) -> str:
-        """Return the id of a robot."""
+        """Return the id of a robot (row), "unknown" for nobody."""
         return self.recording.players[row].name if row != NOBODY else "unknown"
 
     def tracking(self) -> Iterator[dict[str, Any]]:
@@ -265,7 +265,7 @@ class Standard:
         }  # fmt: skip
 
     def played(self, event: Event, kind: str, sub_type: str | None, outcome: str, good: bool) -> dict[str, Any]:
-        """Return the fields of a robot's event."""
+        """Return the fields of an event in which a robot plays the ball."""
         fields = {
             **self.common(event), "type": kind, "sub_type": sub_type, "outcome_type": outcome, "is_successful": good,
             "player_id": self.name(event.row), "team_id": SIDES[event.team],

@@ -60,7 +60,7 @@ class CsvFile:
         self._writer.writerow([column.name for column in columns])
 
     def add(self, table: Table) -> None:
-        """Write rows at the end."""
+        """Append the rows of a table to the file."""
         self._writer.writerows(zip(*(as_text(table[column.name], column) for column in self._columns), strict=True))
 
     def close(self) -> None:
@@ -103,7 +103,7 @@ class ParquetFile:
         self._writer = parquet.ParquetWriter(path, self._schema)
 
     def add(self, table: Table) -> None:
-        """Write rows at the end; numbers that do not apply are null."""
+        """Append the rows of a table to the file; numbers that do not apply are null."""
         import pyarrow
 
         columns = [pyarrow.array(table[field.name], field.type, from_pandas=True) for field in self._schema]

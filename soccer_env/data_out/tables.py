@@ -86,7 +86,7 @@ TABLES = {"tracking": TRACKING, "events": EVENTS}
 
 
 def tracking_table(recording: Collected) -> Table:
-    """Return a row for each frame and object, frame by frame, the ball first."""
+    """Return the tracking table: one row for each frame and object, frame by frame, the ball first."""
     frames, robots = recording.robots["x"].shape
     objects = robots + 1
     every = np.repeat(np.arange(frames), objects)
@@ -120,12 +120,12 @@ def moments(recording: Collected) -> Table:
 
 
 def beside(ball: np.ndarray, robots: np.ndarray) -> np.ndarray:
-    """Return values of the ball (T,) and of robots (T, R) frame by frame (T * (R + 1),)."""
+    """Interleave values of the ball (T,) and of robots (T, R) frame by frame into one column (T * (R + 1),)."""
     return np.concatenate([ball[:, None], robots], axis=1).ravel()
 
 
 def event_table(recording: Collected) -> Table:
-    """Return a row for each event, in the order of frames."""
+    """Return the table of events: one row for each event, in the order of frames."""
     events, when = recording.events, moments(recording)
     frames = np.array([event.frame for event in events], np.int64)
     names = {NOBODY: "", **{player.row: player.name for player in recording.players}}
@@ -148,7 +148,7 @@ def event_table(recording: Collected) -> Table:
 
 
 def words(values: list[Any]) -> np.ndarray:
-    """Return words as a column."""
+    """Return a list of words as a column, an array of objects."""
     column = np.empty(len(values), object)
     column[:] = values
     return column

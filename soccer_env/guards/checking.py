@@ -59,7 +59,7 @@ SHARE = Range(0.0, 1.0)
 
 
 def span(low: float, high: float) -> str:
-    """Return two bounds in words."""
+    """Return two bounds in words, such as "0 to 1"."""
     return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
 
 
@@ -124,7 +124,7 @@ class Checked:
     """A frozen dataclass that checks its fields.
 
     bool, int, float, str, Path, Literal, None and their unions are checked by annotation; fields of other types may
-    hold anything. Tables add to those of parents; `bounds` in a field's metadata replaces BOUNDS.
+    hold anything. Tables add to the tables of parent classes; `bounds` in a field's metadata replaces BOUNDS.
     """
 
     NAMES: ClassVar[Mapping[str, Iterable[str]]] = {}  # the allowed names of a field
@@ -142,11 +142,11 @@ class Checked:
 
     @classmethod
     def where(cls, name: str) -> str:
-        """Return the name of a field in messages."""
+        """Return the name that error messages give to a field."""
         return f"{cls.__name__}.{name}" if cls.TITLED else name
 
     def _checked(self, name: str, kinds: tuple[Any, ...], value: Any) -> Any:
-        """Return a field's value as a value of Python; ValueError names the allowed values."""
+        """Return a field's value, converted to a plain Python type; ValueError names the allowed values."""
         if name in self.NAMES:
             return one_of(self.where(name), value, self.NAMES[name])
         for kind in kinds:
@@ -158,7 +158,7 @@ class Checked:
         refuse(self.where(name), self._words(name, kinds, value), value)
 
     def _check_order(self) -> None:
-        """Raise ValueError for the first two values that break ORDER."""
+        """Raise ValueError for the first pair of fields whose values break a relation of ORDER."""
         for one, relation, other in self.ORDER:
             value, bound = getattr(self, one), getattr(self, other)
             if not BELOW[relation][0](value, bound):
@@ -183,7 +183,7 @@ class Checked:
 
 
 def as_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
-    """Return whether a value is of a kind, with numbers within bounds, and the value as a value of Python."""
+    """Return whether a value is of a kind, with numbers within bounds, and the value in a plain Python type."""
     if get_origin(kind) is Literal:
         return any(isinstance(value, type(choice)) and value == choice for choice in get_args(kind)), value
     if kind is bool:
@@ -218,7 +218,7 @@ def evaluated(annotation: Any, names: dict[str, Any]) -> Any:
 
 
 def parts_of(kind: Any) -> tuple[Any, ...]:
-    """Return the members of a union, or the kind itself."""
+    """Return the members of a union; of any other kind a tuple with only the kind itself."""
     if get_origin(kind) is Annotated:
         kind = get_args(kind)[0]
     return get_args(kind) if get_origin(kind) in (Union, UnionType) else (kind,)

@@ -57,7 +57,7 @@ _HELD = _Held()
 
 
 class _Waiting:
-    """Stands in for a handler: notes the signal while signals wait, else calls the handler."""
+    """Stands in for the handler of a signal: stores the signal while signals wait, else calls the handler."""
 
     def __init__(self, handler: Any) -> None:
         self.handler = handler
@@ -108,7 +108,7 @@ def release(later: bool = False) -> None:
 
 
 def let_go() -> None:
-    """Deliver signals again, until `hold`: a user's code begins."""
+    """Deliver signals again, until the next `hold`, because a user's code begins."""
     if _HELD.holds and get_ident() == _HELD.main:
         release()
 
@@ -157,7 +157,7 @@ class HeldBack:
 
 
 def deliver(numbers: list[int]) -> None:
-    """Send signals to this process, each of them even if the handler of the signal before raises."""
+    """Send all signals to this process, one after the other, even if the handler of an earlier signal raises."""
     if numbers:
         try:
             signal.raise_signal(numbers[0])
@@ -185,7 +185,7 @@ def _in_destructor() -> bool:
 
 
 def _after_fork() -> None:
-    """Make the thread that forked the main thread of the child, and drop signals that waited."""
+    """Record the forking thread as the main thread of the child process, and drop signals that waited."""
     _HELD.main = get_ident()
     if _HELD.holds:
         _HELD.arrived = ()

@@ -50,7 +50,7 @@ class FoldersBeside(MetaPathFinder):
         self._files = {f"{package}.{name}": root / name / "__init__.py" for name in names}
 
     def find_spec(self, fullname: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Return the spec of one of these subpackages; None for other modules, or outside a checkout."""
+        """Return the import spec of a subpackage beside the package; None for other modules, or outside a checkout."""
         file = self._files.get(fullname)
         if file is None or not all(one.is_file() for one in self._files.values()):
             return None
@@ -115,7 +115,7 @@ def user_module(what: str, module: str) -> Any:
 
 
 def by_names(made: Any, values: dict[str, Any]) -> Made:
-    """Return the pickle of an object made of values; functions of modules are stored by name.
+    """Return the value of `__reduce__` for an object with these field values; functions of modules are stored by name.
 
     A compiled function is found again by its name, where a copy would have to be compiled again.
     """
@@ -123,14 +123,14 @@ def by_names(made: Any, values: dict[str, Any]) -> Made:
 
 
 class Place(NamedTuple):
-    """Module and name of a function that is not copied."""
+    """Module and name of a function, which a pickle stores instead of the function."""
 
     module: str
     name: str
 
 
 def place_of(value: Any) -> Any:
-    """Return the place of a function in a loaded module, or the value itself."""
+    """Return module and name of a function in a loaded module; any other value unchanged."""
     if callable(value):
         for module, names in [
             (name, vars(loaded)) for name, loaded in sys.modules.items() if hasattr(loaded, "__dict__")
@@ -142,6 +142,6 @@ def place_of(value: Any) -> Any:
 
 
 def found_again(kind: Callable[..., Any], values: dict[str, Any]) -> Any:
-    """Return the object that was pickled by `by_names`."""
+    """Rebuild an object that was pickled by `by_names`."""
     places = {name: value for name, value in values.items() if isinstance(value, Place)}
     return kind(**values | {name: getattr(import_module(at.module), at.name) for name, at in places.items()})

@@ -62,7 +62,7 @@ def record(rows: list[tuple[Any, ...]]) -> np.dtype:
 
 
 class Place(NamedTuple):
-    """One number of a record."""
+    """A single number in a record: its path, type, position and range."""
 
     path: str  # "command.pan"
     kind: np.dtype
@@ -71,7 +71,7 @@ class Place(NamedTuple):
 
 
 def places(dtype: np.dtype, path: str = "", start: int = 0) -> Iterator[Place]:
-    """Yield all numbers of a record, including nested records and arrays."""
+    """Yield the place of every number of a record, including nested records and arrays."""
     ranges = RANGES.get(dtype, {})
     for name, (field, offset, *_) in (dtype.fields or {}).items():
         for at in range(start + offset, start + offset + field.itemsize, field.base.itemsize or 1):
@@ -95,7 +95,7 @@ class Columns(NamedTuple):
 
 @functools.lru_cache(maxsize=256)
 def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
-    """Return the numbers of a record that have ranges, by type, for a match of `robots` robots."""
+    """Return `Columns` for each type of the numbers of a record that have ranges, in a match of `robots` robots."""
     by_type: dict[np.dtype, list[Place]] = {}
     for place in places(dtype):
         if place.range is not None and place.range != ANY:
@@ -104,7 +104,7 @@ def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
 
 
 def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) -> Columns:
-    """Return the numbers of one type with their ranges as arrays."""
+    """Return the `Columns` of some numbers of a record, all of the type `kind`, with their ranges."""
     size = gcd(kind.itemsize, dtype.itemsize, *(place.start for place in numbers))
     starts = np.array([place.start for place in numbers]) // size
     pieces = (starts[:, None] + np.arange(kind.itemsize // size)).ravel()
@@ -119,7 +119,7 @@ def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) 
 
 
 def outside(records: np.ndarray, robots: int) -> str:
-    """Return the first field of records that is out of its range, in a match of `robots` robots; "" if none is."""
+    """Return the name of the first field that is out of its range, in a match of `robots` robots; "" if none is."""
     if records.dtype == bool:
         return "" if (records.view(np.uint8) <= 1).all() else "a flag"
     if not records.size:

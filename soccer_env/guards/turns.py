@@ -22,7 +22,7 @@ def in_turn(
     """Guard some methods of a class; RuntimeError if another thread is inside one of them.
 
     Signals wait until a method ends. In methods that may take long, signals are delivered at once, and a method that
-    raises is undone: all methods of an object if undone(object) is true (called once), else the first call of each
+    raises is undone. If undone(object) is true (asked once), all calls may take long, else the first call of each
     method, which may compile. note(object, name of the method) is called before, and returns a function that undoes
     the method, or None. A guarded method may call another in the same thread: the outermost is undone. After any other
     error `started` is False, and only the methods in MENDS may be called.
@@ -69,7 +69,7 @@ def _guarded(
 
 
 def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
-    """Call a method while signals are delivered; an error undoes the method, signals after its end wait."""
+    """Call a method while signals are delivered; let signals wait after its end, and undo the method on an error."""
     try:
         let_go()
         result = method(*args, **kwargs)

@@ -23,7 +23,7 @@ def write_whole(path: Path, content: str | bytes) -> None:
 
 @contextmanager
 def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
-    """Give a new path in the same folder, and move that file to `path` at the end; an error removes the new file.
+    """Yield a new path in the folder of `path`; at the end move the new file to `path`, or remove the file on an error.
 
     The name is random: nobody can place a link there, and each thread has its own file.
     """
@@ -41,7 +41,7 @@ def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
 
 @contextmanager
 def folder_aside(folder: Path) -> Iterator[Path]:
-    """Give a new folder that replaces `folder` at the end; an error removes the new folder.
+    """Yield a new folder, which replaces `folder` at the end of the `with`; an error removes the new folder.
 
     A killed process leaves the old folder or the new folder, or neither if it is killed between two renames.
     """

@@ -54,10 +54,10 @@ INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words
 def setting(
     default: Any, text: str, bounds: Range | None = None, *, free: bool = False, replayed: bool = False, part: str = ""
 ) -> Any:
-    """Return a field with a default and one line of help.
+    """Return a dataclass field that declares a setting: its default and one line of help.
 
-    free: the match's future does not depend on the setting. replayed: a replay needs the setting. part: the resolved
-    setting that takes this one in. bounds: the allowed numbers.
+    free: the match's future does not depend on the setting. replayed: a replay needs the setting. part: the field of
+    `Settings` into which this setting is merged. bounds: the allowed numbers.
     """
     facts = {"text": text, "free": free, "replayed": replayed, "part": part}
     return field(default=default, metadata={**facts, **({} if bounds is None else {"bounds": bounds})})
@@ -191,7 +191,7 @@ REPLAYED = tuple(item.name for item in fields(MatchSettings) if item.metadata["r
 
 
 def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
-    """Return the arguments that are fields of another class of arguments, by name."""
+    """Return the arguments that are also fields of the class `kind`, as a dict by name."""
     return {item.name: getattr(arguments, item.name) for item in fields(kind)}
 
 
@@ -199,7 +199,7 @@ def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, An
 
 
 def takes(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
-    """Let callers give the fields of `kind` to a function that takes one `kind`; TypeError for an unknown name."""
+    """Return a decorator: callers pass the fields of `kind`, the function gets a `kind`; TypeError for other names."""
 
     def decorate(function: Callable[[A], T]) -> Callable[P, T]:
         @functools.wraps(function)
@@ -213,7 +213,7 @@ def takes(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
 
 
 def made_from(kind: Callable[P, A]) -> Callable[[Callable[[Any, A], None]], Callable[Concatenate[Any, P], None]]:
-    """Do what `takes` does for an __init__."""
+    """Return a decorator for an `__init__` that takes one `kind`; the decorator works as that of `takes`."""
 
     def decorate(function: Callable[[Any, A], None]) -> Callable[Concatenate[Any, P], None]:
         @functools.wraps(function)
@@ -227,7 +227,7 @@ def made_from(kind: Callable[P, A]) -> Callable[[Callable[[Any, A], None]], Call
 
 
 def gathered(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
-    """Return the arguments of a caller as an instance of `kind`."""
+    """Collect the positional and named arguments of a call in an instance of `kind`."""
     check_names("setting", named, [item.name for item in fields(kind)], TypeError)
     return kind(*values, **named)
 
@@ -251,12 +251,12 @@ def help_of(item: Field[Any]) -> list[str]:
 
 
 def by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return the pickle of an object that `make` makes from settings."""
+    """Return the value of `__reduce__` for an object that `make(**settings)` builds."""
     return made_again, (version(), make, settings)
 
 
 def made_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
-    """Return the pickled object; ValueError names the version that pickled it if this version cannot make it."""
+    """Rebuild a pickled object; if this version cannot, ValueError names the version that pickled the object."""
     try:
         return make(**settings)
     except (TypeError, ValueError) as error:

@@ -63,7 +63,7 @@ class MatchBatch:
         self._make_outcome(observed)
 
     def _make_outcome(self, observed: int) -> None:
-        """Make the arrays for learners, and bundle the arrays of a step."""
+        """Allocate the arrays for learners, and bundle all arrays that a step reads and writes."""
         count, robots = self.robots.shape
         terms = COUNT + len(self.settings.rewards.extra)  # a user's own terms come after ours
         self.rewards, self.terms = np.zeros((count, robots)), np.zeros((count, robots, terms))
@@ -86,7 +86,7 @@ class MatchBatch:
     # Starting
 
     def discount(self, last: bool) -> None:
-        """Set whether shaping discounts in the next control step: it does in the last control step of an action."""
+        """Set whether shaping discounts in the next control step; `last`: this step is the last step of an action."""
         if last != self._discounts:
             self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
             self._discounts = last  # last of all: an error before this line changes nothing
@@ -141,7 +141,7 @@ class MatchBatch:
             self.act_in_stages(first, last, self.physics.step_slice)
 
     def act_in_stages(self, first: int, last: int, advance: Advance) -> None:
-        """Do the same as `act`, but call `advance` for the physics between two compiled halves."""
+        """Carry out the commands as `act` does, but call `advance` for the physics between two compiled halves."""
         count = len(self.matches)
         before, substeps = np.zeros((count, *POTENTIALS)), np.zeros(count, np.int64)
         begin_slice(*self._step, before, substeps, first, last)
@@ -153,7 +153,7 @@ class MatchBatch:
         self._check(int(np.argmax(results == BROKEN)) if (results == BROKEN).any() else -1)
 
     def _check(self, broken: int) -> None:
-        """Raise RuntimeError if the physics of a match gave numbers that are not finite, a bug of this package."""
+        """Raise RuntimeError if a match is `broken` (-1: none): its physics gave numbers that are not finite, a bug."""
         if broken >= 0:
             step = self.matches["step"][broken]
             raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")
@@ -164,7 +164,7 @@ class MatchBatch:
             self.senses.sense(first, last)
 
     def tell(self, first: int, last: int) -> None:
-        """Tell the robots that use their sensors phase, score and clock."""
+        """Write phase, score and clock into the beliefs of the robots that use their sensors."""
         if self.senses is not None:
             self.senses.tell(first, last)
 
@@ -194,12 +194,12 @@ class MatchBatch:
         return self.beliefs, self.tracks
 
     def observe_anew(self, first: int, last: int) -> None:
-        """Write the observations of a slice."""
+        """Write the observations of a slice of matches from their current records."""
         if self.observations.shape[2]:
             self.write_observations(self.observations, self.settings.observe, self.everyone, first, last)
 
     def write_observations(self, out: np.ndarray, observe: Any, rows: np.ndarray, first: int, last: int) -> None:
-        """Write observations of a slice into out (M, R, n): for all robots if of the truth, else only for `rows`."""
+        """Write observations of a slice into out (M, R, n): of the truth for all robots, else only for `rows`."""
         if observe == "truth":
             observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)
             return
@@ -229,7 +229,7 @@ class Sums:
         self._latest: list[np.ndarray] = []
 
     def add(self) -> None:
-        """Add the last control step."""
+        """Add the rewards and events of the last control step."""
         if not self._sums:
             self._sums = [values.copy() for values in self._rewards]
             self._latest = [events.copy() for events, _ in self._events]

@@ -48,7 +48,7 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
 
 @compiled
 def note_possession(ball, robots, k):
-    """Note which robots have the ball."""
+    """Set `has_ball` of each robot of a match."""
     for r in range(robots.shape[0]):
         robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
 

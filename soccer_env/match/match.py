@@ -100,7 +100,7 @@ class Match(Views, Branching):
         self.observations: Any = self.seen.arrays if self.seen.own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:
-        """Make the teams that play inside, with their memories, and the senses of the sides that use them."""
+        """Make the squads of the teams that play robots, with memories, and the senses of the sides with sensors."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads if squad.reads_beliefs for r in squad.players], np.int64)
@@ -137,7 +137,7 @@ class Match(Views, Branching):
         return observations
 
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
-        """Begin the given episodes (M,) in some matches, and observe them."""
+        """Begin new episodes in the matches `rows`, with the episode numbers (M,), and write their observations."""
         for m in rows:
             self.batch.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:
@@ -286,6 +286,6 @@ class Match(Views, Branching):
         return bool(np.count_nonzero(self.terminated) or np.count_nonzero(self.truncated))
 
     def close(self) -> None:
-        """End the threads."""
+        """End the worker threads of this Match."""
         if self._pool is not None:
             self._pool.shutdown()

@@ -45,7 +45,7 @@ def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], lear
 
 
 class Senses:
-    """The provider of beliefs by sensors: percepts (M, R), states of the sensors, and the memory that makes beliefs.
+    """Beliefs from sensors: percepts (M, R), states of the sensors, and the memory from which beliefs are made.
 
     The robots of `sides` (HOME, AWAY) sense. Unless their senses are ideal they also fill their rows of beliefs (M, R)
     and tracks (M, R, slots). Nothing is computed for the other side.
@@ -108,23 +108,23 @@ class Senses:
         self.asleep[m] = False
 
     def step(self, first: int, last: int) -> None:
-        """Sense and believe in a slice of matches."""
+        """Update the percepts and beliefs of a slice of matches."""
         self.sense(first, last)
         self.tell(first, last)
         self.believe(first, last)
 
     def sense(self, first: int, last: int) -> None:
-        """Fill the percepts from the truth."""
+        """Fill the percepts of a slice of matches from the truth."""
         numbers = self._sensor_numbers
         self.kind.sense(self._truth, self._perception, numbers, self.asleep, self.sensing, first, last)
 
     def tell(self, first: int, last: int) -> None:
-        """Write phase, score and clock of the match into the beliefs."""
+        """Write phase, score and clock of each match of a slice into the beliefs."""
         if len(self.rows):
             tell_slice(self._truth, self.beliefs, self.asleep, self.rows, first, last)
 
     def believe(self, first: int, last: int) -> None:
-        """Update the beliefs from the percepts; of the world, belief reads noise and gazes of the robots alone."""
+        """Update the beliefs of a slice from the percepts; of the truth only the robots' noise and gazes are read."""
         if len(self.rows):
             numbers = self._memory_numbers
             self.kind.believe(self.percepts, self._minds, numbers, self.asleep, self.rows, first, last)
@@ -138,7 +138,7 @@ class Senses:
 
 
 def rows_of(sides: tuple[int, ...], sizes: tuple[int, int]) -> slice:
-    """Return the rows of some sides; `sizes` are the rows of home and of away."""
+    """Return the rows of the robots of some sides; `sizes` are the numbers of rows of home and of away."""
     if not sides:
         return slice(0, 0)
     return slice(0 if HOME in sides else sizes[HOME], sum(sizes) if AWAY in sides else sizes[HOME])

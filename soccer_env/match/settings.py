@@ -51,7 +51,7 @@ class Settings(MatchSettings):
 
     @property
     def observes(self) -> tuple[Any, Any]:
-        """Return the observations of home and of away."""
+        """Return the kind of observation of home and of away."""
         return (self.observe.home, self.observe.away) if isinstance(self.observe, Sides) else (self.observe,) * 2
 
     @property
@@ -98,7 +98,7 @@ class Settings(MatchSettings):
 
 
 def plain(value: Any) -> Any:
-    """Return a value as something that JSON can hold."""
+    """Convert a value to plain types that JSON can hold."""
     if is_dataclass(value) and not isinstance(value, type):
         return {name: plain(part) for name, part in vars(value).items()}
     if isinstance(value, Mapping):

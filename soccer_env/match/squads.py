@@ -68,7 +68,7 @@ class Squad:
         return isinstance(team, CompiledTeam) and not (team.blind or isinstance(team, ObservingTeam))
 
     def runs(self, first: int, last: int) -> list[tuple[int, int]]:
-        """Return the parts (first, last) of a slice of matches in which the team plays."""
+        """Split a slice of matches into the contiguous ranges (first, last) that the team plays in."""
         if self.plays is None:
             return [(first, last)]
         plays = self.plays[first:last].tobytes()
@@ -79,7 +79,7 @@ class Squad:
 
 
 def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
-    """Return agent id -> team; team-mates play all home robots but the last, controllers map agent ids or sides."""
+    """Return {agent id: team}; `teammates` play all home robots but the last, `controllers` map agent ids or sides."""
     who: dict[str, Any] = {}
     sides = {side: [agent for agent in agents if agent.startswith(side)] for side in ("home", "away")}
     if opponents is not None:
@@ -245,7 +245,7 @@ def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.nda
 
 
 def who_plays(squads: list[Squad], row: int, matches: int) -> np.ndarray:
-    """Return the name of the team that plays a robot (row) now, (M,) objects; "" for a learner."""
+    """Return the name of the team that now plays a robot (row) in each match, (M,) objects; "" for a learner."""
     names = np.full(matches, "", object)
     for squad in squads:
         if row in squad.players:

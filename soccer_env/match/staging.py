@@ -66,7 +66,7 @@ def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: 
 
 
 def begin(match: Match, placed: bool = False) -> None:
-    """Begin a staged scene: move the bodies to their records, and clear what robots have seen.
+    """Begin a staged scene: move the bodies to the poses in the records, and clear percepts and beliefs.
 
     `placed`: robots know where they stand, as after a restart, and take their first look.
     """
@@ -92,7 +92,7 @@ def squad_of(match: Match, r: int) -> Squad:
 
 
 def memory_of(match: Match, r: int = 0) -> np.ndarray:
-    """Return the memory (M,) that the team of robot r keeps for it, a record of the team's own dtype."""
+    """Return the memory (M,) that the team of robot r keeps for robot r, a record of the team's own dtype."""
     squad = squad_of(match, r)
     memory: np.ndarray = squad.memory[:, int(np.flatnonzero(squad.players == r)[0])]
     return memory

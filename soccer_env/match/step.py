@@ -46,7 +46,7 @@ GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # result of a match's step; above 0:
 
 
 class Physics(NamedTuple):
-    """Rows that are exchanged with the physics of M matches, see `physics.engine.chipmunk`."""
+    """Arrays that a step exchanges with the physics of M matches, see `physics.engine.chipmunk`."""
 
     bodies: np.ndarray  # (M, rows, 6)
     velocities: np.ndarray  # (M, rows, 3)
@@ -65,7 +65,7 @@ class Outcome(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """The settings that a step needs, as numbers."""
+    """The settings that a step needs, as arrays and numbers."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     weights: np.ndarray  # (1,) WEIGHTS
@@ -111,7 +111,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
 
 @compiled
 def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
-    """Do the part of a step before the physics, where Python steps the physics; `before` is (M, *POTENTIALS)."""
+    """Run the part of a step before the physics, for physics stepped by Python; `before` is (M, *POTENTIALS)."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     before = borrowed(before)
     for m in range(first, last):
@@ -124,7 +124,7 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
 
 @compiled
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
-    """Do the part after the physics; `results` (M,) hold substeps at first, then the results of `finish_match`."""
+    """Run the part of a step after the physics; `results` (M,): substeps at first, then results of `finish_match`."""
     world, physics, outcome, numbers = named(world, physics, outcome, numbers)
     k, before = numbers.constants[0], borrowed(before)
     owned = make_scratch(world.robots.shape[1])
@@ -145,7 +145,7 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
 
 @compiled
 def named(world, physics, outcome, numbers):
-    """Return bundles of arrays, given as plain tuples, as borrowed named tuples."""
+    """Convert bundles of arrays from plain tuples to named tuples of borrowed arrays."""
     world, physics, outcome, numbers = borrowed(world), borrowed(physics), borrowed(outcome), borrowed(numbers)
     return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
 
@@ -157,7 +157,7 @@ def named(world, physics, outcome, numbers):
 def begin_match(
     match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
 ):  # fmt: skip
-    """Do the part before the physics; return the number of substeps, 0 if the match is over and stands still."""
+    """Run the part of a match's step before the physics; return the number of substeps, 0 if the match is over."""
     clear_events(events, robot_events)
     terms[:] = 0.0
     if match.over == 1:
@@ -172,7 +172,7 @@ def finish_match(
     match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
     before, scratch, terms, rewards, observations, tally,
 ):  # fmt: skip
-    """Do the part after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
+    """Run the part of a match's step after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
     after, axes, rows, squares, touching = scratch
@@ -209,7 +209,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
 
 @compiled
 def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally):
-    """Read the results of the physics and let the referee judge them; return whether any body was moved by hand."""
+    """Read the results of the physics and let the referee judge them; return whether any body was placed anew."""
     read_records(ball, robots, bodies, solver)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)
@@ -246,7 +246,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
 
 @compiled
 def note_possession(ball, robot, events, k):
-    """Note whether a robot has the ball."""
+    """Write whether a robot has the ball into its record and its events."""
     robot.has_ball = 1 if robot.active == 1 and holds_ball(robot, k, ball.x, ball.y) else 0
     events.possession = robot.has_ball
 
@@ -276,7 +276,7 @@ def note_end(match, outcome, m, k, limit):
 
 @compiled
 def clear_events(events, robot_events):
-    """Reset the events of the last step."""
+    """Clear the events of the last step."""
     events.goal = events.restart_team = events.touch_team = events.foul_team = NO_TEAM
     events.scorer = -1
     events.out = events.restart = events.in_play = events.stuck = events.separated = 0

@@ -91,13 +91,13 @@ def entries(players: int, side: str = "field") -> list[Entry]:
 
 
 def _renamed(entry: Entry) -> Entry:
-    """Return an entry of the game with its name from a team's side."""
+    """Return an entry of the game, renamed for a state from a team's side."""
     name, meaning = OWN_NAMES.get(entry.name, (entry.name, entry.meaning))
     return replace(entry, name=name, meaning=meaning)
 
 
 def check_side(side: Any) -> str:
-    """Return the side of a state; ValueError names the known sides."""
+    """Return the side, checked; ValueError names the known sides."""
     found: str = one_of("side", side, SIDES)
     return found
 
@@ -121,7 +121,7 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
 
 @cache
 def orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return how to turn a state of the field to a team's side: columns, signs of the swap, signs of a half-turn."""
+    """Return arrays that turn a state to a team's side: order of columns, signs of the swap, signs of a half-turn."""
     field_entries = entries(players)
     names = [entry.name for entry in field_entries]
     columns, swapped = np.arange(len(field_entries)), np.ones(len(field_entries), np.float32)
@@ -163,17 +163,17 @@ class Final(dict[str, np.ndarray]):
         return self["state"]
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the final states (n, entries), from a side; None: the side of the settings."""
+        """Return the final states (n, entries) from the given side; None: the side of the settings."""
         return states(self._settings, self, self._settings.state_side if side is None else check_side(side))
 
 
 def in_order(entries: Sequence[Entry], numbers: Mapping[str, Any]) -> np.ndarray:
-    """Return numbers (...) by name as one array (..., n) in the order of the entries."""
+    """Stack numbers (...), given by name, into one array (..., n) in the order of the entries."""
     return np.stack([np.asarray(numbers[entry.name], float) for entry in entries], axis=-1)
 
 
 def game_numbers(game: np.ndarray) -> dict[str, Any]:
-    """Return the numbers (n,) of the game."""
+    """Return the entries of the game by name, scaled for the state, each (n,)."""
     half = game["half_length"]
     score = game["score"] / (game["score"] + 2.0)
     return {
@@ -189,7 +189,7 @@ def game_numbers(game: np.ndarray) -> dict[str, Any]:
 
 
 def ball_numbers(league: League, ball: np.ndarray) -> dict[str, Any]:
-    """Return the numbers (n,) of the ball."""
+    """Return the entries of the ball by name, scaled for the state, each (n,)."""
     pitch, top = league.pitch, league.ball.top_speed
     return {
         "ball_x": ball["x"] / (pitch.length / 2 + pitch.goal_depth),
@@ -202,7 +202,7 @@ def ball_numbers(league: League, ball: np.ndarray) -> dict[str, Any]:
 
 
 def robot_numbers(league: League, robots: np.ndarray) -> dict[str, Any]:
-    """Return the numbers (n, R) of the robots; zeros for inactive ones."""
+    """Return the entries of the robots by name, scaled for the state, each (n, R); zeros for inactive robots."""
     pitch, drive = league.pitch, league.drive
     walk = robots["walk"]
     heading = robots["heading"]
@@ -244,7 +244,7 @@ class WholeTruth:
         self.entries = [self._told(entry) for entry in entries(self.players, "home")]
 
     def _told(self, entry: Entry) -> Entry:
-        """Return an entry of the state with its name from a robot's side."""
+        """Return an entry of home's state, renamed for the observation of a single robot."""
         if entry.slot is None:
             return entry
         group, slot = ("opponent", entry.slot) if entry.group == "other" else ("teammate", entry.slot - 1)

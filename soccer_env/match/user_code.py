@@ -29,9 +29,9 @@ class Group(NamedTuple):
 
 
 class Seen:
-    """Observations that no kernel writes: by a user's own object, or a different observation for each team.
+    """Observations that no kernel writes: made by a user's own object, or different for each team.
 
-    `arrays` is (M, R, ...) or a dict of such arrays; by team {"home": (M, H, ...), "away": (M, A, ...)}.
+    `arrays` is (M, R, ...) or a dict of such arrays; if teams differ, {"home": (M, H, ...), "away": (M, A, ...)}.
     """
 
     def __init__(self, settings: Settings, matches: int) -> None:
@@ -92,7 +92,7 @@ class OwnTerms:
             self._before = {name: ask(match, name, term).copy() for name, term in shaping.items()}  # may be a view
 
     def pay(self, match: Match) -> None:
-        """Let a success function end matches, and add users' terms to `terms` and `rewards`; none after the end."""
+        """Let a success function end matches, and add users' terms to the rewards of matches not over before."""
         if self._judges:
             judge(match, match.settings.scene)
         if not self._terms:  # the usual case: the lines below would cost a match alone 1 us of the 15 us of a step
@@ -108,7 +108,7 @@ class OwnTerms:
 
 
 def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
-    """Return the result of users' code as numbers of a shape; ValueError names the code and the wrong result."""
+    """Convert the result of users' code to numbers of a shape; ValueError names the code and the wrong result."""
     try:
         numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
     except (TypeError, ValueError) as error:
@@ -125,7 +125,7 @@ def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.in
 def judge(match: Match, scene: Scene) -> None:
     """End matches by a scene's success function (1 success, -1 failure, 0 goes on), truncate them by the time limit.
 
-    A match that ends here has potential 0, as one that the referee ends.
+    A match that ends here has potential 0, like a match that the referee ends.
     """
     verdicts = checked(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
     if (verdicts != np.rint(verdicts)).any():
@@ -156,7 +156,7 @@ def take_back_shaping(match: Match, m: int) -> None:
 
 
 def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:
-    """Return the values (M, R) of a term; ValueError names the term, the robot and the wrong value."""
+    """Return the values (M, R) of a user's reward term; ValueError names the term, the robot and the wrong value."""
     what = f"reward term {name!r}"
     numbers = as_numbers(term.function(match), match.rewards.shape, what, match.agents)
     check_within(ANY, numbers, what, match.agents)

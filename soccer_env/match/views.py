@@ -114,7 +114,7 @@ def who_plays(match: Match, agents: list[str]) -> list[str]:
 
 
 def standing(match: Match) -> str:
-    """Return half, clock, phase and score of a single match, or the number of ended matches of several."""
+    """Return half, clock, phase and score of a single match in words, or how many of several matches have ended."""
     over = match.terminated | match.truncated
     if match.count > 1:
         return f"{int(over.sum())} ended"

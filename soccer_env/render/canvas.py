@@ -102,14 +102,14 @@ class Canvas:
 
     @contextmanager
     def as_one(self) -> Iterator[None]:
-        """Shrink everything drawn inside as one part: for things that lie near each other."""
+        """Shrink all shapes drawn inside the `with` as one part, for shapes that lie near each other."""
         before = len(self._touched)
         yield
         if len(self._touched) > before + 1:
             self._touched[before:] = [self._touched[before].unionall(self._touched[before + 1 :])]
 
     def fill(self, colour: Colour) -> None:
-        """Paint everything."""
+        """Fill the whole canvas with a colour."""
         self._touched = [self.large.fill(colour)]
 
     def polygon(self, points: Sequence[Point], colour: Colour) -> None:
@@ -125,7 +125,7 @@ class Canvas:
         self._touched.append(pygame.draw.circle(self.large, colour, enlarge(centre), radius * FACTOR))
 
     def ring(self, centre: Point, radius: float, width: float, colour: Colour, quarter: str = "") -> None:
-        """Draw a circle whose line has its middle at the radius; `quarter` keeps one, named as "top left"."""
+        """Draw a circle whose line has its middle at the radius; `quarter`: draw only that one, such as "top left"."""
         import pygame
 
         outer, line = (radius + width / 2) * FACTOR, max(1, round(width * FACTOR))
@@ -150,7 +150,7 @@ class Canvas:
             self.polygon([*left, (end[0] + y, end[1] - x), (start[0] + y, start[1] - x)], colour)
 
     def path(self, points: Sequence[Point], width: float, colour: Colour) -> None:
-        """Draw straight lines from point to point with round joints and ends: as `stroke` does, each joint once."""
+        """Draw straight lines from point to point with round joints and ends, like `stroke` but each joint once."""
         if len(points) < 2:
             return
         for at in range(0, len(points) - 1, PIECE):
@@ -204,12 +204,12 @@ class Canvas:
             ]
 
     def stamp(self, image: pygame.Surface, centre: Point) -> None:
-        """Put an image of the large size with its middle at a place, alpha blended."""
+        """Draw an image, in pixels of the large surface, with its middle at a place, alpha blended."""
         x, y = enlarge(centre)
         self._touched.append(self.large.blit(image, (x - image.get_width() / 2, y - image.get_height() / 2)))
 
     def glass(self, points: Sequence[Point], colour: Colour, alpha: int) -> None:
-        """Fill a polygon with a colour that lets the ground shine through, alpha from 0 to 255."""
+        """Fill a polygon with a transparent colour; alpha from 0 to 255."""
         import pygame
 
         large = [enlarge(point) for point in points]
@@ -240,7 +240,7 @@ class Canvas:
             self.large.blit(self._background, rect, rect)
 
     def cover(self, other: Canvas, left: float, top: float) -> None:
-        """Copy the part of another canvas that begins at a place [px], to draw upon it."""
+        """Copy a part of another canvas, whose corner lies at (left, top) [px], as the ground of this one."""
         area = (round(left * FACTOR), round(top * FACTOR), *self.large.get_size())
         self.large.blit(other.large, (0, 0), area)
         self._touched = [self.large.get_rect()]
@@ -258,7 +258,7 @@ class Canvas:
 
 
 def enlarge(point: Point) -> Point:
-    """Return a place in pixels of the large surface, clipped to the range of SDL."""
+    """Convert a place from pixels of the small surface to pixels of the large surface, clipped to the range of SDL."""
     x, y = point
     if -FAR < x < FAR and -FAR < y < FAR:
         return x * FACTOR, y * FACTOR

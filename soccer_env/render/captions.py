@@ -31,7 +31,7 @@ def clock_words(match: np.void) -> str:
 
 
 def half_words(match: np.void) -> str:
-    """Return the half and its length."""
+    """Return the half and its length in words."""
     length = float(match["half_length"])
     if not isfinite(length):
         return "no halves"
@@ -40,7 +40,7 @@ def half_words(match: np.void) -> str:
 
 
 def phase_words(match: np.void, rules: Rules) -> str:
-    """Return the phase of play, its team, and the time left for placing robots."""
+    """Return in words the phase of play, the restarting team, and the time left for placing robots."""
     phase, team = int(match["phase"]), int(match["restart_team"])
     if int(match["over"]) and phase != Phase.OVER:
         return "end of episode"

@@ -50,5 +50,5 @@ class Closeup(Picture):
         return self._pixels()
 
     def _within(self, place: float, most: float) -> float:
-        """Return a place [px] rounded to whole pixels, clipped to 0 ... most."""
+        """Round a coordinate [px] to whole pixels, clipped to 0 ... most."""
         return float(round(min(max(place, 0.0), most)))

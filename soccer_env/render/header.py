@@ -38,7 +38,7 @@ def height_of(width: int) -> int:
 
 
 def story_of(match: np.void, robots: np.ndarray, title: tuple[str, str], league: League) -> Story:
-    """Return the contents of the bar for the records."""
+    """Return the contents of the bar for the records of a match and its robots."""
     score, (possession, team) = (int(match["score"][0]), int(match["score"][1])), possession_words(match, robots)
     phase, colour = phase_words(match, league.rules), phase_colour(match)
     clock, half, goal = clock_words(match), half_words(match), goal_team(match)
@@ -46,7 +46,7 @@ def story_of(match: np.void, robots: np.ndarray, title: tuple[str, str], league:
 
 
 def phase_colour(match: np.void) -> Colour:
-    """Return the colour of the lamp beside the phase: the colour of the restarting team, or green for play."""
+    """Return the colour of the lamp beside the phase: of the restarting team, green for play, white after the end."""
     phase, team = int(match["phase"]), int(match["restart_team"])
     if phase == Phase.OVER or int(match["over"]):
         return colours.WHITE

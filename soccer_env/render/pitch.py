@@ -36,7 +36,7 @@ class Ground:
         self.canvas.keep()
 
     def draw_directions(self, home_direction: float) -> None:
-        """Write above the field, over the half that each team defends, which way it attacks."""
+        """Write each team's direction of attack above the half that the team defends."""
         home = -1.0 if home_direction < 0.0 else 1.0
         free = self.view.margin - BOARD * self.view.scale  # [px] above the board
         for team, direction in ((0, home), (1, -home)):

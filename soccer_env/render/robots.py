@@ -75,12 +75,12 @@ def figures_of(robots: np.ndarray, league: League, handedness: float) -> list[Fi
 
 @lru_cache(maxsize=8)
 def numbers_of(league: League) -> np.ndarray:
-    """Return the constants of a league, made once."""
+    """Return the constants of a league, cached."""
     return constants_of(league)
 
 
 class Part(NamedTuple):
-    """A piece of a robot in its own frame [m]: the outline with a rim, and the outline itself."""
+    """A piece of a robot in the robot's frame [m]: the outline with a rim, and the outline itself."""
 
     rim: list[Point]
     outline: list[Point]
@@ -118,7 +118,7 @@ def legged_parts(body: Body, rim: float) -> list[Part]:
 
 
 def swung(points: list[Point], offset: Point) -> list[Point]:
-    """Return the outline of a leg with an offset of its paw."""
+    """Return the outline of a leg whose paw is moved by an offset."""
     half = len(points) // 2
     return points[:half] + [(x + offset[0], y + offset[1]) for x, y in points[half:]]
 
@@ -284,10 +284,10 @@ def soft_shadow(radius: float) -> pygame.Surface:
 
 
 def faded(colour: Colour) -> Colour:
-    """Return the colour half way to grey."""
+    """Return the colour mixed half and half with grey."""
     return tuple((part + grey) // 2 for part, grey in zip(colour, colours.GREY))  # type: ignore[return-value]
 
 
 def darker(colour: Colour) -> Colour:
-    """Return the colour in shade."""
+    """Return a darker shade of the colour."""
     return tuple(part * 7 // 10 for part in colour)  # type: ignore[return-value]

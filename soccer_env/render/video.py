@@ -95,7 +95,7 @@ def write_gif(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
 
 
 def swatches(width: int) -> np.ndarray:
-    """Return patches of all colours of pictures, in rows of that width: the first frame does not have all of them."""
+    """Return patches of all colours of pictures, in rows of `width` pixels: the first frame lacks some colours."""
     palette: list[tuple[int, int, int]] = []
     for value in vars(colours).values():
         if isinstance(value, tuple) and len(value) == 3 and isinstance(value[0], int):

@@ -15,7 +15,7 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class View:
-    """A look straight down at a pitch; x of the field to the right, y up."""
+    """The scale and position of a picture that looks straight down at a pitch; x of the field to the right, y up."""
 
     scale: float  # [px/m]
     centre_x: float  # [px] of the centre spot
@@ -23,11 +23,11 @@ class View:
     margin: float  # [px] of floor around the field
 
     def pixel(self, x: float, y: float) -> Point:
-        """Return the place of a point of the field frame [m], in pixels right and down."""
+        """Convert a point of the field frame [m] to pixels, counted to the right and down."""
         return self.centre_x + self.scale * x, self.centre_y - self.scale * y
 
     def pixels(self, points: Sequence[Point], x: float, y: float, heading: float) -> list[Point]:
-        """Return the places of points given in the frame of a robot with that pose."""
+        """Convert points of the frame of a robot with pose (x, y, heading) to pixels."""
         scale_x, scale_y = self.scale * cos(heading), self.scale * sin(heading)
         origin_x, origin_y = self.pixel(x, y)
         return [(origin_x + scale_x * u - scale_y * v, origin_y - scale_y * u - scale_x * v) for u, v in points]

@@ -107,7 +107,7 @@ class Window:
         self._due = max(self._due, now) + 1.0 / self.fps
 
     def _flip(self, image: pygame.Surface) -> None:
-        """Put the image into the window, which opens or takes its size if need be."""
+        """Put the image into the window; open or resize the window if needed."""
         import pygame
 
         if self._window is None:

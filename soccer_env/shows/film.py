@@ -46,7 +46,7 @@ class FilmSettings(OverlayFlags):
 
 
 def drawn_steps(settings: FilmSettings, kind: str, rate: int, steps: int) -> tuple[np.ndarray, float]:
-    """Return the control step (N,) that each frame shows, never falling, and the frames a second [1/s]."""
+    """Return the control step (N,) that each frame shows, in ascending order, and the frame rate [1/s]."""
     fps = min(SMOOTH[kind], rate * settings.speed) if settings.fps is None else settings.fps
     fps = gif_rate(fps) if kind == ".gif" else fps
     length = steps / rate

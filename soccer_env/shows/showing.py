@@ -39,7 +39,7 @@ def frame(replay: Replay, seconds: float = 0.0, *, width: int = 960, **overlays:
 def html(replay: Replay, path: str | Path, *, anew: bool = False, **overlays: Any) -> Path:
     """Write the first match of a replay as one page for any browser, without network; return the path.
 
-    overlays: those that the page shows at first, as in `frame`. ValueError for an unknown overlay, for an existing file
+    overlays: shown when the page opens, as in `frame`. ValueError for an unknown overlay, for an existing file
     (unless `anew`), and if the play differs.
     """
     check_names("overlay", overlays, [item.name for item in fields(OverlayFlags)], TypeError)

@@ -19,12 +19,12 @@ MOST_GROUPS, MOST_COLUMNS = 32, 512
 
 
 def noted_of(match: Match) -> Noted | None:
-    """Return the groups of the sensors of a match; None if no robot senses or the robot kind declares no groups."""
+    """Return which percepts the robot kind notes, and how; None if no robot senses or the kind declares no groups."""
     return None if match.batch.senses is None else kind_of(match.league.sensors).noted
 
 
 def groups_of(match: Match) -> list[Group]:
-    """Return the groups of a note of a match."""
+    """Return the groups of columns in the notes of a match: percepts, and plans if a team plans paths."""
     noted = noted_of(match)
     groups = [] if noted is None else [*noted.groups]
     return groups + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
@@ -32,7 +32,7 @@ def groups_of(match: Match) -> list[Group]:
 
 @functools.cache
 def known_parts() -> dict[str, list[list[str]]]:
-    """Return the allowed columns of each group by name: groups of our robot kinds, and plans."""
+    """Return the allowed lists of columns of each group, by the group's name: groups of our robot kinds, and plans."""
     kinds = (kind_of(name).noted for name in ("legged", "omni"))
     known: dict[str, list[list[str]]] = {}
     for name, _, parts in (*PLAN, *(group for noted in kinds if noted for group in noted.groups)):
@@ -56,7 +56,7 @@ def width_of(groups: list[Group]) -> int:
 
 
 def group_columns(match: Match, groups: list[Group]) -> np.ndarray:
-    """Return the columns (R, C) of all robots of the first match, before rounding."""
+    """Return the columns (R, C) of the groups for all robots of the first match, before rounding."""
     rows = len(match.agents)
     noted, known = noted_of(match), {}
     if not groups:
@@ -105,7 +105,7 @@ def plans(match: Match) -> np.ndarray:
 
 
 def spaced(path: np.ndarray, count: int) -> np.ndarray:
-    """Return points (count, 2) evenly along a path (N, 2); all 0 for a path of fewer than two points."""
+    """Return points (count, 2) at equal distances along a path (N, 2); all 0 for a path of fewer than two points."""
     if len(path) < 2:
         return np.zeros((count, 2))
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])

@@ -62,7 +62,7 @@ class Reader:
         return found
 
     def memory(self, row: np.ndarray, r: int) -> tuple[tuple[str, ...], dict[str, float]]:
-        """Return the words for what robot r does, and other numbers of its memory, from a note (R, C)."""
+        """Return words for the activity of robot r, and other numbers of its memory, from a note (R, C)."""
         first = len(TABLE) + len(TRACK) * self.slots + width_of(self.groups)
         memory = zip(self.fields[r], row[r, first:].tolist(), strict=False)
         return words_and_numbers([(path, known, value / step) for (path, known, step), value in memory])
@@ -100,7 +100,7 @@ class Reader:
 
 
 def words_and_numbers(memory: list[tuple[str, list[str], float]]) -> tuple[tuple[str, ...], dict[str, float]]:
-    """Return the words for what a robot does, and other numbers of its memory by name."""
+    """Split a robot's noted memory into words for its activity, and other numbers by name."""
     words, numbers = [], {}
     for path, known, value in memory:
         if known:
@@ -125,7 +125,7 @@ def note_at(notes: Notes, step: int) -> np.ndarray | None:
 def between(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np.ndarray:
     """Return the early note (R, C) with its places interpolated to the late note, except where they jump.
 
-    Without this, believed places would lag behind the things that move.
+    Without interpolation, believed places would lag behind moving robots and balls.
     """
     note = early.copy()
     pairs = [(TABLE.index(x), TABLE.index(y)) for x, y in (PLACES[:2], PLACES[2:])]

@@ -133,7 +133,7 @@ def thinks(match: Match) -> bool:
 
 
 def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
-    """Return the noted fields of the memory of robot r: [name, words of its values, steps in a unit] each."""
+    """Return the noted fields of the memory of robot r, each as [name, words for its values, steps in a unit]."""
     noted: list[list[Any]] = []
     for squad in of_one_team(match):
         explanation = explanation_of(squad.team)
@@ -146,7 +146,7 @@ def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None)
 
 
 def of_one_team(match: Match) -> list[Squad]:
-    """Return the squads outside lineups: the team of a lineup changes, and its memory with it."""
+    """Return the squads with a fixed team, no lineup: the team of a lineup changes, and the memory with the team."""
     return [squad for squad in match.squads if squad.lineup is None]
 
 
@@ -163,7 +163,7 @@ def leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
 
 
 def of_all(match: Match) -> list[np.ndarray]:
-    """Return the columns of TABLE, each (R,), before rounding."""
+    """Return the columns of TABLE for the robots of the first match, each (R,), before rounding."""
     robots, beliefs = match.robots[0], match.beliefs[0]
     sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
     own, heading = own_poses(match)
@@ -183,7 +183,7 @@ def own_poses(match: Match) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
 
 
 def of_tracks(match: Match, slots: int) -> list[np.ndarray]:
-    """Return the columns of TRACK of each slot, each (R,), before rounding."""
+    """Return the columns of TRACK for each slot of the robots' tracks, each (R,), before rounding."""
     columns: list[np.ndarray] = []
     own, heading = own_poses(match)
     for slot in range(slots):
@@ -195,19 +195,19 @@ def of_tracks(match: Match, slots: int) -> list[np.ndarray]:
 
 
 def placed(own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return things of the robots' frames in the field frame, by the believed poses of the robots."""
+    """Convert places from the robots' frames to the field frame, by the believed poses of the robots."""
     cosine, sine = np.cos(heading), np.sin(heading)
     return own[0] + cosine * thing["x"] - sine * thing["y"], own[1] + sine * thing["x"] + cosine * thing["y"]
 
 
 def whole(numbers: np.ndarray) -> np.ndarray:
-    """Return numbers rounded to 16 bits, clipped at the ends."""
+    """Round numbers to whole numbers of 16 bits, clipped to the range from -MOST to MOST."""
     found: np.ndarray = np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
     return found
 
 
 def seen(match: Match) -> list[np.ndarray]:
-    """Return bits of SEES, the numbers of seen players and landmarks (or lines), and the infrared range, each (R,)."""
+    """Return four columns (R,): bits of SEES, numbers of seen players and landmarks (or lines), infrared range [mm]."""
     robots = match.robots[0]
     bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)
     none, noted = np.zeros(len(robots)), noted_of(match)
@@ -220,7 +220,7 @@ def seen(match: Match) -> list[np.ndarray]:
 
 
 def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
-    """Return the spread of the particles of each robot: standard deviations [mm] and axis [mrad]."""
+    """Return the spread of each robot's particles: larger and smaller deviation [mm], axis of the larger [mrad]."""
     senses = match.batch.senses
     if senses is None or senses.particles.shape[2] < 2:
         return [np.zeros(len(sign))] * 3

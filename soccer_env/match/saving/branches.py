@@ -20,7 +20,7 @@ SEARCH = 1 << 40  # number of an episode that no match reaches: its random strea
 
 
 def check_rows(what: str, rows: Any, count: int, once: bool = False) -> np.ndarray:
-    """Return the rows (n,) of one number or several; ValueError names the first that is not below `count`."""
+    """Return one match number, or several, as an array (n,); ValueError names the first number not below `count`."""
     listed = [rows] if is_number(rows) else rows
     if isinstance(listed, (str, bytes)) or not isinstance(listed, (Iterable, np.ndarray)) or not np.iterable(listed):
         refuse(what, "a match's number, or several", rows)
@@ -47,7 +47,7 @@ def check_fits(source: Match, target: Any) -> None:
 
 
 def layout(match: Match) -> list[tuple[str, np.dtype, tuple[int, ...]]]:
-    """Return name, dtype and shape of one match in each saved array."""
+    """Return for each saved array its name, its dtype and the shape of one match's part of it."""
     return [(name, array.dtype, array.shape[1:]) for name, array in kept(match, memory=True).items()]
 
 
@@ -60,13 +60,13 @@ def copy_rows(source: Match, rows: np.ndarray, target: Match, at: np.ndarray) ->
 
 
 def draw_anew(match: Match, rows: np.ndarray, seed: Any) -> None:
-    """Give some matches new random streams from a seed, each its own, until the end of their episodes."""
+    """Give each of some matches new random streams of its own, drawn from a seed, until the end of its episode."""
     draw_streams(match.matches, match.robots, rows, seeds_for(seed, len(rows)))
 
 
 @compiled
 def draw_streams(matches, robots, rows, seeds):
-    """Restart the random streams of some matches and their robots."""
+    """Restart the random streams of the matches `rows` and of their robots, with one seed for each match."""
     for i in range(len(rows)):
         m = rows[i]
         start_streams(matches[m].noise, seeds[i], SEARCH, 0)

@@ -47,7 +47,7 @@ class Branching:
 
     @property
     def described_settings(self) -> dict[str, list[str]]:
-        """Return settings and teams in words, for the error of a save or a branch that does not fit."""
+        """Return settings and teams in words, for the error message about a save or a branch that does not fit."""
         return {**self._described, "teams": fitting.describe_teams(self)}
 
     @cached_property
@@ -69,7 +69,7 @@ class Branching:
         self.started = started
 
     def save(self, rows: Any = None) -> bytes:
-        """Return everything that the future depends on, and rebuild the physics of the running matches from it.
+        """Return all data that the matches' future depends on, and rebuild the physics of the matches from the data.
 
         A rebuild clears the history of contacts: the running match goes on like every copy of the save, but not like a
         match without the save. Runs that save at the same steps are reproducible.
@@ -123,7 +123,7 @@ class Branching:
         return other
 
     def _take(self, other: Self, rows: np.ndarray, over: np.ndarray, noise: int | None) -> None:
-        """Go on from the matches `rows` of another Match, in the matches `over`."""
+        """Copy the matches `rows` of another Match over the matches `over` of this one, and prepare them to go on."""
         self.started = False
         branches.copy_rows(other, rows, self, over)
         if noise is not None:
@@ -131,7 +131,7 @@ class Branching:
         self._go_on(over)
 
     def _go_on(self, rows: np.ndarray) -> None:
-        """Rebuild and observe matches whose records were just written."""
+        """Rebuild the physics of matches whose records were just overwritten, clear their rewards, and observe them."""
         self.rebuild(rows.tolist())
         self.rewards[rows] = 0.0
         self.terms[rows] = 0.0
@@ -144,11 +144,11 @@ class Branching:
         self.started = True
 
     def __reduce__(self) -> Made:
-        """Copy by settings and `save`: pickled and deep copies have the future of the original."""
+        """Pickle the settings and a save: pickled and deep copies have the future of the original."""
         return saves.by_save(self, type(self), self._changed_arguments())
 
     def _changed_arguments(self, **changes: Any) -> dict[str, Any]:
-        """Return the arguments of this Match with some changes, for a copy of its matches."""
+        """Return the constructor arguments of this Match with some changes, to build a copy."""
         return {**part_of(self.arguments, MatchArguments), "seed": 0, "seeds": None, **changes}
 
     def state_hash(self, m: int | None = None) -> str:

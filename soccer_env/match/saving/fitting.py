@@ -20,7 +20,7 @@ INNER = ("padded", *LENGTH, SENSED)  # `differences` names these under condition
 
 
 def describe_settings(match: Match) -> dict[str, list[str]]:
-    """Return [words, hash] of each setting that a save or a branch must agree with, without the teams."""
+    """Return [description, hash] of each setting that a save or a branch must agree with, without the teams."""
     settings = match.settings
     values = {name: value for name, value in settings.describe().items() if name not in FREE}
     values |= {name: getattr(settings, name) for name in LENGTH} | {"limit": settings.limit}
@@ -33,19 +33,19 @@ def describe_settings(match: Match) -> dict[str, list[str]]:
 
 
 def describe_teams(match: Match) -> list[str]:
-    """Return words and hash of the teams; they change while a match runs, as past versions of a learner do."""
+    """Return [description, hash] of the teams, which can change while a match runs: past versions of a learner do."""
     teams = [team_of(match, squad) for squad in match.squads]
     return [in_words("teams", teams), digest(teams)]
 
 
 def team_of(match: Match, squad: Any) -> list[Any]:
-    """Return name, settings and agents of a team: unlike rows, agents do not depend on team sizes."""
+    """Return name, settings and agents of a squad's team: unlike rows, agents do not depend on team sizes."""
     name, settings, rows = squad.describe()
     return [name, settings, [match.agents[row] for row in rows]]
 
 
 def in_words(name: str, value: Any) -> str:
-    """Return the value of a setting, or its name, in a few words."""
+    """Describe the value of a setting in a few words; a value with a name by its name."""
     if name == "teams":
         return "; ".join(f"{team} ({', '.join(agents)})" for team, _, agents in value) or "none"
     if name == "senses":
@@ -59,9 +59,10 @@ def digest(value: Any) -> str:
 
 
 def differences(one: Any, other: Any, kinds_differ: bool = False) -> str:
-    """Return the settings that differ as "minutes 3.0 there, 10.0 here"; "" if no difference is known.
+    """Describe the settings that differ, such as "minutes 3.0 there, 10.0 here"; "" if no difference is known.
 
-    one: the settings in a save, unchecked; other: `describe_settings` of this match. kinds_differ: the arrays differ.
+    one: the settings in a save, unchecked; other: `describe_settings` of this match. kinds_differ: the layouts
+    of the saved arrays differ.
     """
     if not isinstance(one, Mapping) or one.keys() != other.keys():
         return ""
@@ -76,7 +77,7 @@ def differences(one: Any, other: Any, kinds_differ: bool = False) -> str:
 
 
 def phrase(name: str, there: str, here: str) -> str:
-    """Return how the values of a setting differ."""
+    """Describe the difference between two values of a setting, with long values cut short."""
     there, here = (text if len(text) <= 60 and text.isprintable() else f"{text!r:.60}..." for text in (there, here))
     what = "teams differ:" if name == "teams" else name
     return f"{what} {there} there, {here} here" if there != here else f"{what} of other settings"

@@ -33,7 +33,7 @@ FIXED = ("team", "number", "keeper")  # fields of a robot that never change
 
 
 def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
-    """Return the arrays that the future of a match depends on, by name; without the teams' memory for replays."""
+    """Return by name the arrays that a match's future depends on; `memory`: with the arrays of teams and senses."""
     names = ("seeds", "matches", "balls", "robots", "events", "robot_events", "terminated", "truncated")
     arrays = {name: getattr(match, name) for name in names}
     if not memory:
@@ -67,7 +67,7 @@ def words_of(dtype: np.dtype) -> str:
 
 
 def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> bytes:
-    """Return all matches, or some rows, as bytes: magic, length of the header, header, arrays, sha256."""
+    """Return a save of all matches, or of some rows, as bytes: magic, length of the header, header, arrays, sha256."""
     arrays = kept(match, memory)
     if rows is not None:
         arrays = {name: array[rows] for name, array in arrays.items()}
@@ -173,7 +173,7 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
 
 
 def check_caught(robots: np.ndarray, legs: bool) -> None:
-    """Raise ValueError unless every caught leg of robots (M, R) is held by another one, and both are on the pitch."""
+    """Raise ValueError unless every caught leg of robots (M, R) is held by another robot, and both are on the pitch."""
     holder, active = robots["caught_by"] - 1, robots["active"] == 1
     held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
     if not legs or not (held | (holder < 0)).all():
@@ -184,13 +184,13 @@ def check_caught(robots: np.ndarray, legs: bool) -> None:
 
 
 def by_save(match: Any, make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return the pickle of a match that `make` makes from settings; its physics is rebuilt."""
+    """Return the value of `__reduce__` for a match that `make` builds from settings; the match's physics is rebuilt."""
     LOG.info("a match is copied: its physics is rebuilt from its records, as by save()")
     return loaded_again, (version(), make, settings, match.save())
 
 
 def loaded_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any], saved: bytes) -> Any:
-    """Return the pickled match; ValueError as for `made_again`."""
+    """Rebuild a pickled match from settings and a save; ValueError as for `made_again`."""
 
     def make_and_load(**settings: Any) -> Any:
         match = make(**settings)
@@ -212,7 +212,7 @@ def state_hash(match: Match, m: int | None = None) -> str:
 
 
 def play_hash(match: Match) -> str:
-    """Return a hash of the play alone, which follows from the commands, without teams and senses."""
+    """Return a hash of the records of play, which follow from the commands alone, without teams and senses."""
     digest = hashlib.blake2b(digest_size=16)
     robots = match.robots.copy()
     robots["noise"][..., THOUGHT] = 0

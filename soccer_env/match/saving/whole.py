@@ -17,7 +17,7 @@ UNMOVED = ("step", "decide")  # methods that move the physics of a match only if
 
 
 def whole(kind: type[T]) -> type[T]:
-    """Guard the methods of Match: one thread at a time, and undone if an error is raised."""
+    """Guard the methods of the class Match: one thread at a time runs them, and an error undoes them."""
     return in_turn(kind, METHODS, calls_python, undoing)
 
 
@@ -49,13 +49,13 @@ def undoing(match: Match, doing: str) -> GoBack | None:
 
 
 def shown(match: Match) -> dict[str, np.ndarray]:
-    """Return the arrays of a match that a step, reset or load changes, by name."""
+    """Return by name the arrays of a match that a step, reset or load changes."""
     seen = dict(leaves("observations", match.observations))
     return {**kept(match, True), "rewards": match.rewards, "terms": match.terms, **seen}
 
 
 def leaves(name: str, observations: Any) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield the arrays of observations with names; observations may be nested dicts of arrays."""
+    """Yield name and array for each array of the observations, which may be nested dicts of arrays."""
     if isinstance(observations, np.ndarray):
         yield name, observations
     else:
@@ -69,7 +69,7 @@ def signals_wait(match: Match, doing: str) -> bool:
 
 
 def calls_python(match: Match) -> bool:
-    """Tell whether a match calls a team, an observation, a reward or a scene of Python."""
+    """Tell whether a match calls a team, an observation, a reward or a scene that is written in plain Python."""
     settings = match.settings
     own = not isinstance(settings.observe, str) or bool(settings.rewards.extra) or is_own(settings.scene)
     return own or not all(squad.compiled for squad in match.squads)

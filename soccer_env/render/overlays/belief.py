@@ -23,7 +23,7 @@ Pose = tuple[float, float, float]
 
 
 def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) -> list[Overlay]:
-    """Return the beliefs of robot `row`, with links from each true place to the believed place."""
+    """Return the overlays of the beliefs of robot `row`, with lines from true to believed places of robot and ball."""
     robot = shot.robots[row]
     true = (float(robot["x"]), float(robot["y"]))
     overlays = cloud(thought, unit)
@@ -45,7 +45,7 @@ def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) ->
 
 
 def letters(unit: float) -> float:
-    """Return the size of letters [px], legible in small pictures too."""
+    """Return the height of letters [px], legible in small pictures too."""
     return max(15.0, 19.0 * unit)
 
 
@@ -67,7 +67,7 @@ def cloud(thought: Thought, unit: float) -> list[Overlay]:
 
 
 def trunk(league: League, pose: Pose, colour: Colour, width: float) -> list[Overlay]:
-    """Return the outline of a robot's trunk at a pose, with a line ahead."""
+    """Return the outline of a robot's trunk at a pose, with a line that shows the heading."""
     x, y, heading = pose
     corners = [
         point_of_frame(x, y, u, v, cos(heading), sin(heading))

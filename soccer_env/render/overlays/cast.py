@@ -90,7 +90,7 @@ class Cast:
 
     @property
     def rays(self) -> list[str]:
-        """Return the groups of notes that are drawn as rays: sightings, without the obstacle of a ranger."""
+        """Return the names of the note groups that are drawn as rays: sightings, but not the obstacle of a ranger."""
         groups = [] if self.reader is None else self.reader.groups
         return [name for name, _, parts in groups if parts == POLAR and name != "obstacle"]
 
@@ -101,7 +101,7 @@ class Cast:
         return self.reader.thought(shot.note, r)
 
     def picked(self, flags: OverlayFlags, shot: Shot) -> int:
-        """Return the row of the selected robot; ValueError for an unknown robot."""
+        """Return the row of the selected robot, by default the nearest to the ball; ValueError for an unknown robot."""
         agent = flags.agent
         if agent is not None:
             if agent not in self.agents:

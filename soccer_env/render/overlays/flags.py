@@ -90,5 +90,5 @@ def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> Overlay
 
 
 def part_of_flags(settings: OverlayFlags) -> OverlayFlags:
-    """Return only the flags of settings with more fields."""
+    """Return only the overlay flags among the fields of larger settings."""
     return OverlayFlags(**{item.name: getattr(settings, item.name) for item in fields(OverlayFlags)})

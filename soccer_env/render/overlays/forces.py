@@ -21,7 +21,7 @@ STRONG: Colour = (255, 236, 130)
 
 
 def force_arrows(cast: Cast, shot: Shot, row: int, thought: Thought, target: np.ndarray, unit: float) -> list[Overlay]:
-    """Return arrows on a grid: their direction is that of the force, length and colour show its strength."""
+    """Return arrows on a grid that point in the direction of the force; length and colour show its strength."""
     points, cell = grid(cast.league.pitch.length, cast.league.pitch.width)
     vectors = forces_at(cast, shot, row, thought, target, points)
     size = np.hypot(*vectors.T)
@@ -54,7 +54,7 @@ def has_forces(part: Part | None) -> bool:
 
 
 def target_of(part: Part, thought: Thought) -> np.ndarray | None:
-    """Return the target of the forces (2,) [m]: the end of the plan; None without a plan, if they need a target."""
+    """Return the target of the forces (2,) [m]: the end of the plan; None if there is no plan but forces need one."""
     plan = plan_of(thought)
     if len(plan):
         end: np.ndarray = plan[-1]
@@ -72,7 +72,7 @@ def grid(length: float, width: float) -> tuple[np.ndarray, float]:
 
 
 def mind_of(thought: Thought, sign: float, constants: np.ndarray, settings: np.ndarray) -> Mind:
-    """Return the records that a team decides from, rebuilt from a note; `sign` -1 turns the field frame."""
+    """Rebuild the records that a team decides from out of a note; `sign` -1 turns the field frame by half a turn."""
     beliefs, tracks = np.zeros(1, BELIEF), np.zeros((1, max(1, len(thought.players))), TRACK)
     x, y, heading = thought.pose
     own = beliefs["own"][0]
@@ -91,6 +91,6 @@ def mind_of(thought: Thought, sign: float, constants: np.ndarray, settings: np.n
 
 
 def seen_from(pose: tuple[float, float, float], x: float, y: float) -> tuple[float, float]:
-    """Return a place of the field ahead and left of a pose [m]."""
+    """Convert a point of the field to the frame of a pose: metres ahead, metres to the left."""
     across, up, heading = x - pose[0], y - pose[1], pose[2]
     return cos(heading) * across + sin(heading) * up, cos(heading) * up - sin(heading) * across

@@ -72,7 +72,7 @@ def why_none(look: Look) -> str:
 
 
 def show_belief(look: Look) -> Drawn:
-    """Draw the beliefs of the robot."""
+    """Return overlays of the beliefs of the selected robot and a line of text, or the reason why there are none."""
     why = why_none(look)
     if why or look.thought is None:
         return [], [f"belief: {why}"]
@@ -80,7 +80,7 @@ def show_belief(look: Look) -> Drawn:
 
 
 def show_sight(look: Look) -> Drawn:
-    """Draw the percepts of the robot's camera."""
+    """Return overlays of the percepts of the selected robot's camera, or the reason why there are none."""
     groups = {} if look.thought is None else look.thought.groups
     by_head = "head" in groups and look.cast.camera is not None
     if not (by_head or (groups and look.cast.rays)):
@@ -90,7 +90,7 @@ def show_sight(look: Look) -> Drawn:
 
 
 def show_field(look: Look) -> Drawn:
-    """Draw the potential field of the robot's team."""
+    """Return overlays of the potential field of the selected robot's team, or the reason why there are none."""
     part = look.cast.parts.get(look.row)
     if part is None or not has_forces(part):
         who = "a learner" if part is None else part.name
@@ -105,7 +105,7 @@ def show_field(look: Look) -> Drawn:
 
 
 def show_path(look: Look) -> Drawn:
-    """Draw the planned and the travelled path of the robot."""
+    """Return overlays of the selected robot's planned and travelled paths, or the reason why there is no plan."""
     overlays = travelled(look.past, look.shot, look.row, look.cast.league.control_rate, look.unit)
     part = look.cast.parts.get(look.row)
     if part is None or part.explanation is None or part.explanation.plan is None:
@@ -119,7 +119,7 @@ def show_path(look: Look) -> Drawn:
 
 
 def show_roles(look: Look) -> Drawn:
-    """Write what every robot does."""
+    """Return labels for the activity of every robot, or the reason why there are none."""
     overlays = roles(look.cast, look.shot, look.unit)
     if overlays:
         return overlays, []
@@ -128,7 +128,7 @@ def show_roles(look: Look) -> Drawn:
 
 
 def show_infrared(look: Look) -> Drawn:
-    """Draw the beams of the rangers."""
+    """Return overlays of the beams of the infrared rangers, or the reason why there are none."""
     if not look.cast.ranger:
         return [], [f"infrared: robots of {look.cast.league.name} have no ranger"]
     if look.cast.reader is None or look.shot.note is None:
@@ -137,7 +137,7 @@ def show_infrared(look: Look) -> Drawn:
 
 
 def show_trail(look: Look) -> Drawn:
-    """Draw the trail of the ball."""
+    """Return overlays of the trail of the ball."""
     return ball_trail(look.past, look.shot, look.cast.league.control_rate, look.unit), []
 
 

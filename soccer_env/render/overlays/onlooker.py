@@ -59,7 +59,7 @@ class Reel:
         self.cast = cast_of_replay(replay, first, None if self._notes is None else Reader.of(self._notes))
 
     def shots(self) -> Iterator[Shot]:
-        """Yield a shot of the start and of every control step, once; ValueError if the play differs."""
+        """Yield a shot of the start and of every control step, only on the first call; ValueError if play differs."""
         yield self.first
         for step, match in enumerate(self._playing, 1):
             yield self._shot(match, step)
@@ -69,5 +69,5 @@ class Reel:
 
 
 def past_of(cast: Cast) -> deque[Shot]:
-    """Return an empty memory for the shots that overlays look back on."""
+    """Return an empty queue for past shots, which overlays of paths and trails need."""
     return deque(maxlen=ceil(TRAVELLED * cast.league.control_rate) + 1)

@@ -27,7 +27,7 @@ def plan_of(thought: Thought) -> np.ndarray:
 
 
 def planned(path: np.ndarray, unit: float) -> list[Overlay]:
-    """Return the planned path, a light line with a dark rim, and a ring around its end."""
+    """Return overlays of a planned path: a light line with a dark rim, and a ring around its end."""
     if len(path) < 2:
         return []
     rim = Polyline(path, INK, 4.6 * unit)
@@ -35,14 +35,14 @@ def planned(path: np.ndarray, unit: float) -> list[Overlay]:
 
 
 def travelled(past: Sequence[Shot], shot: Shot, row: int, rate: float, unit: float) -> list[Overlay]:
-    """Return the path of a robot in the last seconds; `rate`: control steps a second."""
+    """Return an overlay of the path of a robot in the last seconds; `rate`: control steps a second."""
     tint = TEAMS_LIGHT[int(shot.robots["team"][row])]
     path = [(float(one.robots["x"][row]), float(one.robots["y"][row])) for one in latest(past, shot, TRAVELLED * rate)]
     return [Polyline(unbroken(path), tint, 2.0 * unit, under=True)]
 
 
 def ball_trail(past: Sequence[Shot], shot: Shot, rate: float, unit: float) -> list[Overlay]:
-    """Return the path of the ball in the last seconds, the older the paler."""
+    """Return overlays of the path of the ball in the last seconds, the older the paler."""
     path = [(float(one.ball["x"]), float(one.ball["y"])) for one in latest(past, shot, TRAIL * rate)]
     piece = unbroken(path)
     ends = np.linspace(0, len(piece) - 1, PIECES + 1).round().astype(int).tolist()
@@ -72,7 +72,7 @@ def step_of(shot: Shot) -> int:
 
 
 def unbroken(path: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the part of a path since the last jump, without points that hardly differ."""
+    """Return the part of a path since the last jump, without points that lie very near their neighbours."""
     piece = [path[-1]]
     for x, y in reversed(path[:-1]):
         away = hypot(x - piece[-1][0], y - piece[-1][1])
@@ -84,6 +84,6 @@ def unbroken(path: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def mixed(one: Colour, other: Colour, share: float) -> Colour:
-    """Return a colour between two."""
+    """Mix two colours; share 0 gives the first, 1 the second."""
     red, green, blue = (round(a + share * (b - a)) for a, b in zip(one, other, strict=True))
     return red, green, blue

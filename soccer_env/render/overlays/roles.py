@@ -37,7 +37,7 @@ class Tags:
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Write them, one after the other."""
+        """Write the words, one label after the other."""
         down = self.away * view.scale + 0.5 * self.size
         marks = (view.pixel(x, y) for x, y in self.fallen)
         taken = [(column, row + down, PLATE * self.size) for column, row in marks]  # middles and half widths
@@ -56,7 +56,7 @@ class Tags:
 
 
 def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
-    """Return the words for what each robot does, if its team explains it; amber for a robot in recovery."""
+    """Return labels for the activity of each robot whose team explains it; amber for a robot in recovery."""
     tags: list[tuple[tuple[float, float], str, Colour]] = []
     lie = shot.robots[(shot.robots["fallen"] > 0.0) & (shot.robots["active"] == 1)]
     fallen = tuple((float(robot["x"]), float(robot["y"])) for robot in lie)
@@ -73,7 +73,7 @@ def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
 
 
 def words_of(team_words: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
-    """Return what a robot does in words, and whether it recovers; words and numbers as in `Thought`."""
+    """Return the activity of a robot in words, and whether the robot recovers; words and numbers as in `Thought`."""
     words = [word for word in team_words if not (keeper and word in FIELD_ROLES)]
     words = [word for word in words if not any(other != word and other.startswith(word) for other in words)]
     if not words and "rank" in numbers:

@@ -21,10 +21,10 @@ class Overlay(Protocol):
 
     @property
     def under(self) -> bool:
-        """Tell whether it lies beneath robots and ball."""
+        """Tell whether the overlay lies beneath robots and ball."""
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Draw onto the canvas through the view."""
+        """Draw the overlay onto the canvas through the view."""
 
 
 def pairs(name: str, values: ArrayLike) -> list[tuple[float, float]]:
@@ -69,7 +69,7 @@ class Polyline:
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Draw every piece."""
+        """Draw every segment of the path."""
         places = [view.pixel(x, y) for x, y in pairs("Polyline.xy", self.xy)]
         if self.closed and places:
             places.append(places[0])
@@ -147,7 +147,7 @@ class Area:
     under: bool = True
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Fill it."""
+        """Fill the region."""
         canvas.glass([view.pixel(x, y) for x, y in pairs("Area.xy", self.xy)], self.colour, self.alpha)
 
 
@@ -164,7 +164,7 @@ class Label:
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
-        """Write the words, none for a place outside the picture."""
+        """Write the words, unless their place lies outside the picture."""
         ((x, y),) = pairs("Label.xy", [self.xy])
         column, row = view.pixel(x, y)
         if not (0.0 <= column <= canvas.width and 0.0 <= row <= canvas.height):

@@ -22,7 +22,7 @@ Groups = Mapping[str, np.ndarray]
 
 
 def in_sight(cast: Cast, shot: Shot, row: int, groups: Groups, unit: float) -> list[Overlay]:
-    """Return the field of view and the percepts of a robot (row)."""
+    """Return overlays of the field of view and the percepts of a robot (row)."""
     robot = shot.robots[row]
     pose = (float(robot["x"]), float(robot["y"]), float(robot["heading"]))
     tints = colours_of(int(robot["team"]), float(shot.match["home_direction"]))
@@ -47,7 +47,7 @@ def colours_of(team: int, home_direction: float) -> dict[str, Colour]:
 def by_head(
     league: League, camera: Camera, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float
 ) -> list[Overlay]:
-    """Return the fan of a camera on a head, and a sector for each blob."""
+    """Return overlays of the field of view of a camera on a head, and a sector for each blob."""
     x, y = pose[0] + camera.neck * cos(pose[2]), pose[1] + camera.neck * sin(pose[2])
     middle = pose[2] + float(groups["head"][0, 0]) / CENTI
     edge = fan(league, x, y, middle - camera.view / 2, middle + camera.view / 2, RAYS)
@@ -63,17 +63,17 @@ def by_head(
 
 
 def boxes(blobs: np.ndarray | None) -> list[tuple[int, int, int, int]]:
-    """Return left, right, high and low [px] of the seen blobs."""
+    """Return left, right, high and low [px] of each seen blob."""
     return [] if blobs is None else [tuple(box) for box in blobs.tolist() if any(box)]
 
 
 def fan(league: League, x: float, y: float, low: float, high: float, rays: int) -> list[tuple[float, float]]:
-    """Return where rays from a point between two directions [rad] leave the pitch."""
+    """Return the points where rays from a point, spread between two directions [rad], leave the pitch."""
     return [to_board(league, x, y, angle) for angle in np.linspace(low, high, rays).tolist()]
 
 
 def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, float]:
-    """Return where a ray from a point of the pitch leaves it."""
+    """Return the point where a ray from a point of the pitch leaves the pitch."""
     across, up = cos(angle), sin(angle)
     distances = []
     if abs(across) > 1e-9:

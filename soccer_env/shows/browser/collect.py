@@ -71,7 +71,7 @@ def collect(
 
 
 def tables_of(rows: list[np.ndarray], notes: Notes | None, fields: Fields) -> dict[str, str]:
-    """Return the tables, packed."""
+    """Return the tables of places, thoughts and fields by name, packed as text."""
     tables = {"places": pack(np.stack(rows))}
     if notes is not None:
         tables["thoughts"] = pack(flat(notes.numbers))
@@ -81,18 +81,18 @@ def tables_of(rows: list[np.ndarray], notes: Notes | None, fields: Fields) -> di
 
 
 def noted(notes: Notes) -> dict[str, Any]:
-    """Return the steps of the notes, and the columns of their table."""
+    """Return the control steps of the notes, and the meaning of the columns of their table."""
     about = {"steps": notes.steps.tolist(), "slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
     return about | {"table": TABLE, "track": TRACK, "sees": SEES}
 
 
 def flat(numbers: np.ndarray) -> np.ndarray:
-    """Return thoughts (T, R, C) as a table (T, R C)."""
+    """Flatten notes (T, R, C) to a table (T, R * C)."""
     return numbers.reshape(len(numbers), -1)
 
 
 def row_of(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
-    """Return the row (C,) int16 of the first match now; `robots`: their records before a goal moved them."""
+    """Return a row (C,) int16 of the table of places, of the first match; `robots`: records from before a goal."""
     record, ball, event = match.matches[0], match.balls[0], match.events[0]
     x, y = (ball["x"], ball["y"]) if robots is None else (event["ball_x"], event["ball_y"])
     robots = match.robots[0] if robots is None else robots

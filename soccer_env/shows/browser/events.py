@@ -1,4 +1,4 @@
-"""The events of a match in words, with time and place: goals and how they fell, whistles, kicks, halves."""
+"""The events of a match in words, with time and place: goals and how they were scored, whistles, kicks, halves."""
 
 from math import hypot
 from typing import Any, NamedTuple
@@ -23,7 +23,7 @@ HOW = {  # kicks and own goals have longer descriptions
 
 
 class Play(NamedTuple):
-    """A robot plays the ball."""
+    """A kick or touch of the ball by a robot."""
 
     row: int
     step: int  # control step of the replay
@@ -37,7 +37,7 @@ class Storyteller:
     """Collects events as lists [step, kind, team, robot, words]; kind: goal, penalty, foul, restart, kick, half.
 
     A penalty is a kick of a shoot-out; its sixth value is the score of the shoot-out. The sixth value of a goal is a
-    dict: its `kind` in the statistics, `how` it fell in words, the `score` after it, and the step in which its scorer
+    dict: its `kind` in the statistics, `how` it was scored, the `score` after it, and the step in which its scorer
     `played` the ball. The scorer of a deflected kick is the kicker.
     """
 
@@ -55,7 +55,7 @@ class Storyteller:
         self._called = 0  # step in which its kick was called
 
     def listen(self, match: Match, step: int, before: np.ndarray) -> None:
-        """Note the events of a control step in the first match; `before` are its robots a step earlier."""
+        """Note the events of a control step in the first match; `before` are the robots' records one step earlier."""
         events = match.events[0]
         if match.matches["step"][0] <= self._step:
             match.statistics[0] = FRESH  # another episode has begun
@@ -106,14 +106,14 @@ class Storyteller:
             self._flight, self._others = self._last_play(r, step), []
 
     def _last_play(self, r: int, step: int) -> Play:
-        """Return how a robot last played the ball: by a recent kick, else by a touch."""
+        """Return the last play of the ball by a robot: a recent kick, else a touch."""
         kick = self._kicks.get(r)
         if kick is not None and step - kick.step <= KICKS_APART * self.rate:
             return kick
         return self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
 
     def _tell_goal(self, match: Match, step: int, before: np.ndarray) -> None:
-        """Add a goal with its scorer and how it fell."""
+        """Add a goal with its scorer and a description of how it was scored."""
         team, r = int(match.events["goal"][0]), int(match.events["scorer"][0])
         kinds = np.flatnonzero(match.statistics["goals"][0, team] > self._goals[team])
         kind = GoalKind(int(kinds[0])) if len(kinds) else GoalKind.SCRUM
@@ -143,7 +143,7 @@ class Storyteller:
         return max(own, key=lambda play: play.step, default=self._last_play(r, step))  # scored before it was followed
 
     def _how_shot(self, match: Match, play: Play, kind: GoalKind, r: int, before: np.ndarray) -> str:
-        """Return in words how the ball was kicked or pushed in."""
+        """Describe in words the kick or push that scored."""
         goal_x = float(np.sign(match.events["ball_x"][0])) * match.league.pitch.length / 2
         away = hypot(goal_x - play.x, play.y)
         verb = "kick" if play.kicked else "hard push"
@@ -155,18 +155,18 @@ class Storyteller:
         return f"{verb} from {away:.1f} m, deflected{by}"
 
     def _own_goal(self, r: int, step: int, touch: Play) -> tuple[Play, str]:
-        """Return the play that led to an own goal, and a description."""
+        """Return the kick or touch that led to an own goal, and a description of it."""
         kick = self._kicks.get(r)
         if kick is None or step - kick.step > KICK_COUNTS * self.rate or kick.step < touch.step - self.rate:
             return touch, "it touched the ball last, and no kick of the other team came before that"
         return kick, f"it kicked the ball {(step - kick.step) / self.rate:.1f} s before"
 
     def _side(self, team: int) -> str:
-        """Return a side in words."""
+        """Return a side in words: the colour, and the name of its team."""
         return f"{TEAM_NAMES[team]} ({self._teams[team]})"
 
     def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, play: Play) -> None:
-        """Add a goal."""
+        """Add a goal to the events, with the details that the page shows."""
         score = [int(goals) for goals in match.matches["score"][0]]
         kick = round(play.strength, 2) if play.kicked else None
         self._add(step, "goal", int(match.events["goal"][0]), r, words)

@@ -69,12 +69,12 @@ class Fields:
         return any(frame.any() for frames in self._frames.values() for frame in frames)
 
     def about(self) -> dict[str, Any]:
-        """Return the meaning of the bytes."""
+        """Return the size of the grid, the code of the bytes, and the robots and rates of the frames."""
         size = {"across": ACROSS, "up": len(self._points) // ACROSS, "directions": DIRECTIONS, "levels": LEVELS}
         return size | {"robots": list(self._every), "every": list(self._every.values())}
 
     def packed(self) -> str:
-        """Return all frames as text, robot after robot."""
+        """Return the frames of all robots as packed text, one robot after the other."""
         return pack_bytes(b"".join(frame.tobytes() for frames in self._frames.values() for frame in frames))
 
 

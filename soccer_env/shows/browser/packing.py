@@ -7,7 +7,7 @@ import numpy as np
 
 
 def pack(table: np.ndarray) -> str:
-    """Return a table (T, C) int16 as text; differences wrap round."""
+    """Pack a table (T, C) int16 as text; differences between rows wrap round."""
     changes = np.diff(table, axis=0, prepend=np.int16(0)).T  # (C, T): a column's changes lie together
     folded = ((changes.astype(np.int32) << 1) ^ (changes.astype(np.int32) >> 15)).astype("<u2")  # 0, -1, 1, -2, ...
     planes = np.concatenate([(folded & 255).astype(np.uint8).ravel(), (folded >> 8).astype(np.uint8).ravel()])
@@ -15,5 +15,5 @@ def pack(table: np.ndarray) -> str:
 
 
 def pack_bytes(content: bytes) -> str:
-    """Return bytes as text."""
+    """Deflate bytes and return them as base64 text."""
     return base64.b64encode(zlib.compress(content, 9)).decode()

@@ -51,7 +51,7 @@ def page_of(contents: dict[str, Any]) -> str:
 
 
 def as_script(value: Any) -> str:
-    """Return a value as JSON that nothing can end a script element with."""
+    """Return a value as JSON that cannot close the script element around it."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.translate(ESCAPED)
 
