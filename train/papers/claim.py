@@ -20,7 +20,7 @@ PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH = (LEAGUE,), (LEAGUE, PATIENT), (PAT
 
 @dataclass(frozen=True)
 class Batch:
-    """One batch of a claim's samples: everything in it must follow from its seeds."""
+    """Identity of one batch of a claim's samples: seeds derived from it determine all random numbers of the batch."""
 
     claim: str
     seed: int  # one of the run's seeds
@@ -31,7 +31,7 @@ class Batch:
 
     @property
     def play_rules(self) -> str:
-        """Return the rule set of play; ValueError for a claim without one."""
+        """Return the claim's first rule set other than PATIENT, for whole games; ValueError if it states none."""
         for rules in self.rules:
             if rules != PATIENT:
                 return rules
@@ -42,7 +42,7 @@ class Batch:
         return np.random.SeedSequence([self.seed, zlib.crc32(self.claim.encode()), self.index])
 
     def seeds(self, matches: int) -> np.ndarray:
-        """Return seeds (matches,) for a Match: the same for every variant, which pairs them."""
+        """Return seeds (matches,) for a Match, identical for all variants of a measurement, which pairs variants."""
         return self.sequence().generate_state(matches, np.uint64)
 
     def rng(self, purpose: int = 0) -> np.random.Generator:
@@ -52,7 +52,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class Curve:
-    """Points of a figure, with optional intervals."""
+    """A named curve of a figure: points (x, y), with optional intervals (low, high) of y."""
 
     name: str
     x: Sequence[float]
@@ -63,7 +63,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Arrows:
-    """Arrows over a field: their origins and components."""
+    """Arrows drawn over a picture of the field: origins (x, y) and components (along_x, along_y)."""
 
     x: Sequence[float]
     y: Sequence[float]
@@ -73,7 +73,7 @@ class Arrows:
 
 @dataclass(frozen=True)
 class Figure:
-    """Plain data that the report draws, or prints as a table."""
+    """Plain data of a figure, which the report plots or prints as a table."""
 
     title: str
     x_label: str
@@ -86,14 +86,14 @@ class Figure:
 
 @dataclass(frozen=True)
 class Without:
-    """The ingredient of a claim by construction, and the measurement without it."""
+    """An ingredient that makes a claim hold by construction, and the measurement with this ingredient removed."""
 
     ingredient: str
     measure: Callable[[Batch], Samples]
 
 
 def no_figures(samples: Samples) -> Sequence[Figure]:
-    """Return nothing to draw."""
+    """Return no figures: the default of claims without any."""
     return ()
 
 
@@ -102,8 +102,8 @@ class Claim:
     """A claim and its measurement.
 
     `measure` returns the samples of one batch: arrays of equal length whose first axis is independent units (runs,
-    matches). For every seed, `least` to `batches` (--quick: `quick`) batches are measured, until the verdict on all
-    seeds together is decided, and the verdict on each seed if it comes early.
+    matches). For every seed, at least `least` and at most `batches` (with --quick: `quick`) batches are measured, until
+    all seeds together decide the claim, and each seed alone does too or a third of the cap is reached.
     """
 
     id: str  # the letter of its paper, see PAPERS, and a number; or the name of a study
@@ -126,12 +126,12 @@ class Claim:
 
     @property
     def paper(self) -> str:
-        """Return the paper of a claim; for a study, the leagues that it studies."""
+        """Return the name of the claim's paper; for a study, "both leagues"."""
         return PAPERS.get(self.id[0], "both leagues")
 
 
 def joined(batches: Sequence[Samples]) -> Samples:
-    """Return the samples of several batches as one."""
+    """Concatenate the sample arrays of several batches, name by name."""
     return {name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]}
 
 

@@ -28,7 +28,7 @@ COUNTED = 1.0  # [m] over which the ball should be kept
 
 @dataclass
 class Way:
-    """The history of a run, arrays (T, M) of one dribbler, robot 0."""
+    """The history of a run, arrays (T, M): one dribbler, robot 0, and the ball."""
 
     x: np.ndarray  # [m] field frame
     y: np.ndarray  # [m]
@@ -47,27 +47,27 @@ class Way:
 
 
 def dribblers(batch: Batch, league: League, matches: int, others: int, settings: dict[str, Any], **more: Any) -> Match:
-    """Return matches in which sacks-2001, with settings by name, plays robot 0 and `others` opponents stand still."""
+    """Set up matches in which sacks-2001 with `settings` plays robot 0, and `others` opponents stand still."""
     team = make_team("sacks-2001", **settings)
     sides = {"home": team, "away": more.pop("away_team", "still")}
     return stage(batch, league, matches=matches, away=others, controllers=sides, keeper=0, **more)
 
 
 def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0.0) -> None:
-    """Put robot 0 somewhere with the ball at its chest."""
+    """Put robot 0 at a pose [m, rad], with the ball at its chest."""
     put(match, 0, x, y, heading)
     reach = match.league.body.front + match.league.ball.radius + 0.001
     put_ball(match, x + reach * np.cos(heading), y + reach * np.sin(heading))
 
 
 def begin_dribbling(match: Match) -> None:
-    """Begin the scene: the robots know their places, and robot 0's player is dribbling already."""
+    """Begin the scene: the robots know their places, and robot 0's player already dribbles."""
     begin(match, placed=True)
     start_dribbling(match)
 
 
 def start_dribbling(match: Match) -> None:
-    """Set the memory of a sacks team's first player as if it had just felt the ball between its paws and dribbled."""
+    """Set the memory of a sacks team's first player as if it had just felt the ball and begun to dribble."""
     if not match.learns[0]:
         memory = memory_of(match)
         memory["begun"] = memory["attacks"] = 1
@@ -76,7 +76,7 @@ def start_dribbling(match: Match) -> None:
 
 
 def run(match: Match, seconds: float, actions: np.ndarray | None = None, moved: Any = None) -> Way:
-    """Play for a time and note robot 0's way; `moved(step)` may move other robots before each step."""
+    """Play for `seconds` and record robot 0's path; `moved(step)` may move other robots before each step."""
     begin_dribbling(match)
     rows: list[tuple[np.ndarray, ...]] = []
     for step in range(round(seconds * match.league.control_rate)):
@@ -89,7 +89,7 @@ def run(match: Match, seconds: float, actions: np.ndarray | None = None, moved: 
 
 
 def note(match: Match) -> tuple[np.ndarray, ...]:
-    """Return the fields of Way for one step."""
+    """Return the fields of Way for the current step."""
     robot, ball = match.robots[:, 0], match.balls
     away = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"])
     gap = away - match.league.body.front - match.league.ball.radius

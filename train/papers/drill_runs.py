@@ -33,9 +33,9 @@ def start_drill(
     batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float,
     senses: Senses = "sensors", opponents: str | None = None, rules: str | None = None,
 ) -> Match:  # fmt: skip
-    """Return matches at the start of a drill's scene, which no test ends; movers walk at a speed [m/s].
+    """Return matches at the start of a drill's scene, never ended by the drill's test; movers walk at `mover` [m/s].
 
-    `opponents`: a team that replaces the drill's; `rules`: a rule set that replaces the drill's.
+    `opponents`: a team that replaces the drill's opponents; `rules`: a rule set that replaces the drill's rules.
     """
     named = find_scene(scene)
     sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
@@ -60,7 +60,7 @@ def gap_to_others(match: Match) -> np.ndarray:
 
 @dataclass
 class Contacts:
-    """The effects of contacts on the runs of a drill; arrays (M, ...)."""
+    """Record of the dribbler's contacts in the runs of a drill, and of their effects; arrays (M, ...)."""
 
     step: int  # [control steps] of a gait step
     headings: np.ndarray  # [rad] of the others at the start: only the dribbler turns by itself
@@ -69,7 +69,7 @@ class Contacts:
     hindered: np.ndarray  # bool: a contact stopped it for a gait step, or turned another
 
     def note(self, match: Match, running: np.ndarray) -> None:
-        """Note a control step of the running runs."""
+        """Update the record after a control step, for the runs that still go on."""
         robot, others = match.robots[:, 0], match.robots[:, 1:]
         touches = match.robot_events["collision"][:, 0] == 1
         self.touched |= running & touches
@@ -99,7 +99,7 @@ class Ends:
     nearest: np.ndarray  # [m] least distance between the middles of bodies
 
     def note(self, match: Match, running: np.ndarray) -> None:
-        """Note a control step of the running runs."""
+        """Update the ends after a control step, for the runs that still go on."""
         robot, ball = match.robots[:, 0], match.balls
         beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + PAST
         self.past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
@@ -114,10 +114,10 @@ def play_drill(
     batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float = PAPER,
     senses: Senses = "sensors",
 ) -> Samples:  # fmt: skip
-    """Let sacks-2001, with settings by name and without shots, play a drill's scene; arrays (M,).
+    """Let sacks-2001, with `settings` and without shots, play a drill's scene; return results (M,).
 
     Judged like the drill, but a touch ends nothing: "past", "lost", "seconds" and "nearest" as in Ends; "clean": past
-    without a touch; "touched" before the end; "free": past without a contact that stopped it or turned another robot.
+    without a touch; "touched": touch before the end; "free": past, and no contact stopped it or turned another robot.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
     (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))

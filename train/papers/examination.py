@@ -34,9 +34,9 @@ def examine(
     claim: Claim, settings: ReproduceSettings, cap: int, settings_hash: str,
     advance: Callable[[float], None] = lambda seconds: None,
 ) -> ClaimResult:  # fmt: skip
-    """Take batches of a claim, at most `cap` of each seed, until it is decided; return the result.
+    """Measure batches of a claim, at most `cap` for each seed, until the claim is decided; return the result.
 
-    `advance` gets the seconds of finished work, in total those of `cap` batches of each seed.
+    `advance` is called with the seconds of finished work, in total the seconds of `cap` batches of each seed.
     """
     looks = looks_at(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
@@ -64,39 +64,39 @@ def examine(
 
 
 def is_enough(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
-    """Tell whether a claim is decided, and by each seed alone too unless ENOUGH of the cap is taken."""
+    """Tell whether all seeds decide a claim, and each seed alone does too or the share ENOUGH of the cap is taken."""
     if combine(findings) in (UNDECIDED, CONTEXT):
         return False
     return share >= ENOUGH or all(combine(found) != UNDECIDED for found in alone)
 
 
 def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:
-    """Return a batch of a claim."""
+    """Return the batch of a claim for one seed, by its index."""
     return Batch(claim.id, seed, index, settings.threads, claim.pose or settings.pose, rules_of(claim, settings))
 
 
 def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
-    """Return the rule sets of a claim's matches, with the run's --rules in place of the league's."""
+    """Return the rule sets of a claim's matches, with the run's --rules in place of the league's rules."""
     return tuple(settings.rules if rules == LEAGUE else rules for rules in claim.rules)
 
 
 def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
-    """Return the findings of samples about each criterion of a claim."""
+    """Compare samples with each criterion of a claim and return the findings."""
     return [find(criterion, samples, confidence) for criterion in claim.criteria]
 
 
 def all_of(taken: list[list[Samples]]) -> Samples:
-    """Return the samples of all seeds as one."""
+    """Concatenate the samples of all seeds and batches."""
     return joined([batch for batches in taken for batch in batches])
 
 
 def looks_at(cap: int, least: int = 1) -> list[int]:
-    """Return the numbers of batches after which a claim is tested: `least`, twice, four times ... that, and the cap."""
+    """Return the numbers of batches after which a claim is tested: `least` times 1, 2, 4 and so on, and the cap."""
     return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
 
 
 class Found(NamedTuple):
-    """The findings about the criteria of a claim."""
+    """The findings about the criteria of a claim, and the share of the cap."""
 
     findings: list[Finding]  # of the samples of all seeds
     without: list[Finding]  # of all seeds without the ingredient

@@ -18,7 +18,7 @@ FINDINGS = ("criterion", "asked", "estimate (95 % interval)", "n", "verdict")
 
 
 def page_of(results: Sequence[ClaimResult], folder: ResultsFolder) -> str:
-    """Return the page of a run."""
+    """Return the HTML page that reports a run."""
     page = ReportPage("Claims of the papers, measured", "soccer reproduce")
     counts = Counter(result.verdict for result in results)
     total = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict])
@@ -43,7 +43,7 @@ def page_of(results: Sequence[ClaimResult], folder: ResultsFolder) -> str:
 
 
 def add_comparison(page: ReportPage, results: Sequence[ClaimResult]) -> None:
-    """Add pictures of the papers' claims and the measured intervals, criterion by criterion."""
+    """Add figures that compare the papers' bounds with the measured intervals, criterion by criterion."""
     rows = list(rows_of(results))
     if not rows:
         return
@@ -57,7 +57,7 @@ def add_comparison(page: ReportPage, results: Sequence[ClaimResult]) -> None:
 
 
 def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
-    """Yield the criteria that have bounds and an estimate."""
+    """Yield a row of the comparison for each criterion with a bound and an estimate."""
     for result in results:
         for finding in result.findings:
             bounds = dict(BOUND.findall(finding["asked"]))
@@ -72,7 +72,7 @@ def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
 
 
 def add_claim(page: ReportPage, result: ClaimResult) -> None:
-    """Add the result of one claim."""
+    """Add the section of one claim's result to the page."""
     page.heading(f"{result.id}: {result.marked}")
     page.say(f"{result.statement} [{result.paper}{', ' if result.section else ''}{result.section}]")
     page.say(f"Measured: {result.method} n = {result.n}. Own pose: {result.pose}. {rules_of(result)}")

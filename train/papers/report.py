@@ -33,7 +33,7 @@ whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
 
 
 def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[str, list[str]], trouble: str) -> str:
-    """Return the report; `plots` are the files of each claim's figures, `trouble` says why there are none."""
+    """Return the report as Markdown; `plots`: files of each claim's figures, `trouble`: the reason if it is empty."""
     about = folder.about
     facts = [
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
@@ -59,7 +59,7 @@ def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[
 
 
 def poses_of(results: Sequence[ClaimResult]) -> str:
-    """Return in a sentence how robots localised: in most claims, and in the exceptions."""
+    """Return a sentence on how robots localised: in most claims, and in the exceptions."""
     ids = {pose: [result.id for result in results if result.pose == pose] for pose in POSES}
     most, *rest = sorted(POSES, key=lambda pose: -len(ids[pose]))
     others = [f"{pose} for {', '.join(ids[pose])}" for pose in rest if ids[pose]]
@@ -67,7 +67,7 @@ def poses_of(results: Sequence[ClaimResult]) -> str:
 
 
 def rules_of(result: ClaimResult) -> str:
-    """Return in a sentence the rules of a claim's matches, and whether --rules can change them."""
+    """Return a sentence on the rules of a claim's matches, and on whether --rules can change them."""
     played = [name for name in result.rules if name != PATIENT]
     if played:
         return f"Rules of play: {played[0]}{f'; of staged scenes: {PATIENT}' if PATIENT in result.rules else ''}."
@@ -76,19 +76,19 @@ def rules_of(result: ClaimResult) -> str:
 
 
 def row(result: ClaimResult) -> tuple[str, ...]:
-    """Return a claim as a row of the table at the head."""
+    """Return the row of a claim for the summary table."""
     shown = next((with_interval(found) for found in result.findings if found["criterion"] == result.criterion), "")
     rules, n = rules_in_words(result.rules), units_of(result.n_used, result.n)
     return result.id, result.statement, rules, result.marked, result.alone, shown, n
 
 
 def units_of(used: int | None, units: int) -> str:
-    """Return the number of units with a value, as "40 of 96" if not all; "" if unknown."""
+    """Return the number of units with a value, such as "40 of 96" if some have none; "" if unknown."""
     return "" if used is None else f"{used}" if used == units else f"{used} of {units}"
 
 
 def section(result: ClaimResult, plots: Sequence[str]) -> str:
-    """Return the section of one claim, with its figures."""
+    """Return the report's section on one claim, with its figures."""
     figures = (
         [f"![{figure['title']}]({file})" for figure, file in zip(result.figures, plots, strict=False)]
         if plots
@@ -98,7 +98,7 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
 
 
 def words_of(result: ClaimResult) -> str:
-    """Return the result of one claim: every criterion, the ingredients, the note."""
+    """Return the result of one claim as Markdown: every criterion, the ingredients, the note."""
     n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
     seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
     source = f"{result.paper}, {result.section}" if result.section else result.paper
@@ -117,13 +117,13 @@ def words_of(result: ClaimResult) -> str:
 
 
 def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
-    """Return the criteria of a claim with their findings as a table; "" without any."""
+    """Return the criteria of a claim with their findings as a table; "" without findings."""
     cells = finding_rows(findings, units)
     return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
 
 
 def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[str, ...]]:
-    """Return the criteria of a claim as rows of a table."""
+    """Return one row of the findings table for each criterion of a claim."""
     verdicts = ["reported" if found["verdict"] == CONTEXT else found["verdict"] for found in findings]
     return [
         (found["criterion"], found["asked"], with_interval(found), units_of(found["n"], units), verdict)
@@ -132,7 +132,7 @@ def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[s
 
 
 def figure_table(figure: dict[str, Any]) -> str:
-    """Return the data of a figure as a table, one column for each curve; of a picture of the field its title."""
+    """Return a figure's data as a table with a column for each curve; for a picture of the field, only its title."""
     if "arrows" in figure:
         return f"{figure['title']}: a picture of the field, which needs matplotlib"
     places = sorted({x for curve in figure["curves"] for x in curve["x"]})
@@ -143,7 +143,7 @@ def figure_table(figure: dict[str, Any]) -> str:
 
 
 def with_interval(found: dict[str, Any]) -> str:
-    """Return an estimate with its interval and unit; an exact one without an interval, a stored one as it is."""
+    """Return an estimate with interval and unit as text; without the interval if exact, unchanged if stored as text."""
     if "shown" in found:
         return str(found["shown"])
     unit = f" {found['unit']}" if found["unit"] else ""
@@ -155,7 +155,7 @@ def with_interval(found: dict[str, Any]) -> str:
 
 
 def number(value: float | None) -> str:
-    """Return a number in a few digits; an open side of an interval as a question mark."""
+    """Format a number with a few digits; None, an open side of an interval, as a question mark."""
     return "?" if value is None else plain(value, DIGITS)
 
 

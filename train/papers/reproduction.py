@@ -25,10 +25,10 @@ from soccer_env.train.results_folder import ResultsFolder
 
 
 def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
-    """Measure the claims that settings.out lacks and return the results of all.
+    """Measure the claims whose results settings.out lacks, and return the results of all claims.
 
-    With settings.stored, measure nothing and return the stored results. `known`: a user's own claims, which replace
-    the package's. Raises ValueError for an unknown id and for a folder with another run.
+    With settings.stored, measure nothing and return the stored results. `known`: a user's own claims, which replace the
+    package's claims. Raises ValueError for an unknown id and for a folder with another run.
     """
     if settings.stored:
         return stored_results(settings.claims)
@@ -52,7 +52,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
 
 
 def made_with(claims: list[Claim]) -> dict[str, str]:
-    """Return the versions, and hashes of the code of matches and claims, on which results depend."""
+    """Return the library versions and the hashes of match and claim code on which results depend."""
     modules = sorted(
         {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
     )  # func: of a partial
@@ -63,10 +63,10 @@ def made_with(claims: list[Claim]) -> dict[str, str]:
 def measure_missing(
     claims: list[Claim], settings: ReproduceSettings, folder: ResultsFolder, ours: bool
 ) -> dict[str, ClaimResult]:
-    """Measure every claim that the folder lacks; return the results of all by their ids.
+    """Measure every claim whose result the folder lacks; return the results of all claims by id.
 
-    Only claims of the package (`ours`) are measured in several processes: others may be functions that no other process
-    can import.
+    Only claims of the package (`ours`) are measured in several processes: other claims may be functions that no other
+    process can import.
     """
     done = folder.results(CLAIMS, ClaimResult, "id")
     missing = [claim for claim in claims if claim.id not in done]
@@ -93,7 +93,7 @@ __all__ = ["ReproduceSettings", "reproduce"]
 
 
 def draw_all(results: Sequence[ClaimResult], folder: ResultsFolder) -> tuple[dict[str, list[str]], str]:
-    """Draw every figure into the folder; return the files of each claim, and the reason if nothing was drawn."""
+    """Plot every figure into the folder; return the files of each claim, and the reason if nothing was plotted."""
     if folder.path is None or not any(result.figures for result in results):
         return {}, ""
     if not can_draw():

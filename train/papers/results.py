@@ -13,7 +13,7 @@ from soccer_env.train.results_folder import Kind
 
 @dataclass(frozen=True)
 class ClaimResult:
-    """The result of a claim. Numbers that are not finite are None: an open side of an interval."""
+    """The result of a claim. Non-finite numbers, such as an open side of an interval, are stored as None."""
 
     id: str
     paper: str
@@ -44,16 +44,16 @@ class ClaimResult:
 
     @property
     def marked(self) -> str:
-        """Return the verdict, marked if it comes from few samples."""
+        """Return the verdict, marked "(quick)" if it comes from few samples."""
         return f"{self.verdict} (quick)" if self.quick else self.verdict
 
     @property
     def alone(self) -> str:
-        """Return the verdicts of single seeds: "r r u", or "r r n, they disagree"."""
+        """Return the verdicts of single seeds as letters: "r r u", or "r r n, they disagree"."""
         return seeds_in_letters(self.by_seed)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the record of results.json; `shown` is the verdict, marked if it is quick."""
+        """Return the record for results.json, without figures; `shown` is the verdict, marked if it is quick."""
         record: dict[str, Any] = {}
         for name, value in asdict(self).items():
             if name not in ("figures", "settings"):
@@ -64,13 +64,13 @@ class ClaimResult:
 
 
 def seeds_in_letters(verdicts: Sequence[str]) -> str:
-    """Return the verdicts of single seeds by their first letters, and whether they contradict each other."""
+    """Return the first letters of single seeds' verdicts, and whether the verdicts contradict each other."""
     letters = " ".join(verdict[0] for verdict in verdicts)
     return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(verdicts) else letters
 
 
 def rules_in_words(rules: Sequence[str]) -> str:
-    """Return the rule sets of a claim for a table: "league", "simple, staged", "staged" or "no match"."""
+    """Return a claim's rule sets as text for a table: "league", "simple, staged", "staged" or "no match"."""
     return ", ".join("staged" if name == PATIENT else name for name in rules) or "no match"
 
 
@@ -80,12 +80,12 @@ def as_record(finding: Finding) -> dict[str, Any]:
 
 
 def plot_name(claim: str, number: object) -> str:
-    """Return the name of a picture of a claim in the folder of a run: plots/ID-1.png, ID-2.png, ..."""
+    """Return the file name of a claim's figure in the folder of a run: plots/ID-1.png, ID-2.png, ..."""
     return f"plots/{re.sub(r'[^A-Za-z0-9]', '-', claim)}-{number}.png"
 
 
 def plots_of(conditions: dict[str, Any]) -> list[str]:
-    """Return the patterns of the pictures of a run with these conditions."""
+    """Return glob patterns for the figure files of a run with these conditions."""
     return [plot_name(str(claim), "[0-9]*") for claim in conditions.get("claims", ())]
 
 

@@ -75,11 +75,11 @@ class ReproduceSettings(CommandSettings):
 
     @property
     def budget(self) -> str:
-        """Return the budget in a word or two."""
+        """Return the budget in words: "quick", "default" or the minutes."""
         return "quick" if self.quick else "default" if self.minutes is None else f"{self.minutes:g} minutes"
 
     def cap(self, batches: int, quick: int, seconds: float, claims: int) -> int:
-        """Return the cap on a claim's batches of each seed, with `claims` claims in the run."""
+        """Return the greatest number of batches of a claim for each seed, in a run of `claims` claims."""
         if self.quick:
             return quick
         runs = claims * len(self.seeds)
@@ -87,7 +87,7 @@ class ReproduceSettings(CommandSettings):
 
 
 def command_of(settings: ReproduceSettings, claim: str = "") -> str:
-    """Return the command with these settings, or the command of a single claim with equal samples."""
+    """Return the command line with these settings, or the command that gives a single claim's samples."""
     single = bool(claim) and settings.minutes is None  # the share of --minutes depends on all claims
     words = ["soccer", "reproduce", *((claim,) if single else settings.claims)]
     words += ["--all"] if settings.all and not single else []

@@ -33,7 +33,7 @@ LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
 
 
 def make(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:
-    """Return matches with the batch's seeds and threads; ValueError for rules that the claim does not state."""
+    """Make matches with the batch's seeds and threads; ValueError for rules that the claim does not state."""
     if rules not in batch.rules:
         raise ValueError(f"claim {batch.claim} states the rules {batch.rules}, its matches are made with {rules!r}")
     settings = {"pose": batch.pose, **settings}
@@ -60,14 +60,14 @@ def kick_off(
 ) -> Match:
     """Return legged matches of the usual team sizes from the kick-off, a team with sensors against itself.
 
-    They use the batch's rules of play, unless `rules` are given.
+    The matches use the batch's rules of play, unless `rules` are given.
     """
     settings = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
     return make(batch, LEGGED, rules or batch.play_rules, matches=matches, **settings)
 
 
 def drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
-    """Return a legged drill for one robot of a team against one that stands, under the drill's own rules."""
+    """Return matches of a legged drill, one robot of a team against one that stands, under the drill's own rules."""
     return make(
         batch, LEGGED, find_scene(scene).rules, matches=matches, home=1, away=1, keeper=0, scene=scene,
         episode="drill", controllers={"home": team, "away": "still"},
@@ -81,7 +81,7 @@ def hide_ball(match: Match, rows: Any = slice(None)) -> None:
 
 
 def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Iterator[int]:
-    """Step all matches for a time, yielding 0, 1, ... after each control step; robots stand unless actions say more.
+    """Step all matches for `seconds`, and yield 0, 1, ... after each control step; robots stand without `actions`.
 
     Actions (M, R, 4 or 7) may be changed between steps.
     """
@@ -92,7 +92,7 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
 
 
 def standing(match: Match) -> np.ndarray:
-    """Return actions (M, R, 4), or (M, R, 7) with actions="full", by which all stand and heads move by themselves."""
+    """Return actions by which robots stand and heads move by themselves: (M, R, 4), with actions="full" (M, R, 7)."""
     actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
     actions[..., 4:5] = -1.0
     return actions
@@ -118,13 +118,13 @@ def from_robot(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray, np.nda
 
 
 def wrapped(angle: np.ndarray) -> np.ndarray:
-    """Return angles [rad] in [-pi, pi)."""
+    """Wrap angles [rad] to [-pi, pi)."""
     turned: np.ndarray = (angle + np.pi) % (2.0 * np.pi) - np.pi
     return turned
 
 
 def watch(match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0) -> Iterable[int]:
-    """Play, and yield only after the first `settle` seconds, in which heads and filters come to rest."""
+    """Play for `settle` seconds, in which heads and filters settle, then yield the steps of `play` for `seconds`."""
     for _ in play(match, settle, actions):
         pass
     return play(match, seconds, actions)

@@ -24,14 +24,14 @@ Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
 
 
 def read_stored(folder: Path) -> dict[str, dict[str, Any]]:
-    """Return the contents of the claims.json of a folder; nothing without the file."""
+    """Return the stored results, by claim, from the claims.json of a folder; empty without this file."""
     path = folder / FILE
     results: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     return results
 
 
 def stored_results(names: Iterable[str]) -> list[ClaimResult]:
-    """Return the stored results of claims, or of all without names; ValueError for a claim that is not stored."""
+    """Return the stored results of the named claims, or of all; ValueError for a claim that is not stored."""
     known = all_claims()
     rows = {name: row for folder in FOLDERS.values() for name, row in read_stored(folder).items()}
     claims = find_claims([*names] or rows, known)
@@ -42,7 +42,7 @@ def stored_results(names: Iterable[str]) -> list[ClaimResult]:
 
 
 def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
-    """Return a stored result as a ClaimResult, without figures and with numbers as texts."""
+    """Convert a stored result to a ClaimResult, without figures and with numbers as text."""
     about = row["about"]
     measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
     note = claim.note if isinstance(claim.note, str) else ""
@@ -64,7 +64,7 @@ def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
 
 
 def with_bounds(claim: Claim, row: Mapping[str, Any], finding: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a stored finding with the bounds of its criterion, and the number of its units if known."""
+    """Add the bounds of its criterion to a stored finding, and the number of its units if known."""
     bounds = next((one.asked for one in claim.criteria if one.text == finding["criterion"]), "")
     units = row["n_used"] if finding["criterion"] == row["criterion"] else None
     return {"n": units, **finding, "asked": bounds}

@@ -11,7 +11,7 @@ from soccer_env.train.papers.staging import from_robot, play, standing
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
-    """Return the place of robot r's camera (M, 3) [m] and the unit vector along its axis (M, 3), field frame.
+    """Return the position of robot r's camera (M, 3) [m] and the unit vector along its axis (M, 3), field frame.
 
     The geometry of soccer_env.optics.head_camera for all matches at once; a test compares the two.
     """
@@ -42,12 +42,12 @@ def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
 
 
 def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
-    """Turn the head of robot r to the true ball: fills in columns 4 to 6 of actions (M, R, 7)."""
+    """Turn the head of robot r to the true ball: fill columns 4 to 6 of actions (M, R, 7)."""
     look_at_point(match, actions, r, match.balls["x"], match.balls["y"], match.league.ball.radius)
 
 
 def look_at_point(match: Match, actions: np.ndarray, r: int, x: np.ndarray, y: np.ndarray, height: float) -> None:
-    """Turn the head of robot r to a point (M,) [m, field frame]: fills in columns 4 to 6 of actions (M, R, 7)."""
+    """Turn the head of robot r to a point (M,) [m, field frame]: fill columns 4 to 6 of actions (M, R, 7)."""
     s = match.league.sensors
     distance, bearing = from_robot(match, r, x, y)
     # from the neck, about which the head turns
@@ -59,7 +59,7 @@ def look_at_point(match: Match, actions: np.ndarray, r: int, x: np.ndarray, y: n
 
 
 def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) -> None:
-    """Ask robot r to turn its head to pan and tilt [rad]: fills in columns 4 to 6 of actions (M, R, 7)."""
+    """Ask robot r to turn its head to pan and tilt [rad]: fill columns 4 to 6 of actions (M, R, 7)."""
     head = match.league.head
     actions[:, r, 4] = 1.0
     actions[:, r, 5] = np.clip(pan / head.pan_limit, -1.0, 1.0)
@@ -67,7 +67,7 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
 
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:
-    """Let robot r stand and stare at the true ball for a time, so that it sees it; needs actions="full"."""
+    """Let robot r stand and stare at the true ball for `seconds`, so that it sees the ball; needs actions="full"."""
     actions = standing(match)
     for _ in play(match, seconds, actions):
         stare(match, actions, r)
@@ -77,21 +77,21 @@ BLIND = {"ball_miss": 1.0, "red_as_orange": 0.0, "false_balls": 0.0}  # of eithe
 
 
 def blind(match: Match) -> None:
-    """Let no frame show the ball, or false balls, from now on; patches are left to the caller."""
+    """Hide the ball and false balls from all cameras from now on; coloured patches are left to the caller."""
     for name, value in BLIND.items():
         if hasattr(match.league.sensors, name):
             sensors_of(match)[name] = value
 
 
 def see_again(match: Match) -> None:
-    """Undo `blind`."""
+    """Undo `blind`: restore the sensor settings of the league."""
     for name in BLIND:
         if hasattr(match.league.sensors, name):
             sensors_of(match)[name] = getattr(match.league.sensors, name)
 
 
 def follow(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:
-    """Return the walk (M, 3) in [-1, 1] of robot r to the true ball, up to a distance `keep` [m]; 0: into the ball."""
+    """Return walk actions (M, 3) in [-1, 1] of robot r to within `keep` [m] of the true ball; 0: into the ball."""
     distance, bearing = from_robot(match, r, match.balls["x"], match.balls["y"])
     walk = np.zeros((match.count, 3))
     walk[:, 0] = np.where(np.abs(bearing) < 0.6, np.clip((distance - keep) / 0.2, -1.0, 1.0), 0.0)

@@ -30,7 +30,7 @@ Samples = dict[str, np.ndarray]  # arrays by name; first axis: independent units
 
 @dataclass(frozen=True)
 class Criterion:
-    """A quantity of a claim's samples and its bounds, made by `measured`, `counted`, `exact` or `reported`."""
+    """A quantity of a claim's samples and its required bounds, made by `measured`, `counted`, `exact` or `reported`."""
 
     text: str
     unit: str  # of estimate and bounds: "%", "cm", "" for a plain number
@@ -70,7 +70,7 @@ def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **
 
 
 def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
-    """Return a criterion on a share [%]: counts (U,) of hits and of trials in each unit, by their names."""
+    """Return a criterion on a share [%]: `hits` and `trials` name the samples with the counts (U,) of each unit."""
 
     def interval(samples: Samples, level: float) -> Interval:
         share, low, high = clustered_share(samples[hits], samples[trials], confidence=level)
@@ -80,7 +80,7 @@ def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
 
 
 def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
-    """Return a criterion on a number without scatter: arithmetic, or a property of a table."""
+    """Return a criterion on a number without scatter, such as arithmetic or a property of a table."""
 
     def interval(samples: Samples, level: float) -> Interval:
         number = float(value(samples))
@@ -90,17 +90,17 @@ def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bou
 
 
 def reported(text: str, value: Callable[[Samples], float], *, unit: str = "") -> Criterion:
-    """Return a number that is reported beside the criteria and decides nothing."""
+    """Return a criterion for a number that is reported beside the others and decides nothing."""
     return Criterion(text, unit, bootstrapped(value), units_used(value), decides=False)
 
 
 def bootstrapped(value: Callable[[Samples], float]) -> Callable[[Samples, float], Interval]:
-    """Return the bootstrap interval of a quantity as a function of samples and confidence."""
+    """Return a function of samples and confidence that gives the bootstrap interval of a quantity."""
     return lambda samples, level: unit_bootstrap(samples, value, confidence=level)
 
 
 class Watched(dict[str, np.ndarray]):
-    """Samples that note which of their arrays are read."""
+    """Samples that record which of their arrays are read."""
 
     def __init__(self, samples: Samples) -> None:
         super().__init__(samples)
@@ -112,7 +112,7 @@ class Watched(dict[str, np.ndarray]):
 
 
 def units_used(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
-    """Return a function that counts the units of a quantity: the fewest with a value over the arrays that it reads."""
+    """Return a function that counts the units of a quantity: the fewest with a value among the arrays that it reads."""
 
     def count(samples: Samples) -> int:
         watched = Watched(samples)
@@ -123,14 +123,14 @@ def units_used(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
 
 
 def units_with_value(array: np.ndarray) -> int:
-    """Return the number of units (first axis) with a value, one that is not NaN, in an array."""
+    """Return the number of units (first axis) of an array that have at least one value other than NaN."""
     if array.dtype.kind != "f":
         return len(array)
     return int(np.isfinite(array.reshape(len(array), -1)).any(axis=1).sum())
 
 
 def _in(bounds: dict[str, float]) -> dict[str, Any]:
-    """Return the bounds that at_least, at_most, above or below describe."""
+    """Convert the bounds at_least, at_most, above or below to the fields low, high and strict of a Criterion."""
     unknown = set(bounds) - {"at_least", "at_most", "above", "below"}
     strict = bool({"above", "below"} & set(bounds))
     if unknown or not bounds or (strict and {"at_least", "at_most"} & set(bounds)):
@@ -141,7 +141,7 @@ def _in(bounds: dict[str, float]) -> dict[str, Any]:
 
 
 def find(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
-    """Return the finding of samples about a criterion, at a confidence."""
+    """Compare samples with a criterion at a confidence, and return the finding."""
     estimate, low, high = criterion.interval(samples, confidence)
     verdict = judge(criterion, low, high)
     return Finding(
@@ -163,7 +163,7 @@ def judge(criterion: Criterion, low: float, high: float) -> str:
 
 
 def combine(findings: Sequence[Finding]) -> str:
-    """Return the verdict on a claim from its criteria: all must hold."""
+    """Combine the findings about a claim's criteria into its verdict: all criteria must hold."""
     verdicts = {finding.verdict for finding in findings} - {CONTEXT}
     for verdict in (NOT, UNDECIDED, REPRODUCED):
         if verdict in verdicts:

@@ -29,9 +29,9 @@ def examine_in_processes(
     caps: Mapping[str, int], settings: ReproduceSettings, settings_hash: str,
     finished: Callable[[str], None] = lambda claim: None,
 ) -> Iterator[ClaimResult]:  # fmt: skip
-    """Yield results as they come, from settings.threads processes; `caps` holds the ids of claims in order, and caps.
+    """Yield results as they come, from settings.threads processes; `caps`: the cap of each claim, in the order of work.
 
-    `finished` gets each id. Raises RuntimeError if a process fails; its own message is on the screen.
+    `finished` is called with each id. Raises RuntimeError if a process fails; its own message is on the screen.
     """
     waiting: queue.SimpleQueue[tuple[str, int]] = queue.SimpleQueue()
     for claim in caps.items():
@@ -58,13 +58,13 @@ def examine_in_processes(
 
 
 def start_worker() -> subprocess.Popen[str]:
-    """Start a process that examines claims."""
+    """Start a worker process that examines claims."""
     command = [sys.executable, "-m", "soccer_env.train.papers.workers"]
     return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
-    """Kill a worker, and end the thread that talks to it."""
+    """Kill a worker, and join the thread that talks to it."""
     worker.kill()
     if thread.is_alive():
         thread.join()
@@ -76,7 +76,7 @@ def serve(
     worker: subprocess.Popen[str], head: str, waiting: queue.SimpleQueue[tuple[str, int]],
     answers: queue.SimpleQueue[Any],
 ) -> None:  # fmt: skip
-    """Send a worker one claim after another until none is left, and pass on its answers."""
+    """Send a worker one claim after another until none is left, and put its answers into the queue `answers`."""
     assert worker.stdin is not None and worker.stdout is not None
     claim = ""
     try:
@@ -94,20 +94,20 @@ def serve(
 
 
 def tell(worker: subprocess.Popen[str], line: str) -> None:
-    """Write a line to a worker."""
+    """Write a line to the standard input of a worker."""
     assert worker.stdin is not None
     worker.stdin.write(line + "\n")
     worker.stdin.flush()
 
 
 def as_json(settings: ReproduceSettings) -> dict[str, Any]:
-    """Return the settings that decide the results of a run, for JSON; a worker has one core."""
+    """Return the settings that decide the results of a run, as plain data for JSON; a worker has one core."""
     left_out = {"out", "anew", "threads"}
     return {name: value for name, value in asdict(settings).items() if name not in left_out}
 
 
 def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
-    """Examine the claims of the lines, and print the result of each as a line."""
+    """Examine the claims that the lines request, and print each result as a line of JSON to `say`."""
     claims = all_claims()
     rest = iter(lines)
     head = json.loads(next(rest, "{}"))
@@ -121,7 +121,7 @@ def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
 
 
 def main() -> None:
-    """Work for the parent process until it has no more requests."""
+    """Run a worker: answer the parent process's requests until there are no more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends this process
     answers, sys.stdout = sys.stdout, sys.stderr  # so that a claim's own output is not read as an answer
     try:

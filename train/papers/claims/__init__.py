@@ -44,7 +44,7 @@ def all_claims() -> dict[str, Claim]:
 
 
 def find_claims(ids: Iterable[str], known: Mapping[str, Claim]) -> list[Claim]:
-    """Return claims by their ids, each once; ValueError, with the known ids, for an unknown one."""
+    """Look up claims by id, without duplicates; ValueError, with the known ids, for an unknown id."""
     wanted = list(dict.fromkeys(ids))
     for name in wanted:
         if name not in known:

@@ -33,7 +33,7 @@ BINS = (0.75, 0.9, 1.05, 1.2, 1.35, 1.5)  # [m/s] edges of the speed at the kick
 def face_shots(
     batch: Batch, settings: dict[str, Any], league: str = BLOCKING, far: bool = False, **more: Any
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Let shots roll at the goal of one goalkeeper; return goals (M,) and the speeds [m/s]."""
+    """Roll shots at the goal of one goalkeeper; return which go in (M,), and the speeds at the kick [m/s]."""
     rng = batch.rng()
     team = make_team("sacks-2001", **settings)
     match = stage(batch, league, matches=SHOTS, home=2, controllers={"home": team, "away": "still"}, **more)
@@ -56,7 +56,7 @@ def face_shots(
 
 
 def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.ndarray) -> np.ndarray:
-    """Hold the ball for LOOK seconds, let it roll, and return the goals (M,)."""
+    """Hold the ball for LOOK seconds, let it roll, and tell which balls go in (M,)."""
     scored = np.zeros(match.count, bool)
     for step in range(round((LOOK + SECONDS) * match.league.control_rate)):
         if step <= LOOK * match.league.control_rate:
@@ -73,10 +73,10 @@ def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.nda
 
 
 def angular_on_and_off(batch: Batch) -> Samples:
-    """Return the goals (M,) with the angular velocity and without it.
+    """Return which shots go in (M,), for goalkeepers that use the ball's angular velocity ("on") or do not ("off").
 
-    With a block; "far ...": from far off the line to the ball; "ideal ...": far, with ideal senses; "step ...": with
-    sidesteps alone, where "step guards" is a goalkeeper that does not react.
+    With a block; "far ...": starting far off the line to the ball; "ideal ...": far, with ideal senses; "step ...":
+    with sidesteps alone, where "step guards" is a goalkeeper that does not react.
     """
     samples: Samples = {}
     for name, settings in (("on", {}), ("off", {"angular_keeper": False})):
@@ -89,17 +89,17 @@ def angular_on_and_off(batch: Batch) -> Samples:
 
 
 def saved(samples: Samples, name: str) -> float:
-    """Return the share of shots that do not go in [%]."""
+    """Return the share of shots saved [%]."""
     return 100.0 * float(1.0 - samples[name].mean())
 
 
 def saved_by_speed(samples: Samples, name: str) -> list[float]:
-    """Return the share of shots saved [%] in each bin of speed."""
+    """Return the share of shots saved [%] in each bin of the speed at the kick."""
     return [100.0 * (1.0 - mean(samples[name][there])) for there in in_bins(samples["speed"], BINS)]
 
 
 def angular_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the saves against the speed of the shot."""
+    """Plot the share of shots saved against the speed of the shot."""
     names = {
         "on": "with the angular velocity",
         "off": "by the bearing alone",
@@ -159,7 +159,7 @@ S67 = Claim(
 
 
 def speeds_and_layers(batch: Batch) -> Samples:
-    """Return the goals (M,) with keeper_speed on and off, at both resolutions."""
+    """Return which shots go in (M,), with keeper_speed on and off, at both camera resolutions."""
     samples: Samples = {}
     for layer in LAYERS:
         for name, on in (("on", True), ("off", False)):
@@ -170,12 +170,12 @@ def speeds_and_layers(batch: Batch) -> Samples:
 
 
 def gain(samples: Samples, layer: str) -> float:
-    """Return the share of saves with reactions by speed minus the share without [%]."""
+    """Return the share of shots saved with reactions by speed minus the share without such reactions [%]."""
     return saved(samples, f"on {layer}") - saved(samples, f"off {layer}")
 
 
 def layer_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the saves against the speed of the shot, for both layers and settings."""
+    """Plot the share of shots saved against the speed of the shot, for both resolutions and settings."""
     names = {f"{name} {layer}": f"{layer}, {text}" for layer in LAYERS
              for name, text in (("on", "by speed"), ("off", "one reaction"))}  # fmt: skip
     curves = tuple(Curve(text, middles_of(BINS), saved_by_speed(samples, name)) for name, text in names.items())

@@ -53,7 +53,7 @@ def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
 
 
 def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
-    """Return counts, things found and squared errors (M, bins) of each variant, by the light of the changing runs.
+    """Return sums of frames, sightings, range readings and squared errors (M, bins), by variant and bin of the light.
 
     All three variants see the same scenes, and their frames are binned by the changing light. `adaptive`: further
     settings of the sensors of the variant whose table adapts.
@@ -74,33 +74,33 @@ def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
 
 
 def shares(samples: Samples, name: str) -> np.ndarray:
-    """Return the share of things seen in each bin of light [1]."""
+    """Return the share of things seen [1] in each bin of the light, for the variant `name`."""
     frames = samples[f"frames {name}"].sum(axis=0)
     share: np.ndarray = samples[f"found {name}"].sum(axis=0) / np.maximum(len(THINGS) * frames, 1.0)
     return np.where(frames > 0, share, np.nan)
 
 
 def errors(samples: Samples, name: str) -> np.ndarray:
-    """Return the root mean square range error [m] in each bin of light."""
+    """Return the rms range error of the ball [m] in each bin of the light, for the variant `name`."""
     read = samples[f"read {name}"].sum(axis=0)
     error: np.ndarray = np.sqrt(samples[f"square {name}"].sum(axis=0) / np.maximum(read, 1.0))
     return np.where(read > 0, error, np.nan)
 
 
 def over_best(samples: Samples, name: str, quantity: Any) -> np.ndarray:
-    """Return a quantity in each bin over its value under constant light in these frames."""
+    """Return a quantity in each bin of the light, divided by its value for the same frames under constant light."""
     ratio: np.ndarray = quantity(samples, name) / quantity(samples, "constant")
     return ratio
 
 
 def seen_in_changed_light(samples: Samples, name: str) -> float:
-    """Return the share of things seen in changed light over the share under constant light."""
+    """Return the number of things seen in changed light, divided by the number seen under constant light."""
     frames, best = (samples[f"found {kind}"][:, CHANGED:].sum() for kind in (name, "constant"))
     return float(frames / max(best, 1.0))
 
 
 def light_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw detection and range error against the light."""
+    """Plot the share of things seen and the range error against the change of the light."""
     middles = middles_of(BINS)
     seen = [Curve(label, middles, list(100 * shares(samples, name))) for name, label in LABELS.items()]
     erring = [Curve(label, middles, list(100 * errors(samples, name))) for name, label in LABELS.items()]

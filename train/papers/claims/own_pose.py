@@ -36,13 +36,13 @@ class Drivers:
         self.actions = standing(match)
 
     def targets(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return places within the field (M, R) [m]."""
+        """Return random target places within the field (M, R) [m]."""
         pitch, shape = self.match.league.pitch, self.match.robots.shape
         half_length, half_width = 0.5 * pitch.length - 0.5, 0.5 * pitch.width - 0.5
         return self.rng.uniform(-half_length, half_length, shape), self.rng.uniform(-half_width, half_width, shape)
 
     def steer(self, step: int) -> None:
-        """Fill in the actions of the next steps."""
+        """Replace reached targets and update the actions, every EVERY steps."""
         if step % EVERY:
             return
         drive, robots = self.match.league.drive, self.match.robots
@@ -109,7 +109,7 @@ def drive_and_carry(batch: Batch) -> Samples:
 
 
 def recovery(lost: np.ndarray, dt: float) -> np.ndarray:
-    """Return the first time [s] (M,) after which a robot is not lost (M, T) for HELD; NaN if there is none."""
+    """Return the first time [s] (M,) from which a robot is not lost for HELD seconds, NaN if none; lost: (M, T)."""
     held = round(HELD / dt)
     apart = np.cumsum(np.pad(lost, ((0, 0), (1, 0))), axis=1)
     calm = apart[:, held:] == apart[:, :-held]  # no lost frame from i to i + held
@@ -117,7 +117,7 @@ def recovery(lost: np.ndarray, dt: float) -> np.ndarray:
 
 
 def pose_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of recovered robots against the time since they were carried, and the error while driving."""
+    """Plot the share of recovered robots against the time since they were carried, and the error while driving."""
     times = np.linspace(0.0, LONGEST, 41)
     share = [100 * float(np.mean(samples["time"] <= time)) for time in times]
     bounds = np.linspace(0.0, 0.5, 26)

@@ -19,9 +19,9 @@ LAYERS = ("88x72", "176x144")
 
 
 def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensors: Any) -> dict[str, np.ndarray]:
-    """Return the scatter (M, T) of "range" [m] about each run's mean, of radial "velocity" [m/s], and "true" (M,) [m].
+    """Return deviations (M, T) of "range" [m] from each run's mean, radial "velocity" [m/s], and "true" range (M,) [m].
 
-    Ranges are by size alone unless `override` lets the ranger in.
+    Ranges are by size alone unless `override` lets the ranger correct them.
     """
     rng = batch.rng()
     settings = {"resolution": layer, "patches": 0.0, **sensors}
@@ -44,7 +44,7 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
 
 
 def compare_layers(batch: Batch, **fine: Any) -> Samples:
-    """Return the scatter with both layers; `fine`: sensor settings of the finer one; "... rules": all rules on."""
+    """Return `watch_still_balls` of both layers; `fine`: sensor settings of the finer layer; "... rules": ranger on."""
     samples: Samples = {}
     for layer, sensors in zip(LAYERS, ({}, fine), strict=True):
         for name, override in (("", False), (" rules", True)):
@@ -54,7 +54,7 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
 
 
 def as_much_flicker(batch: Batch) -> Samples:
-    """Return `compare_layers` with an equal angle of flicker in both layers: twice as many of the finer pixels."""
+    """Return `compare_layers` with a flicker of equal angle in both layers: of twice as many pixels in the finer."""
     from soccer_env.leagues import find_league
     from soccer_env.train.papers.staging import LEGGED
 
@@ -62,12 +62,12 @@ def as_much_flicker(batch: Batch) -> Samples:
 
 
 def ratio(samples: Samples, name: str, rules: str = "") -> float:
-    """Return the scatter of the finer layer over that of the coarser one."""
+    """Return the rms scatter of the finer layer divided by the rms scatter of the coarser layer."""
     return rms(samples[f"{name} {LAYERS[1]}{rules}"]) / max(rms(samples[f"{name} {LAYERS[0]}{rules}"]), 1e-12)
 
 
 def layer_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the scatter of both layers against the distance."""
+    """Plot the scatter of the range and of the velocity against the distance, for both layers."""
     edges = np.linspace(NEAR, FAR, 8)
     inside = in_bins(samples["true"], edges)
     middles = middles_of(edges, 100)

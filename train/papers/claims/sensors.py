@@ -40,7 +40,7 @@ LEVEL = -0.15  # [rad] tilt of a head that looks for players
 
 @dataclass(frozen=True)
 class Estimate:
-    """A quantity whose error is shown."""
+    """A sensed or estimated quantity whose error is plotted."""
 
     league: str
     name: str
@@ -49,7 +49,7 @@ class Estimate:
 
     @property
     def key(self) -> str:
-        """Return the key of its samples."""
+        """Return the name of the estimate's samples."""
         return f"{self.league} {self.name}"
 
 
@@ -88,7 +88,7 @@ def look_at_things(batch: Batch) -> Samples:
 
 
 def set_up(batch: Batch, league: str, **settings: Any) -> Match:
-    """Return matches in which a robot stands in front of its own goal and looks across the field."""
+    """Set up matches in which a robot stands in front of its own goal and looks across the field."""
     if league == LEGGED:
         settings["sensors"] = PLAIN  # a false ball has no true range
     match = stage(batch, league, matches=MATCHES, actions="full", **settings)
@@ -120,7 +120,7 @@ def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray
 
 
 def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray) -> Samples:
-    """Return the errors of robots' beliefs about an opponent with a random heading, as `watch_ball`."""
+    """Return errors of robots' beliefs about a standing opponent with a random heading, NaN in frames without it."""
     match = set_up(batch, league)
     put_ball(match, -BACK[league], 0.45 * match.league.pitch.width)  # far off, out of the way
     put(match, 1, *ahead_of(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
@@ -144,27 +144,27 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
 
 
 def fresh(match: Match) -> float:
-    """Return the greatest age [s] of a thing in the newest picture, which may be delivered late."""
+    """Return the greatest age [s] of an object seen in the newest picture, which may be delivered late."""
     late = getattr(match.league.sensors, "camera_delay", 0)
     return (late + 0.5) * match.league.dt
 
 
 def note(rows: dict[str, list[np.ndarray]], errors: dict[str, np.ndarray], seen: np.ndarray, name: str) -> None:
-    """Append the errors of one frame, NaN where the thing is not seen, and whether it is seen."""
+    """Append one frame to `rows`: the errors, NaN where the object is not seen, and, as `name`, whether it is seen."""
     for key, error in errors.items():
         rows.setdefault(key, []).append(np.where(seen, error, np.nan))
     rows.setdefault(name, []).append(seen.astype(float))
 
 
 def profile(samples: Samples, estimate: Estimate) -> list[float]:
-    """Return the rms error in each bin of the distance, or for "... seen" the share of frames."""
+    """Return the rms error of an estimate in each bin of the distance, or for "... seen" the share of frames."""
     edges, place = EDGES[estimate.league], samples[f"{estimate.league} place"]
     value = mean if estimate.name.endswith("seen") else rms
     return [estimate.scale * value(samples[estimate.key][there]) for there in in_bins(place, edges)]
 
 
 def sensor_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw one figure for each league and unit."""
+    """Plot the errors of all estimates against the distance, one figure for each league and unit."""
     figures = []
     for league in (LEGGED, MIDDLE):
         middles = middles_of(EDGES[league], 100)

@@ -27,9 +27,9 @@ BINS = (0.60, 0.75, 0.90, 1.05, 1.20, 1.50)  # [m] edges for bearing against ran
 
 
 def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None) -> Samples:
-    """Return deviations (M, T) [m] of estimates from each robot's own mean, and the ball's range (M,) [m].
+    """Return deviations (M, T) [m] of a still ball's estimates from each robot's mean, and the ball's range (M,) [m].
 
-    hold: frames that share one draw of camera noise; radius: of the ball [m], None for the league's.
+    hold: number of consecutive frames with equal camera noise; radius: ball radius [m], None for the league's radius.
     """
     rng = batch.rng()
     league = find_league(LEGGED)
@@ -59,7 +59,7 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
 
 
 def span_of(batch: Batch) -> float:
-    """Return the time [s] over which the filter averages: until it has left the old place of a moved ball."""
+    """Return the filter's averaging time [s]: from a jump of the ball until the estimate is within 10 % of the jump."""
     match = stage(batch, matches=1, actions="full", sensors=STEADY)
     put(match, 0, 0.0, 0.0)
     put_ball(match, 0.5, 0.0)
@@ -74,18 +74,18 @@ def span_of(batch: Batch) -> float:
 
 
 def ratio(samples: Samples) -> float:
-    """Return the deviation of the filtered range over the deviation of the raw range."""
+    """Return the rms deviation of the filtered range divided by the rms deviation of the raw range."""
     return rms(samples["filtered"]) / max(rms(samples["raw"]), 1e-12)
 
 
 def radial_over_tangential(samples: Samples) -> list[float]:
-    """Return the deviation along the line of sight over the deviation across it, in each bin of BINS."""
+    """Return the rms deviation along the line of sight divided by that across it, for each range bin of BINS."""
     inside = in_bins(samples["range"], BINS)
     return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
 
 
 def filter_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the deviation of raw and filtered range, and across the line of sight, against the distance."""
+    """Plot the deviations of the raw range, of the filtered range and across the line of sight against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
     inside = in_bins(samples["range"], edges)
     keys = {"raw": "raw", "mean of four": "filtered", "across the line of sight": "aside"}

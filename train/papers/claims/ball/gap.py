@@ -31,9 +31,9 @@ Steer = Callable[[], None]
 
 
 def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Return matches, their actions, and a function that steers them.
+    """Set up matches in which a robot walks to and fro before a ball that is kicked at random, and stares at it.
 
-    A robot walks to and fro before a ball that is kicked about, and stares at it.
+    Return the matches, their actions, and a function that updates the actions and kicks balls in every step.
     """
     match = stage(batch, matches=MATCHES, actions="full", sensors=CLEAN, memory={"velocity_gate": gate})
     put(match, 0, START, 0.0)
@@ -62,7 +62,7 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
 
 
 def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Return matches, actions and steering of a robot that follows a ball of three opponents with ideal senses."""
+    """Set up, as `kicked_about`, a robot that follows a ball played by three opponents with ideal senses."""
     match = stage(
         batch, matches=MATCHES, away=3, opponents="chaser", senses={"home": "sensors", "away": "ideal"},
         sensors=CLEAN, memory={"velocity_gate": gate},
@@ -77,7 +77,7 @@ def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
 
 
 def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
-    """Return the steps (T,) without sight of the ball, equal for all matches and variants."""
+    """Return flags of the steps in which the ball is hidden (steps + 1,), equal for all matches and variants."""
     rng = batch.rng(1)
     dark = np.zeros(steps + 1, bool)
     at = 0
@@ -90,7 +90,7 @@ def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
 
 
 def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Steer) -> tuple[np.ndarray, np.ndarray]:
-    """Return the gap before each reading of the radial velocity (M, T) [s] and its error [m/s]; NaN: no reading."""
+    """Return for each reading of radial velocity (M, T) the preceding gap in sight [s] and the error [m/s], or NaN."""
     dt = match.league.dt
     dark = schedule(batch, round(SECONDS / dt), dt)
     before, age = np.zeros(MATCHES), np.full(MATCHES, NEVER)
@@ -113,9 +113,9 @@ def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Stee
 
 
 def with_and_without_gate(batch: Batch) -> Samples:
-    """Return sums of squared errors and counts of readings (M, bins of the gap) with the rule and without, both scenes.
+    """Return squared errors and counts of readings by gap bin (M, bins), for both scenes, velocity gate on and off.
 
-    They are summed for each match, because the bootstrap resamples matches thousands of times.
+    Errors are summed for each match here, because the bootstrap resamples matches thousands of times.
     """
     samples = {}
     for scene, set_up in (("kicked", kicked_about), ("play", in_play)):
@@ -129,24 +129,24 @@ def with_and_without_gate(batch: Batch) -> Samples:
 
 
 def error_in(samples: Samples, name: str, first: int, last: int) -> float:
-    """Return the rms error [cm/s] of velocities read after gaps of the bins first to last - 1."""
+    """Return the rms error [cm/s] of radial velocities read after gaps in the bins `first` to `last` - 1."""
     readings = samples[f"readings {name}"][:, first:last].sum()
     squares = samples[f"squares {name}"][:, first:last].sum()
     return float(100 * np.sqrt(squares / readings)) if readings else float("nan")
 
 
 def by_gap(samples: Samples, name: str) -> list[float]:
-    """Return the rms errors [cm/s] in the bins."""
+    """Return the rms error [cm/s] of the radial velocity in each bin of the gap."""
     return [error_in(samples, name, i, i + 1) for i in range(len(BINS) - 1)]
 
 
 def long_over_none(samples: Samples, name: str) -> float:
-    """Return the error after gaps above the limit over the error without a gap."""
+    """Return the rms error after gaps longer than LIMIT divided by the rms error without a gap."""
     return error_in(samples, name, BINS.index(LIMIT), len(BINS)) / error_in(samples, name, 0, 1)
 
 
 def gap_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the errors against the gap."""
+    """Plot the error of the ball's radial velocity against the time for which the ball was not seen."""
     names = {"kicked on": "rule on", "kicked off": "rule off", "play on": "in play, rule on",
              "play off": "in play, rule off"}  # fmt: skip
     curves = tuple(Curve(title, GAPS, by_gap(samples, name)) for name, title in names.items())

@@ -20,13 +20,13 @@ MOVED = 0.2  # [m] a ball that moves farther in a frame was moved by the referee
 
 
 def heads_in_play(batch: Batch) -> Samples:
-    """Return the counts of `heads_of` for the chaser and for the paper's team."""
+    """Return the counts of `heads_of` for the team `chaser` and for the paper's team."""
     paper = {f"{name} by the paper's team": counts for name, counts in heads_of(batch, "sacks-2001").items()}
     return heads_of(batch, "chaser") | paper
 
 
 def heads_of(batch: Batch, team: str) -> Samples:
-    """Count frames in which robots see the ball in 3 v 3 play, and those in which the camera's axis meets it (M,)."""
+    """Count robots' frames (M,) of 3 v 3 play with the ball in sight, and those with the camera's axis on the ball."""
     match = kick_off(batch, matches=MATCHES, team=team)
     on_ball, seen = np.zeros(MATCHES), np.zeros(MATCHES)
     for step in play(match, SETTLE + SECONDS):
@@ -43,14 +43,14 @@ def heads_of(batch: Batch, team: str) -> Samples:
 
 
 class Counter:
-    """Counts of one run: jumps to a wrong place and right sightings, for each match (M,)."""
+    """Counts for each match (M,): jumps of the believed ball to a wrong distance, frames with a correct sighting."""
 
     def __init__(self, match: Match) -> None:
         self.jumps, self.right = np.zeros(match.count), np.zeros(match.count)
         self.before, self.place = self._believed(match), self._place(match)
 
     def note(self, match: Match) -> None:
-        """Count the last frame."""
+        """Add the current frame to the counts."""
         now = self._believed(match)
         place = self._place(match)
         true = ball_from(match)[0]
@@ -71,7 +71,7 @@ class Counter:
 
 
 def watch_three(batch: Batch, **memory: Any) -> Counter:
-    """Let a robot follow the true ball of three opponents with ideal senses, who play alike in every call."""
+    """Let a robot follow the ball of three opponents, who play identically in every call; return its counts."""
     senses = {"home": "sensors", "away": "ideal"}
     match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
@@ -85,7 +85,7 @@ def watch_three(batch: Batch, **memory: Any) -> Counter:
 
 
 def false_balls(batch: Batch) -> Samples:
-    """Count jumps and right sightings with both rules, with each of them, and with none."""
+    """Count jumps and correct sightings with both rules (horizon, double area), with each rule alone, and with none."""
     rules = {"none": (False, False), "both": (True, True), "horizon": (True, False), "area": (False, True)}
     samples: Samples = {}
     for name, (horizon, area) in rules.items():
@@ -95,7 +95,7 @@ def false_balls(batch: Batch) -> Samples:
 
 
 def fewer_jumps(samples: Samples, name: str) -> float:
-    """Return the reduction of jumps by some rules against none [%]."""
+    """Return the reduction [%] of jumps by the rules `name`, relative to no rules."""
     without = samples["jumps none"].sum()
     return float(100 * (1.0 - samples[f"jumps {name}"].sum() / without)) if without else float("nan")
 

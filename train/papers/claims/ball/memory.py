@@ -36,7 +36,7 @@ def misplaced(match: Match) -> np.ndarray:
 
 
 def look_at_ball(batch: Batch, **memory: Any) -> Match:
-    """Return matches whose robots have seen a still ball beside their way for a while."""
+    """Set up matches whose robots have watched a still ball beside their path for SEEN [s]."""
     rng = batch.rng()
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
     put(match, 0, rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES))
@@ -48,7 +48,7 @@ def look_at_ball(batch: Batch, **memory: Any) -> Match:
 
 
 def walk_unseeing(batch: Batch, odometry: str) -> Samples:
-    """Walk 1 m on an arc of up to 90 degrees away from the ball's side, then compare memory and truth (M,)."""
+    """Walk 1 m blind, on an arc of up to 90 degrees away from the ball; return errors of the remembered ball (M,)."""
     match = look_at_ball(batch, odometry=odometry)
     blind(match)
     seconds = WAY / SPEED
@@ -67,14 +67,14 @@ def walk_unseeing(batch: Batch, odometry: str) -> Samples:
 
 
 def compare_updates(batch: Batch) -> Samples:
-    """Return the errors of each variant of the memory."""
+    """Return the errors of `walk_unseeing` for each odometry variant of the ball memory."""
     return {
         f"{name} {odometry}": values for odometry in VARIANTS for name, values in walk_unseeing(batch, odometry).items()
     }
 
 
 def ball_rolls(batch: Batch, seen: bool) -> Samples:
-    """Let balls roll away at all speeds while the robot walks: their way and the error of their place (M, T) [m]."""
+    """Let balls roll while the robot walks; return how far each ball rolled and the error of its belief (M, T) [m]."""
     rng = batch.rng(1)
     match = look_at_ball(batch)
     if not seen:
@@ -99,12 +99,12 @@ def ball_rolls(batch: Batch, seen: bool) -> Samples:
 
 
 def error_by_way(samples: Samples) -> list[float]:
-    """Return the median error [cm] in each bin of the ball's own way."""
+    """Return the median error [cm] of the believed ball in each bin of the distance that the ball rolled."""
     return [100 * median(samples["error"][there]) for there in in_bins(samples["way"], BINS)]
 
 
 def push_unseen(batch: Batch, update: bool, turn: float) -> np.ndarray:
-    """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its memory (M,) [m]."""
+    """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its remembered place (M,) [m]."""
     rng = batch.rng()
     memory = {"odometry_while_dribbling": update}
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
@@ -123,18 +123,18 @@ def push_unseen(batch: Batch, update: bool, turn: float) -> np.ndarray:
 
 
 def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
-    """Return the errors without and with an update by odometry."""
+    """Return the errors of `push_unseen` without and with an update of the ball memory by odometry."""
     return {"off": push_unseen(batch, False, turn), "on": push_unseen(batch, True, turn)}
 
 
 def way_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the error against the ball's own way."""
+    """Plot the error of the remembered ball against the distance that the ball rolled unseen."""
     curve = Curve("median", middles_of(BINS, 100), error_by_way(samples))
     return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]", (curve,)),)
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:
-    """Return the ratio of the medians of two errors."""
+    """Return the median of the error `above` divided by the median of the error `below`."""
     return median(samples[above]) / max(median(samples[below]), 1e-9)
 
 

@@ -1,7 +1,8 @@
 """A ball that other robots hide in part, and its estimated range.  [Sacks 2001, 3.1.1]
 
-Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two others stand at random before a part of
-it, on the ground plan. The hidden share follows from two pictures without noise, with and without the others.
+Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two other
+robots stand at random places that hide part of the ball in plan view. The hidden share follows from two pictures
+without noise, with and without the other robots.
 """
 
 from collections.abc import Sequence
@@ -49,7 +50,7 @@ Scene = dict[str, np.ndarray]
 
 
 def draw_scene(batch: Batch) -> Scene:
-    """Draw the places of the ball and of two others in the axes of the robot that looks; NaN: absent."""
+    """Draw random places of a ball and of one or two other robots, in the frame of the observing robot; NaN: absent."""
     rng = batch.rng()
     scene = {"distance": rng.uniform(NEAR, FAR, MATCHES), "bearing": rng.uniform(-0.3, 0.3, MATCHES)}
     scene["others"] = np.full((MATCHES, 2, 3), np.nan)  # x, y, heading
@@ -65,7 +66,7 @@ def draw_scene(batch: Batch) -> Scene:
 
 
 def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarray]) -> np.ndarray | None:
-    """Return a random free place (x, y, heading) of a robot before a part of the ball, None without one."""
+    """Draw a free pose (x, y, heading) of a robot that hides part of the ball; None if 200 draws find none."""
     along = ball / np.linalg.norm(ball)
     for _ in range(200):
         share, aside = rng.uniform(0.3, 1.0), rng.uniform(-SIGHT, SIGHT)
@@ -78,7 +79,7 @@ def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarra
 
 
 def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
-    """Tell whether a robot's trunk is before a part of the ball, seen from the camera on the ground plan."""
+    """Tell whether a robot's trunk hides part of the ball from the camera, in plan view."""
     turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
     camera = CAMERA_AHEAD * ball / np.linalg.norm(ball)
     trunk, away = place + TRUNK @ turn - camera, ball - camera
@@ -88,7 +89,7 @@ def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
 
 
 def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
-    """Return matches of the scene, with or without the others."""
+    """Set up matches with the observing robot and the ball of a scene, with or without the scene's other robots."""
     match = stage(batch, matches=MATCHES, away=2, actions="full", **settings)
     put(match, 0, START, 0.0, 0.0)
     put_ball(match, *ahead_of(match, 0, scene["distance"], scene["bearing"]))
@@ -122,8 +123,8 @@ def hidden_parts(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np
 def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory: dict[str, Any]) -> Samples:
     """Return relative errors of the range (M, T) in frames that show the ball, and true ranges from the camera [m].
 
-    Heads are first turned to the true ball; then, unless `staring`, they track the believed ball. "centred": the axis
-    meets the ball; "short": the ranger reads less than the ball's distance by WELL_BEFORE.
+    Heads are first turned to the true ball; then, unless `staring`, they track the believed ball. "centred": the
+    camera's axis meets the ball; "short": the infrared ranger reads less than the ball's distance by WELL_BEFORE.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
     actions, dt = standing(match), match.league.dt
@@ -149,7 +150,7 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
 
 
 def by_dimension(batch: Batch, **memory: Any) -> Samples:
-    """Return the range errors of hidden balls by width, by height and by the closer of both, and the visible shares."""
+    """Return range errors of partly hidden balls by width, by height and by the closer of both; and visible shares."""
     scene = draw_scene(batch)
     samples = dict(zip(("width left", "height left", "area left"), hidden_parts(batch, scene), strict=True))
     for size in ("width", "height", "closer"):
@@ -158,7 +159,7 @@ def by_dimension(batch: Batch, **memory: Any) -> Samples:
 
 
 def bias_by_share(samples: Samples) -> list[float]:
-    """Return the median error [%] of range by one dimension (width and height alike) for each bin of HIDDEN."""
+    """Return the median error [%] of ranges by width or height alone (pooled), in each bin of the hidden share."""
     gone = 1.0 - samples["area left"]
     both = np.concatenate([samples["width"], samples["height"]], axis=1)
     edges = zip(HIDDEN, (*HIDDEN[1:], 1.01), strict=True)
@@ -166,19 +167,19 @@ def bias_by_share(samples: Samples) -> list[float]:
 
 
 def cuts(samples: Samples) -> np.ndarray:
-    """Return the number of cut dimensions of each ball (M,): 0, 1 or 2; NaN: unknown."""
+    """Return in how many dimensions, width and height, each ball is partly hidden (M,): 0, 1 or 2; NaN: unknown."""
     width, height = samples["width left"], samples["height left"]
     count: np.ndarray = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
     return count
 
 
 def bias_of_cut(samples: Samples, dimensions: int, size: str = "closer") -> float:
-    """Return the median error [%] of balls with that number of cut dimensions."""
+    """Return the median range error [%] of balls that are partly hidden in `dimensions` dimensions."""
     return 100 * median(samples[size][cuts(samples) == dimensions])
 
 
 def hidden_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the bias against the hidden share."""
+    """Plot the median range error against the hidden share of the ball's picture."""
     gone = 1.0 - samples["area left"]
     edges = np.linspace(0.0, 1.0, 9)
     inside = in_bins(gone, edges)

@@ -39,10 +39,10 @@ SMALLEST, LARGEST = 3, 60  # [px] sizes of the ball in S15
 
 
 def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **settings: Any) -> Samples:
-    """Return the beliefs of robots that stand and look at a ball: arrays (M, T), NaN in frames that do not show it.
+    """Let standing robots look at a ball; return true distances and errors (M, T), NaN in frames without the ball.
 
-    place (M,) [m] from the camera, roughly; pose, heading and bearing are random, nothing else is orange. "true" is the
-    distance from the body's centre, "range" from the camera; "distance" and "bearing" are errors.
+    place: approximate ball distances from the camera (M,) [m]; poses and bearings are random, nothing else is orange.
+    "true": from the body's centre, "range": from the camera; "distance" and "bearing": errors.
     """
     rng = batch.rng()
     count = len(place)
@@ -68,12 +68,12 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
 
 
 def old_system(batch: Batch) -> Samples:
-    """Watch balls at all distances to 60 cm with the system that Sacks found."""
+    """Watch balls at random distances up to 60 cm, with the settings of the system that preceded Sacks's work."""
     return watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD)
 
 
 def range_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the median error against the distance."""
+    """Plot the median and the quartiles of the range error against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
     error = np.abs(samples["distance"])
     errors = [error[there] for there in in_bins(samples["range"][:, 0], edges)]
@@ -102,7 +102,7 @@ S05 = Claim(
 
 
 def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
-    """Watch the same balls by size and by infrared alone: true range (M, T) and the error of each [m]."""
+    """Estimate ranges of equal balls by size and by infrared alone; return true ranges and both errors (M, T) [m]."""
     place = batch.rng(1).uniform(LEAST_RANGE - 0.05, MOST_RANGE + 0.05, 2 * MATCHES)
     rule = OLD | {"under_head": False}
     samples = {}
@@ -114,14 +114,14 @@ def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
 
 
 def binned_rms(samples: Samples, kind: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return the middles of the bins [m] and the rms error of a kind of range in each [m]."""
+    """Return the middles of the range bins [m], and in each bin the rms error [m] of ranges estimated by `kind`."""
     edges = np.arange(LEAST_RANGE, MOST_RANGE + 1e-9, WIDTH)
     inside = in_bins(samples["range"], edges)
     return np.array(middles_of(edges)), np.array([rms(samples[kind][i]) for i in inside])
 
 
 def crossing(samples: Samples) -> float:
-    """Return the least range [cm] beyond which, up to 60 cm, infrared errs more than size; interpolated in bins."""
+    """Return the smallest range [cm] beyond which, up to 60 cm, infrared errs more than size; interpolated in bins."""
     middles, by_size = binned_rms(samples, "size")
     ratio = np.log(binned_rms(samples, "infrared")[1] / by_size)
     better = np.flatnonzero((ratio <= 0.0) & (middles < FAR))
@@ -133,14 +133,14 @@ def crossing(samples: Samples) -> float:
 
 
 def least_ratio(samples: Samples) -> float:
-    """Return the smallest ratio of the rms errors, infrared over size, in the bins beyond the crossing."""
+    """Return the smallest ratio of the rms errors, infrared over size, among the range bins within BEYOND."""
     middles, by_size = binned_rms(samples, "size")
     there = (middles > BEYOND[0]) & (middles < BEYOND[1])
     return float(np.min((binned_rms(samples, "infrared")[1] / by_size)[there]))
 
 
 def crossing_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw both errors against the range."""
+    """Plot the range errors by size and by infrared against the range."""
     curves = []
     for kind in ("size", "infrared"):
         middles, error = binned_rms(samples, kind)
@@ -149,7 +149,7 @@ def crossing_figure(samples: Samples) -> Sequence[Figure]:
 
 
 def table_steps(resolution: str) -> Samples:
-    """Return the calibration table's ranges [m] between neighbouring sizes, and their differences."""
+    """Return the middle ("range") and size ("step") [m] of the calibration table's steps from one pixel to the next."""
     league = find_league(LEGGED)
     sensors = replace(league.sensors, resolution=resolution)
     table = calibrate(replace(league, sensors=sensors))["ball_width"][0, SMALLEST : LARGEST + 1]
@@ -157,13 +157,13 @@ def table_steps(resolution: str) -> Samples:
 
 
 def range_of_step(samples: Samples, step: float) -> float:
-    """Return the range [cm] at which one pixel is worth a step [m]."""
+    """Return the range [cm] at which one pixel of the ball's width is worth `step` [m] of range."""
     order = np.argsort(samples["step"][0], kind="stable")
     return float(100 * np.interp(step, samples["step"][0][order], samples["range"][0][order]))
 
 
 def step_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the worth of a pixel against the range."""
+    """Plot the range difference of one pixel of the ball's width against the range."""
     curve = Curve("88x72", list(100 * samples["range"][0]), list(100 * samples["step"][0]))
     return (Figure("One pixel of the ball's width", "range [cm]", "worth in range [cm]", (curve,), rules=(5.0, 10.0)),)
 

@@ -13,10 +13,10 @@ FAR = 0.60  # [m] range along the ground from the camera
 
 
 def with_and_without_infrared(batch: Batch) -> Samples:
-    """Return errors (M, T) [m] of balls cut in both dimensions, with the rule and without, and triggers on free balls.
+    """Return range errors (M, T) [m] of balls cut in width and height, infrared rule on and off, and false triggers.
 
-    "on", "off": cut below DEEP, the axis meets the ball; "all ...": these balls in every frame that shows them;
-    "mild ...": cut below CUT, the axis meets the ball.
+    "on", "off": visible shares below DEEP, camera's axis on the ball; "all ...": shares below DEEP, all frames with the
+    ball; "mild ...": shares below CUT, axis on the ball. "triggers": readings that the rule changes on free balls.
     """
     scene = draw_scene(batch)
     width, height, _ = hidden_parts(batch, scene)
@@ -37,7 +37,7 @@ def with_and_without_infrared(batch: Batch) -> Samples:
 
 
 def error_ratio(samples: Samples, frames: str = "") -> float:
-    """Return the mean absolute error with the rule over the error without it, in some frames."""
+    """Return the mean absolute error with the infrared rule over that without; `frames`: "", "all " or "mild "."""
     return mean(samples[f"{frames}on"]) / max(mean(samples[f"{frames}off"]), 1e-9)
 
 

@@ -31,7 +31,7 @@ WALK = 0.25  # [m] half of a walk with its start: standing robots are at the mea
 
 
 def true_radial(match: Match, r: int = 0) -> np.ndarray:
-    """Return the true rate of the distance between robot r and the ball (M,) [m/s]."""
+    """Return the true rate of change of the distance between robot r and the ball (M,) [m/s]."""
     robot, ball = match.robots[:, r], match.balls
     x, y = ball["x"] - robot["x"], ball["y"] - robot["y"]
     away = np.maximum(np.hypot(x, y), 1e-9)
@@ -42,9 +42,9 @@ def true_radial(match: Match, r: int = 0) -> np.ndarray:
 def walk_to_ball(
     batch: Batch, start: np.ndarray, seconds: float, stuck: bool, pace: float = 1.0, **settings: Any
 ) -> Samples:
-    """Let robots walk straight to a still ball `start` (M,) [m] from the camera: radial velocities (M, T), "range" [m].
+    """Let robots walk to a still ball `start` (M,) [m] from the camera; return radial velocities and ranges (M, T).
 
-    Stuck robots have no traction: their legs walk and their odometry counts, but they stay. At pace 0 they stand.
+    "radial": believed, "rate": true [m/s]. Stuck robots step and count odometry, but stay: no traction. Pace 0: stand.
     """
     count = len(start)
     rng = batch.rng()
@@ -76,7 +76,7 @@ def walk_to_ball(
 
 
 def sweep_intervals(batch: Batch) -> Samples:
-    """Return the errors (M, T) of the radial velocity for each interval, walking towards a ball and standing."""
+    """Return errors (M, T) [m/s] of the radial velocity for each reading interval, of walking and standing robots."""
     rng = batch.rng(1)
     starts = {"walking": rng.uniform(SHORT, LONG, MATCHES), "standing": rng.uniform(SHORT - WALK, LONG - WALK, MATCHES)}
     samples = {}
@@ -94,23 +94,23 @@ def sweep_intervals(batch: Batch) -> Samples:
 
 
 def interval_errors(samples: Samples, how: str) -> list[float]:
-    """Return the root mean square error [cm/s] for each interval, "walking" or "standing"."""
+    """Return the rms error [cm/s] of the radial velocity for each interval; `how`: "walking" or "standing"."""
     return [100 * rms(samples[f"{how} {interval}"]) for interval in INTERVALS]
 
 
 def least_fall(samples: Samples, how: str) -> float:
-    """Return the least fall of the error from an interval to the next longer one [cm/s]."""
+    """Return the smallest decrease [cm/s] of the error from one interval to the next longer interval."""
     return least_rise([-error for error in interval_errors(samples, how)])
 
 
 def error_over(samples: Samples, how: str, one: int, other: int = 2) -> float:
-    """Return the ratio of the errors at two intervals, given as indices of INTERVALS."""
+    """Return the error at interval `one` divided by the error at interval `other`, both indices of INTERVALS."""
     errors = interval_errors(samples, how)
     return errors[one] / max(errors[other], 1e-9)
 
 
 def readings_at_60(batch: Batch, **settings: Any) -> Samples:
-    """Count readings of stuck and of walking robots about 60 cm from the ball, and the wrong judgements."""
+    """Count velocity readings of stuck and walking robots about 60 cm from the ball, and readings that misjudge."""
     shifts = batch.rng(1).uniform(-AROUND, AROUND, MATCHES)
     free = walk_to_ball(batch, PLACE + TOP_SPEED * (SETTLE + 0.5) + shifts, 1.0, stuck=False, **settings)
     stuck = walk_to_ball(batch, PLACE + shifts, 1.0, stuck=True, **settings)
@@ -120,7 +120,7 @@ def readings_at_60(batch: Batch, **settings: Any) -> Samples:
 
 
 def series_of_readings(batch: Batch) -> Samples:
-    """Return means of the first 1 to 9 readings (M, 9) [m/s], of robots that walk in from 60 cm and of stuck ones."""
+    """Return means of the first 1 to 9 readings (M, 9) [m/s], of robots walking in from 60 cm and of stuck robots."""
     dt = find_league(LEGGED).dt
     seconds = READINGS * READING
     times = SETTLE + dt * np.arange(1, round(seconds / dt) + 1)
@@ -136,14 +136,14 @@ def series_of_readings(batch: Batch) -> Samples:
 
 
 def interval_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the error against the interval, and the speed of the walk as a rule."""
+    """Plot the error of the radial velocity against the interval; a dashed line marks the walking speed."""
     curves = tuple(Curve(how, INTERVALS, interval_errors(samples, how)) for how in ("walking", "standing"))
     label = "interval between readings [s]"
     return (Figure("Error of the radial velocity", label, "rms error [cm/s]", curves, rules=(100 * TOP_SPEED,)),)
 
 
 def readings_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of wrong judgements against the number of readings."""
+    """Plot the share of wrong judgements against the number of readings."""
     shares = [50.0 * float(samples["wrong"][:, n].mean()) for n in range(READINGS)]
     curve = Curve("stuck or walking, from 60 cm on", range(1, READINGS + 1), shares)
     return (

@@ -17,7 +17,7 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 
 def place_still_behind(league: League, ball: Any, robots: Any, draw: Draw) -> None:
-    """Put a mover as in dribble-past-mover-far, and a still player on the way behind its crossing."""
+    """Place a mover as in dribble-past-mover-far, and a still player on the path beyond the mover's crossing."""
     robot, (still, mover), way = start_dribble(league, ball, robots, draw, 2)
     put_at(league, robot, still, draw.between(0.95, 1.1), way + draw.between(-0.1, 0.1), draw.between(-pi, pi))
     aside = draw.side() * draw.between(0.35, 0.7)
@@ -36,7 +36,7 @@ OPPOSITE = len(CLASSES) - 1
 
 
 def pass_classes(batch: Batch) -> Samples:
-    """Dribble in all classes; arrays (M, classes), the mean over the drills of a class, also under "middle ..."."""
+    """Dribble in all classes; return means over each class's drills (M, classes), named as in `play_both_ways`."""
     plan: Plan = [(scene, {}, PAPER) for _, scenes in CLASSES for scene in scenes]
     runs = play_both_ways(batch, plan, MATCHES)
     ends = np.cumsum([0] + [len(scenes) for _, scenes in CLASSES])
@@ -47,12 +47,12 @@ def pass_classes(batch: Batch) -> Samples:
 
 
 def best_less_next(samples: Samples, name: str = "clean") -> float:
-    """Return the clean share [%] with one still player minus the best of the other classes."""
+    """Return the clean share [%] with one still player minus the best clean share of the other classes."""
     return clean(samples, name, 0) - max(clean(samples, name, i) for i in range(1, len(CLASSES)))
 
 
 def others_less_opposite(samples: Samples, name: str = "clean") -> float:
-    """Return the least clean share [%] of the other classes minus the share with players on opposite sides."""
+    """Return the smallest clean share [%] of the other classes minus the share with players on opposite sides."""
     return min(clean(samples, name, i) for i in range(OPPOSITE)) - clean(samples, name, OPPOSITE)
 
 

@@ -30,7 +30,7 @@ WORLDS = {"": LEGGED, "smooth ": "legged-2001-smooth"}  # prefix of the samples:
 
 
 def in_both_worlds(measure: Callable[[Batch, str], Samples]) -> Callable[[Batch], Samples]:
-    """Return a measurement with legs, and with the one-piece body under "smooth ..."."""
+    """Wrap a measurement to run with swinging legs and with the one-piece body (samples named "smooth ...")."""
 
     def both(batch: Batch) -> Samples:
         return {f"{name}{key}": array for name, world in WORLDS.items() for key, array in measure(batch, world).items()}
@@ -42,7 +42,7 @@ def in_both_worlds(measure: Callable[[Batch, str], Samples]) -> Callable[[Batch]
 
 
 def dribble_steps(batch: Batch, world: str) -> Samples:
-    """Let the team dribble towards an empty goal; arrays (M, len(STEPS)) of `losses`."""
+    """Let the team dribble towards an empty goal at each step length; return arrays (M, len(STEPS)) of `losses`."""
     rng, runs = batch.rng(), []
     y, turned = rng.uniform(-0.5, 0.5, MATCHES), rng.uniform(-0.5, 0.5, MATCHES)
     for step in STEPS:
@@ -55,24 +55,24 @@ def dribble_steps(batch: Batch, world: str) -> Samples:
 
 
 def per_metre(samples: Samples, world: str = "") -> list[float]:
-    """Return the balls lost for each metre dribbled, by step length."""
+    """Return the number of balls lost per metre dribbled, for each step length."""
     lost, metres = samples[f"{world}lost"].sum(axis=0), samples[f"{world}metres"].sum(axis=0)
     return [float(value) for value in lost / np.maximum(metres, 1e-9)]
 
 
 def rise(samples: Samples, world: str = "") -> float:
-    """Return the losses per metre at 4 cm minus twice the losses at 3.5 cm."""
+    """Return the losses per metre at a step length of 4 cm minus twice the losses at 3.5 cm."""
     by_step = per_metre(samples, world)
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
 def share(samples: Samples, hits: str, trials: str) -> float:
-    """Return the share of hits among trials [%]."""
+    """Return the sum of the samples `hits` divided by the sum of the samples `trials` [%]."""
     return 100.0 * float(samples[hits].sum()) / max(float(samples[trials].sum()), 1.0)
 
 
 def step_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the losses against the step length."""
+    """Plot the balls lost per metre against the step length."""
     centimetres = [100 * step for step in STEPS]
     curves = (
         Curve("legs that swing", centimetres, per_metre(samples)),
@@ -114,7 +114,7 @@ S51 = Claim(
 
 
 def walk_aside(batch: Batch, world: str) -> Samples:
-    """Let robots push the ball at each angle off straight ahead, half of them to the left; "lost" (M, angles)."""
+    """Let robots push the ball at each angle off straight ahead, half to the left; "lost" (M, angles) is 0 or 1."""
     side, lost = batch.rng().choice([-1.0, 1.0], MATCHES), []
     for angle in ANGLES:
         match = stage(batch, world, matches=MATCHES, senses="ideal")
@@ -133,7 +133,7 @@ def walking(match: object, step: float, angle: np.ndarray) -> np.ndarray:
 
 
 def by_angle(samples: Samples, world: str = "") -> list[float]:
-    """Return the share of balls lost [%] at each angle."""
+    """Return the share of runs that lose the ball [%] at each angle off straight ahead."""
     return [100.0 * float(value) for value in samples[f"{world}lost"].mean(axis=0)]
 
 
@@ -155,7 +155,7 @@ def knee(samples: Samples, world: str = "") -> float:
 
 
 def angle_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of lost balls against the angle."""
+    """Plot the share of lost balls against the angle off straight ahead."""
     curves = (
         Curve("legs that swing", ANGLES, by_angle(samples)),
         Curve("body of one piece", ANGLES, by_angle(samples, "smooth ")),
@@ -191,9 +191,9 @@ S59 = Claim(
 
 
 def push_on(batch: Batch, world: str) -> Samples:
-    """Let robots walk at 45 and 55 degrees with the ball and a robot right ahead.
+    """Let robots walk with the ball at 45 and 55 degrees off straight ahead, with another robot right ahead.
 
-    "caught": share of time (M, 2) caught in the robot; "made": distance walked [m].
+    "caught": share of time (M, 2) for which the other robot blocks them; "made": distance walked [m].
     """
     rng = batch.rng()
     shares = []
@@ -212,18 +212,18 @@ def push_on(batch: Batch, world: str) -> Samples:
 
 
 def caught_more(samples: Samples, world: str = "") -> float:
-    """Return the share of time caught [%] at 45 degrees minus the share at 55."""
+    """Return the share of time blocked by the other robot [%] at 45 degrees minus the share at 55 degrees."""
     by_limit = samples[f"{world}caught"].mean(axis=0)
     return 100.0 * float(by_limit[0] - by_limit[1])
 
 
 def caught_at(samples: Samples, index: int, world: str = "") -> float:
-    """Return the share of time [%] caught at one of the two angles."""
+    """Return the share of time [%] for which the other robot blocks the walk at the angle LIMITS[index]."""
     return 100.0 * float(samples[f"{world}caught"][:, index].mean())
 
 
 def made_at(samples: Samples, index: int, world: str = "") -> float:
-    """Return the distance walked [cm] at one of the two angles."""
+    """Return the mean distance walked [cm] at the angle LIMITS[index]."""
     return 100.0 * float(samples[f"{world}made"][:, index].mean())
 
 

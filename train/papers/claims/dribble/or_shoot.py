@@ -29,7 +29,7 @@ MORE: dict[str, dict[str, Any]] = {
 
 
 def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -> tuple[np.ndarray, ...]:
-    """Play until a goal or the end against blockers of a team, or nobody.
+    """Play from the drill's start to a goal or for SECONDS, against the team `blockers` or, if None, against nobody.
 
     Return goals and goals against (M,), the ball's progress [m] towards the goal, and the time of the end [s].
     """
@@ -57,7 +57,7 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
 
 
 def both_strategies(batch: Batch) -> Samples:
-    """Return goals, goals against, progress and time of both strategies for each kind of blockers, and of MORE."""
+    """Return goals, goals against, progress and end times of both strategies by kind of blockers, and of MORE."""
     samples: Samples = {}
     plan = [(name, settings, where) for name, settings in STRATEGIES.items() for where in BLOCKERS]
     plan += [(name, settings, "") for name, settings in MORE.items()]
@@ -69,18 +69,18 @@ def both_strategies(batch: Batch) -> Samples:
 
 
 def more(samples: Samples, quantity: str, where: str = "", factor: float = 100.0) -> float:
-    """Return the mean of a quantity when dribbling minus its mean with orbit and shoot."""
+    """Return the mean of `quantity` when dribbling minus the mean when orbiting and shooting, times `factor`."""
     new, old = (samples[f"{quantity} {name}{where}"].mean() for name in STRATEGIES)
     return factor * float(new - old)
 
 
 def share_of(samples: Samples, name: str, quantity: str = "goals") -> float:
-    """Return the share of runs [%] with a goal, or with a goal against."""
+    """Return the share of runs [%] in which a strategy scores ("goals") or concedes ("against")."""
     return 100.0 * float(samples[f"{quantity} {name}"].mean())
 
 
 def goal_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of runs with a goal against the time."""
+    """Plot the share of runs with a goal against the time."""
     times = tuple(np.arange(0.0, SECONDS + 1.0, 5.0))
     curves = tuple(
         Curve(f"{name}, {text}", times, [

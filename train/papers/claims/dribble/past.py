@@ -1,7 +1,7 @@
 """Dribbling past standing players and past a walking one.  [Sacks 2001, 4.3.4]
 
 Verdicts count a player's distance from the camera to its surface, as the sensors gave it (MS42). The runs are repeated
-with distances from middle to middle, 25 cm more for a player straight ahead.
+with distances from middle to middle, which are 25 cm longer for a player straight ahead.
 """
 
 from collections.abc import Sequence
@@ -36,18 +36,18 @@ BODIES = "The field takes robots for points (MS44); bodies count as touching whe
 
 
 def clean(samples: Samples, name: str = "clean", columns: Any = slice(None)) -> float:
-    """Return the share [%] of a result over runs and some columns."""
+    """Return the share [%] of runs with the result `name`, such as a clean pass, over the given columns."""
     return 100.0 * float(samples[name][:, columns].mean())
 
 
 def play_all(batch: Batch, plan: Plan, matches: int) -> Samples:
-    """Play scenes, each with settings of the team and a mover's speed; arrays (M, len(plan)) of `play_drill`."""
+    """Play each scene of a plan with its team settings and mover speed; return `play_drill` arrays (M, len(plan))."""
     runs = [play_drill(batch, scene, settings, matches, speed) for scene, settings, speed in plan]
     return {name: np.stack([one[name] for one in runs], axis=1) for name in runs[0]}
 
 
 def play_both_ways(batch: Batch, plan: Plan, matches: int) -> Samples:
-    """Play scenes with both counts of distances: the arrays of `play_all`, and others under "middle ..."."""
+    """Play a plan with both definitions of a player's distance; "middle ..." counts between middles of bodies."""
     samples: Samples = {}
     for prefix, way in WAYS.items():
         runs = play_all(batch, [(scene, {**settings, **way}, speed) for scene, settings, speed in plan], matches)
@@ -59,7 +59,7 @@ def play_both_ways(batch: Batch, plan: Plan, matches: int) -> Samples:
 
 
 def pass_still(batch: Batch) -> Samples:
-    """Dribble past one, two and three standing players; past one also with ideal senses and with twice k2."""
+    """Dribble past one, two, three standing players; past one also with ideal senses, doubled k2, and from afar."""
     samples = play_both_ways(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
     variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (
@@ -76,7 +76,7 @@ def pass_still(batch: Batch) -> Samples:
 
 
 def still_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the outcome of the runs against the number of players."""
+    """Plot the shares of runs by outcome against the number of players."""
     names = {
         "clean": "past, without a touch",
         "free": "past, no touch that stops or turns",
@@ -131,24 +131,24 @@ S62 = Claim(
 
 
 def pass_mover(batch: Batch) -> Samples:
-    """Dribble past one mover: columns by drill, then by speed; "middle ..." by drill at SLOW and less."""
+    """Dribble past one mover; columns: drills, in each the speeds; "middle ...": only speeds up to SLOW."""
     samples = play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
     slow = [(scene, FROM_MIDDLE, speed) for scene in MOVING for speed in SPEEDS if speed <= SLOW]
     return samples | {f"middle {name}": values for name, values in play_all(batch, slow, FEWER).items()}
 
 
 def of_drill(index: int, most: float = 1.0) -> list[int]:
-    """Return the columns of one drill of MOVING, at speeds up to `most` [m/s]."""
+    """Return the column indices of one drill of MOVING, at speeds up to `most` [m/s]."""
     return [index * len(SPEEDS) + i for i, speed in enumerate(SPEEDS) if speed <= most]
 
 
 def of_speed(*speeds: float) -> list[int]:
-    """Return the columns of some speeds [m/s]."""
+    """Return the column indices of the given speeds [m/s], in all drills of MOVING."""
     return [i for i in range(len(MOVING) * len(SPEEDS)) if SPEEDS[i % len(SPEEDS)] in speeds]
 
 
 def mover_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the clean runs against the mover's speed, one curve for each drill."""
+    """Plot the share of clean runs against the mover's speed, one curve for each drill."""
     centimetres = [100 * speed for speed in SPEEDS]
     curves = tuple(
         Curve(scene.removeprefix("dribble-past-"), centimetres, list(100.0 * samples["clean"][:, of_drill(i)].mean(0)))

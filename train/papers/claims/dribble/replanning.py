@@ -16,35 +16,35 @@ DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a be
 
 
 def pass_by_replan(batch: Batch) -> Samples:
-    """Dribble past two still players and past a mover that starts afar: arrays (M, times), the mean of both."""
+    """Dribble past two still players, and past a mover from afar; return means of both by decision time (M, times)."""
     plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
     runs, count = play_both_ways(batch, plan, FEWER), len(REPLANS)
     return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in runs.items()}
 
 
 def at_time(samples: Samples, *times: float) -> float:
-    """Return the clean share [%] at some times between decisions."""
+    """Return the share of clean runs [%] at the given times between decisions."""
     return clean(samples, "clean", [REPLANS.index(time) for time in times])
 
 
 def fitted(samples: Samples, *times: float, name: str = "clean") -> float:
-    """Return the clean share [%] at some times (mean) by the curve fitted to all times."""
+    """Return the mean clean share [%] at the given decision intervals, on the curve fitted over all intervals."""
     curve = np.polyfit(np.log2(REPLANS), 100.0 * samples[name].mean(axis=0), DEGREE)
     return float(np.polyval(curve, np.log2(times)).mean())
 
 
 def gained(samples: Samples, name: str = "clean") -> float:
-    """Return the curve [%] at an eighth and a quarter of a second (mean) minus its value at half a second."""
+    """Return the fitted share [%] at decision intervals of 1/8 and 1/4 s (mean) minus the fitted share at 1/2 s."""
     return fitted(samples, 0.125, 0.25, name=name) - fitted(samples, 0.5, name=name)
 
 
 def worse(samples: Samples, name: str = "clean") -> float:
-    """Return the curve [%] at half a second minus its value at a second."""
+    """Return the fitted share [%] at a decision interval of 1/2 s minus the fitted share at 1 s."""
     return fitted(samples, 0.5, name=name) - fitted(samples, 1.0, name=name)
 
 
 def replan_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the clean runs against the time between decisions, and the curve."""
+    """Plot the shares of runs by outcome against the time between decisions, and the fitted curve."""
     curves = [
         Curve(text, REPLANS, list(100.0 * samples[name].mean(axis=0)))
         for name, text in (("clean", "without a touch"), ("past", "past"), ("middle clean", "from the middle"))

@@ -25,17 +25,17 @@ AXES = {"k2": GAINS, "x0": RANGES}
 
 
 def scenes(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return starts, and players: one stands up to 25 cm beside the way, or one comes straight for the start."""
+    """Draw starts and two kinds of players: standing up to 25 cm beside the path, or coming straight at the start."""
     return starts(rng), {"standing": one_ahead(rng, 0.0, 0.25), "moving": one_comes(rng)}
 
 
 def setting(axis: str, value: float) -> dict[str, Any]:
-    """Return the team's settings with one of the constants changed."""
+    """Return the team settings that set one constant, the gain ("k2") or the range, to a value."""
     return {"player_gain" if axis == "k2" else "player_range": value}
 
 
 def along_lines(batch: Batch) -> Samples:
-    """Return success (M,) of points and of robots (NaN: not played) for each kind of scene, constant and value."""
+    """Return whether points and robots pass cleanly (M,) (NaN: not played) by kind of scene, constant and its value."""
     start, crowds = scenes(batch.rng())
     samples: Samples = {}
     for kind, crowd in crowds.items():
@@ -55,19 +55,19 @@ def along_lines(batch: Batch) -> Samples:
 def robots_succeed(
     batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int
 ) -> dict[str, np.ndarray]:
-    """Return the success (M,) of robots in the first scenes, NaN in the rest, by prefix of the distances."""
+    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN; keys as in `run_both_ways`."""
     both = run_both_ways(batch, start[:count], crowd[:count], **play)
     return {prefix: filled(runs.is_clean) for prefix, runs in both}
 
 
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
-    """Return the success [%] for each tried value."""
+    """Return the share of clean runs [%] at each tried value of a constant."""
     values = AXES[axis] if who == "points" else TRIED[axis]
     return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values]
 
 
 def least_sufficient(samples: Samples, who: str, kind: str, axis: str) -> float:
-    """Return the least value [m] at which the fitted curve of success is within NEARLY of its maximum."""
+    """Return the least value [m] of a constant at which the fitted success curve is within NEARLY of its maximum."""
     values = AXES[axis] if who == "points" else TRIED[axis]
     fine = np.linspace(np.log2(values[0]), np.log2(values[-1]), FINE)
     curve = np.polyval(np.polyfit(np.log2(values), success(samples, who, kind, axis), len(values) // 2), fine)
@@ -75,17 +75,17 @@ def least_sufficient(samples: Samples, who: str, kind: str, axis: str) -> float:
 
 
 def larger(samples: Samples, who: str, axis: str) -> float:
-    """Return the least sufficient value for moving players over that for standing ones."""
+    """Return the least sufficient value of a constant for moving players divided by the value for standing players."""
     return least_sufficient(samples, who, "moving", axis) / least_sufficient(samples, who, "standing", axis)
 
 
 def of_paper(samples: Samples, who: str, kind: str) -> float:
-    """Return the success [%] with the paper's constants."""
+    """Return the share of clean runs [%] with the paper's constants."""
     return 100 * mean(samples[f"{who} {kind} k2 {PAPER[0]:g}"])
 
 
 def line_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw success against both constants, of points and of robots."""
+    """Plot the share of clean runs against each constant, for points and for robots."""
     return [
         Figure(
             f"Passing a player without touching it, against {axis}",
@@ -145,7 +145,7 @@ S53 = Claim(
 
 
 def tuned_in_points(batch: Batch) -> Samples:
-    """Tune both constants with points, and try them with robots in the same scenes (M,), and the paper's constants."""
+    """Tune both constants with points; return clean passes (M,) of points and robots with tuned and paper's values."""
     start, crowds = scenes(batch.rng())
     gain, far = tune(start, crowds)
     samples: Samples = {"gain": np.full(SCENES, gain), "range": np.full(SCENES, far)}
@@ -165,7 +165,7 @@ def tuned_in_points(batch: Batch) -> Samples:
 
 
 def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float]:
-    """Return the gain and range [m] with the most clean passes of points, and of equal ones the shortest paths."""
+    """Return the gain and range [m] with the most clean passes of points; ties go to the shortest paths."""
     best, chosen = (-1.0, 0.0), (0.8, 1.0)
     for gain in GAINS:
         for far in RANGES:
@@ -178,12 +178,12 @@ def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float
 
 
 def dropped(samples: Samples, name: str, who: str = "robots", kinds: Sequence[str] = KINDS) -> float:
-    """Return the clean passes of points minus those of robots [pp]."""
+    """Return the share of clean passes of points minus the share of robots [pp]."""
     return passing(samples, "points", name, kinds) - passing(samples, who, name, kinds)
 
 
 def passing(samples: Samples, who: str, name: str, kinds: Sequence[str] = KINDS) -> float:
-    """Return the share of runs [%] that pass cleanly."""
+    """Return the share of runs [%] that pass cleanly, over kinds of scenes."""
     return 100 * mean([samples[f"{who} {kind} {name}"] for kind in kinds])
 
 

@@ -20,7 +20,7 @@ QUIET = 0.1  # [1] share of repetitions that no other program disturbs, assumed
 
 
 def time_decisions(batch: Batch) -> Samples:
-    """Return the times of a decision among five others and of a robot's whole frame [us], in 32 repetitions."""
+    """Time a decision among five other players and a robot's whole frame [us], in 32 repetitions."""
     rng, repetitions = batch.rng(), 32
     start = starts(rng, 64)
     crowd = players(np.stack([rng.uniform(-0.8, 1.2, (64, OTHERS)), rng.uniform(-0.9, 0.9, (64, OTHERS))], axis=-1))
@@ -42,12 +42,12 @@ def time_decisions(batch: Batch) -> Samples:
 
 
 def undisturbed(times: np.ndarray) -> float:
-    """Return the time [us] of a repetition that no other program disturbs."""
+    """Return the QUIET quantile of repeated times [us], an estimate without disturbance by other programs."""
     return quantile(times, QUIET)
 
 
 def planning(samples: Samples, steps: float = 1.0) -> float:
-    """Return the time of `steps` decisions every half second over the time of a robot's frames [%]."""
+    """Return the time of `steps` decisions in each replan interval over the time of the robot's frames in it [%]."""
     each = SacksSettings().replan * find_league(LEGGED).control_rate  # [frames]
     return 100.0 * steps * undisturbed(samples["time"]) / (each * undisturbed(samples["frame"]))
 

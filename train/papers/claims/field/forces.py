@@ -34,7 +34,7 @@ GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 
 def matched_exponents(batch: Batch) -> Samples:
-    """Return onset [m], peak turn [rad] and clearance [m] (scenes, exponents), for equal forces at 444 mm."""
+    """Return distance at first reaction [m], peak turn [rad], clearance [m] (M, exponents); forces equal at 444 mm."""
     rng = batch.rng()
     start, crowd = starts(rng), one_ahead(rng, 0.0, 0.25)
     columns: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
@@ -55,17 +55,17 @@ def matched_gain(exponent: int) -> float:
 
 
 def of_exponent(samples: Samples, n: int, name: str, scale: float) -> float:
-    """Return the median of a quantity for an exponent."""
+    """Return the median of the quantity `name` for the exponent `n`, times `scale`."""
     return scale * median(samples[name][:, EXPONENTS.index(n)])
 
 
 def of_exponents(samples: Samples, name: str, scale: float) -> list[float]:
-    """Return the median of a quantity for each exponent."""
+    """Return the median of the quantity `name` for each exponent, times `scale`."""
     return [of_exponent(samples, n, name, scale) for n in EXPONENTS]
 
 
 def exponent_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the forces against the distance, and paths past a player through the field of the last version."""
+    """Plot each exponent's force against the distance, and its path past a player over the default field."""
     distances = np.linspace(0.25, 1.1, 35)
     curves, paths = [], {}
     crowd, start = players([[0.0, 0.12]]), np.array([[START, 0.0]])
@@ -112,7 +112,7 @@ S44 = Claim(
 
 
 def reactions(batch: Batch, **play: Any) -> Samples:
-    """Return deviations from the goal's direction [degrees] past a player in one relative place, near and far."""
+    """Return turns off the goal's direction [degrees] for a player at equal relative places, near the goal and far."""
     rng, samples = batch.rng(), {}
     distance, bearing = rng.uniform(0.25, 0.7, SCENES), rng.uniform(-1.0, 1.0, SCENES)
     for name, away in (("near", NEAR_GOAL), ("far", FAR_GOAL)):
@@ -125,7 +125,7 @@ def reactions(batch: Batch, **play: Any) -> Samples:
 
 
 def difference(samples: Samples, kind: str) -> np.ndarray:
-    """Return the difference of the reactions near the goal and far from it (M,) [degrees]."""
+    """Return the absolute difference (M,) [degrees] between reactions near the goal and far from the goal."""
     values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
     return values
 
@@ -153,7 +153,7 @@ S46 = Claim(
 
 
 def with_and_without_cosine(batch: Batch) -> Samples:
-    """Return deviation and length [m] and collisions (M,) with the cosine factor and without it."""
+    """Return deviations and lengths [m] of paths and collisions (M,), with the cosine factor and without it."""
     rng, samples = batch.rng(), {}
     start, crowd = starts(rng), one_ahead(rng, 0.0, 0.4)
     for name, cosine in (("with", True), ("without", False)):
@@ -167,7 +167,7 @@ def with_and_without_cosine(batch: Batch) -> Samples:
 
 
 def cosine_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw two paths past a player with each field."""
+    """Plot the paths past a player with the cosine factor and without it, over the field of each variant."""
     crowd, start = players([[0.0, 0.15]]), np.array([[START, 0.0]])
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, cosine_factor=cosine).path[:, 0]
@@ -180,7 +180,7 @@ def cosine_figures(samples: Samples) -> Sequence[Figure]:
 
 
 def saved(samples: Samples, name: str) -> float:
-    """Return the reduction of a quantity's median by the factor [%]."""
+    """Return by how much the cosine factor reduces the median of the quantity `name` [%]."""
     return 100.0 * (1.0 - median(samples[f"{name} with"]) / median(samples[f"{name} without"]))
 
 

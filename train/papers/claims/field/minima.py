@@ -50,7 +50,7 @@ def before_minima(batch: Batch) -> Samples:
 
 
 def trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
-    """Return 1 for each run that stalls or retreats, NaN for runs not played."""
+    """Return for each run (M,) 1 if it stalls or retreats, 0 if not, and NaN if it is not played."""
     stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {kind}"] for kind in ("stalls", "retreats"))
     worse: np.ndarray = np.maximum(stalls, retreats)
     return worse
@@ -67,7 +67,7 @@ def more(samples: Samples, who: str) -> float:
 
 
 def minimum_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the path that ends before a player right ahead."""
+    """Plot the paths of a dribbler with a player right ahead, without a limit and with the limit of 70 degrees."""
     crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0]
@@ -115,7 +115,7 @@ S54 = Claim(
 
 
 def hard_runs(batch: Batch) -> Samples:
-    """Count flips (M,) of points and robots in the harder set, with all of the paper's rules and when decisive."""
+    """Count changes of side (M,) of points and robots in the harder scenes, under each set of rules in DECISIONS."""
     rng, samples = batch.rng(), {}
     start, crowd = starts(rng, SCENES, 0.2), hard_set(rng)
     for name, play in DECISIONS.items():
@@ -129,7 +129,7 @@ def hard_runs(batch: Batch) -> Samples:
 
 
 def flips_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the distribution of changes of side."""
+    """Plot the distribution of the number of changes of side."""
     count = np.arange(13)
     curves = []
     for name in ("points all rules", "points decisive", "robots all rules", "robots decisive"):

@@ -19,7 +19,7 @@ PAPERS = ("comes", "both")  # the classes in the paper
 
 
 def met(batch: Batch) -> Samples:
-    """Return collisions (M,) in each class of scenes with a mover, for each patience and angle."""
+    """Return whether points collide (M,) in each class of scenes with a mover, for each patience and angle."""
     rng, samples = batch.rng(), {}
     start = starts(rng)
     for scene, crowd in (("comes", one_comes(rng)), ("both", one_on_each_side(rng)), ("crosses", one_crosses(rng))):
@@ -39,7 +39,7 @@ def one_comes(rng: np.random.Generator) -> np.ndarray:
 
 
 def one_on_each_side(rng: np.random.Generator) -> np.ndarray:
-    """Return a player (M, 2) that stands on one side of the way and one that comes from the other side."""
+    """Return two players (M, 2): one stands on one side of the path, the other comes from the other side."""
     side = rng.choice([-1.0, 1.0], SCENES)
     stands = np.stack([rng.uniform(-0.4, 0.2, SCENES), side * rng.uniform(0.05, 0.3, SCENES)], axis=-1)
     comes = np.stack([rng.uniform(-0.2, 0.8, SCENES), -side * rng.uniform(0.2, 0.7, SCENES)], axis=-1)
@@ -48,7 +48,7 @@ def one_on_each_side(rng: np.random.Generator) -> np.ndarray:
 
 
 def one_crosses(rng: np.random.Generator) -> np.ndarray:
-    """Return a player (M, 1) that crosses the way within 3 s of a dribbler that goes straight on."""
+    """Return a player (M, 1) that crosses the straight path within 3 s of the dribbler's arrival at the crossing."""
     x, side = rng.uniform(-0.5, 0.2, SCENES), rng.choice([-1.0, 1.0], SCENES)
     when = (x - START) / 0.07 + rng.uniform(-3.0, 3.0, SCENES)
     velocity = towards(np.zeros((SCENES, 2)), np.stack([rng.uniform(-0.6, 0.0, SCENES), side], axis=-1), rng)
@@ -57,30 +57,30 @@ def one_crosses(rng: np.random.Generator) -> np.ndarray:
 
 
 def towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """Return velocities (M, 2) of SPEEDS from places to goals."""
+    """Return velocities (M, 2) from places towards goals, with random speeds within SPEEDS."""
     way = goal - place
     velocity: np.ndarray = way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1))
     return velocity
 
 
 def sweep(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> list[float]:
-    """Return the share of runs with a collision [%] for each value, over classes of scenes."""
+    """Return the share of runs with a collision [%] at each value of the setting `name`, over classes of scenes."""
     return [100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes]) for value in values]
 
 
 def of_patience(samples: Samples, n: int) -> float:
-    """Return the share of runs with a collision [%] at a patience."""
+    """Return the share of runs with a collision [%] at a patience of `n` decisions."""
     return sweep(samples, "patience", (n,))[0]
 
 
 def rise(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
-    """Return the share of collisions [pp] at the last value minus the share at the first."""
+    """Return the share of runs with a collision [pp] at the last value minus the share at the first value."""
     shares = sweep(samples, name, values, scenes)
     return shares[-1] - shares[0]
 
 
 def stubborn_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw collisions against patience and angle."""
+    """Plot the share of runs with a collision against patience, and against the angle that keeps the side."""
     figures = []
     for name, values, label in (
         ("patience", PATIENCE, "decisions for which a change of side has to last"),

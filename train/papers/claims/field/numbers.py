@@ -63,8 +63,8 @@ S48 = Claim(
 def unit_distance(batch: Batch, **play: Any) -> Samples:
     """Return the distance [m] between middles at which a robot's force from a player straight ahead is 1.
 
-    By bisection: "middles" for the paper's distance, from camera to surface; "middle" for the distance between middles;
-    "distance" is "middles" as the sensors gave it.
+    By bisection. "middles": if the force counts the paper's distance, from camera to surface; "middle": if it counts
+    the distance between middles; "distance": "middles" converted to the distance from camera to surface.
     """
     samples = {}
     for name, way in (("middles", "surface"), ("middle", "middle")):
@@ -101,7 +101,7 @@ S49 = Claim(
 
 
 def walls_against_players(batch: Batch, **play: Any) -> Samples:
-    """Return the greatest ratio of a wall's force to a player's, and passes near walls with and without walls."""
+    """Return the greatest ratio of a wall's force to a player's force, and passes (M,) with walls on and off."""
     record = SacksSettings(**play).record()[0]
     ratios = [
         abs(FIELD.wall_force(1.0 - x, 1.0, record)) / np.hypot(*FIELD.player_force(x, 0.0, 1.0, 0.0, record))
@@ -119,7 +119,7 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
 
 
 def walls_with_robots(batch: Batch, **play: Any) -> Samples:
-    """Return `walls_against_players`, and the clean passes of robots in the first scenes."""
+    """Return the samples of `walls_against_players`, and whether robots pass cleanly in the first scenes."""
     start, crowd = along_wall(batch.rng())
     robots = {
         f"{prefix}robots {name}": filled(runs.is_clean)
@@ -130,7 +130,7 @@ def walls_with_robots(batch: Batch, **play: Any) -> Samples:
 
 
 def along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Return starts 15 to 50 cm from a wall, and a player (M, 1) that stands up to 25 cm farther inside."""
+    """Return starts 15 to 50 cm from a wall, and a player (M, 1) that stands up to 25 cm farther from the wall."""
     y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)
     start = np.column_stack([np.full(SCENES, START), y])
     place = np.column_stack([rng.uniform(-0.6, 0.2, SCENES), y - np.sign(y) * rng.uniform(0.0, 0.25, SCENES)])
@@ -138,7 +138,7 @@ def along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
 
 
 def wall_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the forces of walls and players against the distance."""
+    """Plot the forces of walls and players against the distance."""
     record, x = SacksSettings().record()[0], np.linspace(0.06, 1.1, 53)
     forces = {
         "player": [float(np.hypot(*FIELD.player_force(d, 0.0, 1.0, 0.0, record))) for d in x],

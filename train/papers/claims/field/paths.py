@@ -31,9 +31,9 @@ HARD_GAPS = (0.35, 0.70)  # [m] of a harder set
 
 
 def far_players(batch: Batch) -> Samples:
-    """Return the rms change of direction [degrees] (M,) from step to step, with the cut-off and without it.
+    """Return the rms change of direction [degrees] (M,) between steps, with the forces' cut-off and without it.
 
-    "unmatched": without it and with an unchanged k2, so that all forces are stronger as well.
+    "unmatched": without the cut-off and with an unchanged k2, so that all forces are stronger as well.
     """
     rng, samples = batch.rng(), {}
     start = starts(rng, SCENES, 0.3)
@@ -48,7 +48,7 @@ def far_players(batch: Batch) -> Samples:
 
 
 def less_jitter(samples: Samples, seen: str, other: str = "without") -> float:
-    """Return the reduction of the mean jitter by the cut-off [%]."""
+    """Return by how much the cut-off reduces the mean change of direction between steps [%]."""
     return 100.0 * (1.0 - mean(samples[f"{seen} with"]) / mean(samples[f"{seen} {other}"]))
 
 
@@ -84,7 +84,7 @@ def crowds(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
 
 
 def steps_away(batch: Batch, **play: Any) -> Samples:
-    """Count the steps of each run, and the steps away from the goal."""
+    """Count each run's steps and its steps away from the goal, and tell which runs arrive (M,)."""
     start, crowd = crowds(batch.rng())
     runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
     return {"steps": runs.steps, "away": runs.retreats, "arrived": runs.arrived.astype(float)}
@@ -112,7 +112,7 @@ S55 = Claim(
 
 
 def through_gaps(batch: Batch) -> Samples:
-    """Count flips (M,) before a gap of about 50 cm: with the limit alone and the rule that keeps the side."""
+    """Count changes of side (M,) before a gap of about 50 cm, by the limit alone and with the rule that keeps sides."""
     rng, samples = batch.rng(), {}
     start = starts(rng)
     crowd = gap_ahead(rng, *GAP, askew=0.0)
@@ -130,7 +130,7 @@ def through_gaps(batch: Batch) -> Samples:
 
 
 def gaps_with_robots(batch: Batch) -> Samples:
-    """Return `through_gaps`, and the flips of robots in the first scenes, with the rule and without."""
+    """Return samples of `through_gaps`, and robots' changes of side in the first scenes, with the rule and without."""
     rng = batch.rng()
     start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
     samples = through_gaps(batch)
@@ -142,7 +142,7 @@ def gaps_with_robots(batch: Batch) -> Samples:
 
 
 def fewer(samples: Samples, who: str = "", seen: str = "") -> float:
-    """Return the mean changes of side without the rule over those with it."""
+    """Return the mean number of changes of side without the rule divided by the number with the rule."""
     return mean(samples[f"{who}limit{seen}"]) / max(mean(samples[f"{who}rule{seen}"]), 1e-3)
 
 
@@ -153,14 +153,14 @@ def bounced(samples: Samples, name: str) -> float:
 
 
 def hard_set(rng: np.random.Generator) -> np.ndarray:
-    """Return three standing players (M, 3): a gap of 35 to 70 cm, and one behind it or before it."""
+    """Return three standing players (M, 3): two with a gap of 35 to 70 cm, and a third before or behind the gap."""
     gap = gap_ahead(rng, *HARD_GAPS)
     third = np.stack([gap["x"].mean(axis=1) + rng.uniform(-0.4, 0.4, SCENES), rng.uniform(-0.4, 0.4, SCENES)], axis=-1)
     return players(np.concatenate([np.stack([gap["x"], gap["y"]], axis=-1), third[:, None]], axis=1))
 
 
 def gap_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw paths before a gap, and the distribution of flips."""
+    """Plot paths before a gap, and the distribution of the number of changes of side."""
     crowd, start = players([[0.0, 0.25], [0.0, -0.25]]), np.array([[START, 0.01]])
     kinds: dict[str, dict[str, Any]] = {
         "no limit": {"clamp": False}, "70 degrees": {"keep_side": False}, "and the side kept": {},

@@ -10,7 +10,7 @@ ROUNDING = 1e-9  # [m]
 
 @dataclass(frozen=True)
 class PointRuns:
-    """M runs of T decisions; NaN once a point has arrived."""
+    """M runs of points over T decisions; values are NaN once a point has arrived."""
 
     path: np.ndarray  # (T + 1, M, 2) [m] team frame
     off: np.ndarray  # (T, M) [rad] of each step off the goal's direction, left positive
@@ -26,7 +26,7 @@ class PointRuns:
 
     @property
     def clearance(self) -> np.ndarray:
-        """Return the least distance to another player (M,) [m], between decisions as well."""
+        """Return the least distance to another player (M,) [m], at decisions and between decisions."""
         gap = self.others - self.path[:, :, None]
         before, change = gap[:-1], np.diff(gap, axis=0)
         square = np.maximum((change**2).sum(axis=-1), ROUNDING**2)
@@ -37,7 +37,7 @@ class PointRuns:
 
     @property
     def flips(self) -> np.ndarray:
-        """Count the changes between left and right of the goal (M,)."""
+        """Count how often each path changes between left and right of the goal's direction (M,)."""
         side = np.where(np.abs(self.off) > SIDE, np.sign(self.off), 0.0)
         count, last = np.zeros(side.shape[1], int), np.zeros(side.shape[1])
         for now in side:

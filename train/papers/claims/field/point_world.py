@@ -1,8 +1,8 @@
 """The point-mass simulator that the author tried first, with the team's own forces and steering.  [Sacks 2001, 4.3]
 
-A point goes to the opponents' goal past points that stand or move (MS54). Every play.replan it decides as a dribbler
-does (`steering.choose_way`) and then goes on at the pace of steps of play.step_length. There is no ball, no delay and
-nothing to bump into: "this model would not carry over well to the actual robots".
+A point goes to the opponents' goal past points that stand or move (MS54). Every play.replan [s] the point decides as a
+dribbler does (`steering.choose_way`) and goes on at the pace of steps of play.step_length. There is no ball, no delay
+and nothing to bump into: "this model would not carry over well to the actual robots".
 
     runs = PointWorld(SacksSettings(keep_side=False)).run([[-1.0, 0.0]], players([[0.0, 0.3]]))
     runs.path[:, 0], runs.clearance[0], runs.flips[0]
@@ -54,7 +54,7 @@ class PointWorld:
     def run(
         self, start: Any, others: np.ndarray, seconds: float = 60.0, rng: np.random.Generator | None = None
     ) -> PointRuns:
-        """Let the points of M worlds go: start (M, 2) [m, team frame], others (M, P) of POINT_PLAYER."""
+        """Run one dribbling point in each of M worlds: start (M, 2) [m, team frame], others (M, P) of POINT_PLAYER."""
         start, (m, p) = np.asarray(start, float), others.shape
         decisions = round(seconds / self.play.replan)
         errors, blobs = self.draw_noise((decisions, m, p), np.random.default_rng(0) if rng is None else rng)
@@ -67,7 +67,7 @@ class PointWorld:
         return PointRuns(path, off, places, goal, self.play.replan)
 
     def draw_noise(self, shape: tuple[int, ...], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-        """Return factors on distances (T, M, P); distance and bearing of false blobs (T, M, 2), distance 0: none."""
+        """Draw factors on distances (T, M, P), and distance and bearing of false blobs (T, M, 2), distance 0: none."""
         errors = np.maximum(1.0 + self.range_noise * rng.standard_normal(shape), 0.1)
         far = rng.uniform(BLOB_NEAR, BLOB_FAR, shape[:2])
         aside = rng.uniform(-BLOB_ASIDE, BLOB_ASIDE, shape[:2])
@@ -76,7 +76,7 @@ class PointWorld:
 
 
 def players(places: Any, velocities: Any = 0.0, chase: Any = 0.0) -> np.ndarray:
-    """Return players (M, P) at places (M, P, 2) or (P, 2) [m] with velocities of this shape [m/s], or a chase speed."""
+    """Return players (M, P) at places (M, P, 2) or (P, 2) [m], with velocities [m/s] or a speed of chasing [m/s]."""
     places = np.asarray(places, float)
     places = places[None] if places.ndim == 2 else places
     made = np.zeros(places.shape[:2], POINT_PLAYER)
@@ -88,7 +88,7 @@ def players(places: Any, velocities: Any = 0.0, chase: Any = 0.0) -> np.ndarray:
 
 @compiled
 def run_all(start, others, errors, blobs, constants, settings, body, path, off, places):
-    """Fill path (T + 1, M, 2), off (T, M) and places (T + 1, M, P, 2) until each point has arrived."""
+    """Run all worlds: fill path (T + 1, M, 2), off (T, M) and places (T + 1, M, P, 2) until each point has arrived."""
     k, play = constants[0], settings[0]
     belief, tracks = records(1, BELIEF), records(others.shape[1] + 1, TRACK)
     for m in range(start.shape[0]):
@@ -116,7 +116,7 @@ def run_all(start, others, errors, blobs, constants, settings, body, path, off, 
 
 @compiled
 def look_at_points(own, crowd, errors, blob, tracks):
-    """Fill tracks with the players as seen, and with a false player in the last slot."""
+    """Fill `tracks` with the players as the point sees them, and with a false player, if any, in the last slot."""
     for p in range(len(crowd)):
         dx, dy = crowd[p].x - own.x, crowd[p].y - own.y
         put_track(tracks[p], errors[p] * length(dx, dy), wrap(atan2(dy, dx) - own.heading))
@@ -126,7 +126,7 @@ def look_at_points(own, crowd, errors, blob, tracks):
 
 @compiled
 def put_track(track, distance, bearing):
-    """Note a player seen at a distance [m] and bearing [rad]."""
+    """Write a player seen at a distance [m] and bearing [rad] into a track."""
     track.present, track.age = 1, 0.0
     track.distance, track.bearing = distance, bearing
     track.x, track.y = distance * cos(bearing), distance * sin(bearing)
@@ -148,7 +148,7 @@ def move_players(crowd, own, seconds):
 
 @compiled
 def note_places(own, crowd, path, places):
-    """Write the places of the dribbler and the players into the arrays."""
+    """Write the places of the dribbler and of the players into `path` and `places`."""
     path[0], path[1] = own.x, own.y
     for p in range(len(crowd)):
         places[p, 0], places[p, 1] = crowd[p].x, crowd[p].y

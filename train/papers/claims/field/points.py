@@ -33,23 +33,23 @@ BLOBS = 0.2  # [1] share of decisions that see a player who is not there, assume
 def run_points(
     rng: np.random.Generator, start: np.ndarray, crowd: np.ndarray, world: dict[str, Any] | None = None, **play: Any
 ) -> PointRuns:
-    """Let points go from start (M, 2) past a crowd (M, P) under settings of the team by name."""
+    """Run points from start (M, 2) past a crowd (M, P); `world`: fields of PointWorld, `play`: settings of the team."""
     return PointWorld(SacksSettings(**play), **(world or {})).run(start, crowd, SECONDS, rng)
 
 
 def starts(rng: np.random.Generator, count: int = SCENES, aside: float = ASIDE) -> np.ndarray:
-    """Return the starts of dribblers (M, 2) [m]."""
+    """Draw the starts of dribblers (M, 2) [m], up to `aside` off the middle line."""
     return np.column_stack([np.full(count, START), rng.uniform(-aside, aside, count)])
 
 
 def one_ahead(rng: np.random.Generator, nearest: float, widest: float, count: int = SCENES) -> np.ndarray:
-    """Return one standing player (M, 1) near the middle of the way, `nearest` to `widest` [m] beside it."""
+    """Return one standing player (M, 1) near the middle of the path, `nearest` to `widest` [m] beside the path."""
     y = rng.uniform(nearest, widest, count) * rng.choice([-1.0, 1.0], count)
     return players(np.stack([rng.uniform(-0.3, 0.3, count), y], axis=-1)[:, None])
 
 
 def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: float = ASKEW) -> np.ndarray:
-    """Return two standing players (M, 2) with a gap [m] between their middles, across the way within `askew` [rad]."""
+    """Return two standing players (M, 2) across the path, within `askew` [rad]; the gap [m] counts between middles."""
     half, angle = 0.5 * rng.uniform(narrowest, widest, SCENES), askew * rng.uniform(-1.0, 1.0, SCENES)
     x, y = rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-0.05, 0.05, SCENES)
     sides = [np.stack([x - s * half * np.sin(angle), y + s * half * np.cos(angle)], axis=-1) for s in (1.0, -1.0)]

@@ -23,7 +23,7 @@ GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 @dataclass(frozen=True)
 class RobotRuns:
-    """Runs of M dribblers, T control steps."""
+    """Runs of M dribbling robots over T control steps."""
 
     way: Way
     off: np.ndarray  # (T, M) [rad] of the decided way off the goal's direction; NaN: it does not dribble
@@ -64,7 +64,7 @@ class RobotRuns:
 
     @property
     def deviation(self) -> np.ndarray:
-        """Return the greatest distance [m] from the straight way to the goal before the others are passed (M,)."""
+        """Return the greatest distance [m] from the straight path to the goal before the others are passed (M,)."""
         x, y = self.way.x, self.way.y
         to_x, to_y = GOAL_X - x[0], -y[0]
         across = np.abs(to_x * (y - y[0]) - to_y * (x - x[0])) / np.hypot(to_x, to_y)
@@ -73,7 +73,7 @@ class RobotRuns:
 
     @property
     def retreat(self) -> np.ndarray:
-        """Return the greatest retreat from the goal (M,) [m]."""
+        """Return by how far each dribbler falls back from the goal at most, before it passes the others (M,) [m]."""
         distance = np.hypot(GOAL_X - self.way.x, self.way.y)
         back = np.where(self.passed, 0.0, distance - np.minimum.accumulate(distance, axis=0))
         worst: np.ndarray = back.max(axis=0)
@@ -81,20 +81,20 @@ class RobotRuns:
 
 
 def filled(values: np.ndarray) -> np.ndarray:
-    """Return values of robots padded to (SCENES,) with NaN for the scenes that only points play."""
+    """Pad values of robots to (SCENES,), with NaN for the scenes that only points play."""
     padded = np.full(SCENES, np.nan)
     padded[: len(values)] = values
     return padded
 
 
 def run_both_ways(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> Iterator[tuple[str, RobotRuns]]:
-    """Yield prefix and runs of `run_robots`: "" for distances from camera to surface, "middle " between middles."""
+    """Yield prefix and `run_robots` for each distance: "" from camera to surface, "middle " from middle to middle."""
     for prefix, way in WAYS.items():
         yield prefix, run_robots(batch, start, crowd, **way, **play)
 
 
 def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:
-    """Let sacks-2001, with settings by name, dribble from start (M, 2) past a crowd (M, P) that stands or walks on."""
+    """Let a robot of sacks-2001 with settings `play` dribble from start (M, 2) past a still or moving crowd (M, P)."""
     count, others = crowd.shape
     team = make_team("sacks-2001", **{**NO_SHOTS, **play})
     match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)

@@ -12,7 +12,7 @@ CYCLES = (0.02, 0.04, 0.1)  # [s]
 
 
 def by_cycle(batch: Batch) -> Samples:
-    """Return saved shots (M,) and received balls, for each length of a cycle."""
+    """Return which shots are saved and which rolling balls are received (M,), for each length of the decision cycle."""
     samples: Samples = {}
     for cycle in CYCLES:
         samples[f"saved {cycle:g}"] = 1.0 - face_shots(batch, {"cycle": cycle}).goal.astype(float)
@@ -21,12 +21,12 @@ def by_cycle(batch: Batch) -> Samples:
 
 
 def rise(samples: Samples, name: str, slow: float, fast: float) -> float:
-    """Return the gain of a share [%] from a slower to a faster cycle."""
+    """Return the gain [%] in the share `name` from the cycle `slow` to the cycle `fast`."""
     return 100.0 * mean(samples[f"{name} {fast:g}"] - samples[f"{name} {slow:g}"])
 
 
 def cycle_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw saves and received balls against the cycle."""
+    """Plot the shares of saved shots and of received balls against the length of the decision cycle."""
     names, times = {"saved": "far-post shots saved", "had": "rolling balls had"}, [1000.0 * cycle for cycle in CYCLES]
     curves = tuple(
         Curve(text, times, [100.0 * mean(samples[f"{name} {cycle:g}"]) for cycle in CYCLES])

@@ -33,7 +33,7 @@ BALL_TEXT = (
 
 
 def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Samples:
-    """Return the balls that a field player of heinemann-2006 gets (M,), their times [s] and speeds [m/s]."""
+    """Roll balls past a field player of heinemann-2006; return which it gets (M,), times [s] and ball speeds [m/s]."""
     rng, team = batch.rng(), make_team("heinemann-2006", **settings)
     match = stage(batch, league, matches=BALLS, home=2, controllers={"home": team, "away": "still"})
     x, y = rng.uniform(-2.0, 1.0, BALLS), rng.uniform(-1.5, 1.5, BALLS)
@@ -57,7 +57,7 @@ def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Sam
 
 
 def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
-    """Play until a robot has had the ball for HAD seconds; return who got it (M,), and the times [s]."""
+    """Play until robot `r` has had the ball for HAD seconds; return in which matches it has (M,), and the times [s]."""
     league, pitch = match.league, match.league.pitch
     held, got, time = np.zeros(match.count), np.zeros(match.count, bool), np.full(match.count, SECONDS)
     open_ = np.ones(match.count, bool)
@@ -76,22 +76,22 @@ def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
 
 
 def named(prefix: str, samples: Samples) -> Samples:
-    """Return samples with a prefix before their names, except the speed."""
+    """Put a prefix before the names of all samples except the speed."""
     return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
 
 
 def by_velocity(batch: Batch) -> Samples:
-    """Return the balls of a player that uses the ball's velocity, and of a player that does not."""
+    """Return the results of `receive` for a player that uses the ball's velocity, and for a player that does not."""
     return named("with", receive(batch, {})) | named("without", receive(batch, {"intercepts": False}))
 
 
 def got(samples: Samples, name: str) -> float:
-    """Return the share of received balls [%]."""
+    """Return the share of balls that the player receives [%]."""
     return 100.0 * mean(samples[f"{name} got"])
 
 
 def by_speed(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of received balls against their speed."""
+    """Plot the share of received balls against their speed."""
     edges = (1.0, 1.5, 2.0, 2.5, 3.0)
     names, inside = {"with": "with the ball's velocity", "without": "without"}, in_bins(samples["speed"], edges)
     curves = tuple(
@@ -122,7 +122,7 @@ H24 = Claim(
 
 
 def by_base(batch: Batch) -> Samples:
-    """Return received balls and goals of far-post shots, with the fast base and the old one."""
+    """Return the results of `receive` and goals from far-post shots, with the fast base and with the old base."""
     samples: Samples = {}
     for name, league in (("fast", MIDDLE), ("old", OLD)):
         samples |= named(name, receive(batch, {}, league))
@@ -178,7 +178,7 @@ def kicked(batch: Batch, controlled: bool) -> Samples:
 
 
 def by_kick(batch: Batch) -> Samples:
-    """Return passes with controlled and with full strength."""
+    """Return the results of passes kicked with controlled strength and with full strength."""
     return named("soft", kicked(batch, True)) | named("full", kicked(batch, False))
 
 

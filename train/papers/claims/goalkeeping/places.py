@@ -1,6 +1,6 @@
 """The goalkeeper's place, and its ways to the ball: geometry of its kernels.  [Heinemann et al. 2006, 4]
 
-`k`: the league's constants, `play`: the team's settings; here arrays of one.
+`k`: the league's constants, `play`: the team's settings; here arrays of one record.
 """
 
 from functools import partial
@@ -28,20 +28,20 @@ OMNI = 1  # row of a team's settings
 
 @compiled
 def place_all(balls, places, k, play):
-    """Fill (n, 2) with the passive keeper's places for (n, 2) balls."""
+    """Fill `places` (n, 2) with the passive keeper's places for the balls (n, 2)."""
     for i in range(len(balls)):
         places[i, 0], places[i, 1] = passive_place(balls[i, 0], balls[i, 1], k[0], play[0])
 
 
 @compiled
 def meet_all(sights, places, k, play):
-    """Fill (n, 2) with the active keeper's destinations for sights (n,)."""
+    """Fill `places` (n, 2) with the active keeper's destinations for the sights (n,)."""
     for i in range(len(sights)):
         places[i, 0], places[i, 1] = interception(sights[i], k[0], play[0])
 
 
 def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
-    """Return the angle [degrees] between the posts through which balls (n, 2) pass keepers (n, 2)."""
+    """Return the angle [degrees] between the posts that keepers at (n, 2) leave open to balls at (n, 2)."""
     pitch, radius = LEAGUE.pitch, LEAGUE.ball.radius
     goal, half = -pitch.length / 2, pitch.goal_width / 2 - radius
     away = goal - balls[:, 0]
@@ -55,7 +55,7 @@ def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
 
 
 def angles(batch: Batch) -> Samples:
-    """Return the open angle (M,) [degrees] of keepers on the line d and off it along their half circle."""
+    """Return the open angle (M,) [degrees] with keepers on the line d, and moved off it along their half circle."""
     rng, goal = batch.rng(), -LEAGUE.pitch.length / 2
     away, angle = rng.uniform(*BALLS, SCENES), rng.choice([-1.0, 1.0], SCENES) * rng.uniform(*ANGLES, SCENES)
     balls, places = np.stack([goal + away * np.cos(angle), away * np.sin(angle)], axis=-1), np.zeros((SCENES, 2))
@@ -71,7 +71,7 @@ def angles(batch: Batch) -> Samples:
 
 
 def gains(samples: Samples) -> np.ndarray:
-    """Return the open angle at the best place off the line minus the open angle on it (M,) [degrees]."""
+    """Return the smallest open angle with the keeper off the line minus the open angle on the line (M,) [degrees]."""
     off = np.stack([values for name, values in samples.items() if name != "on"])
     least: np.ndarray = off.min(axis=0) - samples["on"]
     return least
@@ -101,9 +101,9 @@ H17 = Claim(
 
 
 def ways(batch: Batch, waits: bool = False) -> Samples:
-    """Return the active keeper's ways (M,) [m] to its point of the trajectory, and to the crossing of its line.
+    """Return the active keeper's distances (M,) [m] to its interception point, and to the ball's crossing of its line.
 
-    `waits`: to the first point that it reaches in time, not to the nearest point.
+    `waits`: intercept at the first point that the keeper reaches in time, not at the nearest point of the trajectory.
     """
     rng, goal = batch.rng(), -LEAGUE.pitch.length / 2
     settings = HeinemannSettings(keeper_waits=waits)

@@ -22,7 +22,7 @@ INGREDIENTS = (
 
 
 def both_keepers(batch: Batch, **more: Any) -> Samples:
-    """Return goals (M,) of far-post shots at both keepers, the keepers' ways [m] and the speeds."""
+    """Return goals (M,) of far-post shots at both keepers, the keepers' distances moved [m], and the shots' speeds."""
     samples: Samples = {}
     for name, settings in KEEPERS.items():
         faced = face_shots(batch, settings, **more)
@@ -31,7 +31,7 @@ def both_keepers(batch: Batch, **more: Any) -> Samples:
 
 
 def with_near_post(batch: Batch) -> Samples:
-    """Return `both_keepers`, near-post shots, and shots at passive keepers on the goal line."""
+    """Return samples of `both_keepers`, and goals of near-post shots and against passive keepers on the goal line."""
     near = {f"near {name}": face_shots(batch, settings, near_post=True).goal.astype(float)
             for name, settings in KEEPERS.items()}  # fmt: skip
     line = face_shots(batch, {"keeper": "passive", "stance": "line"}).goal.astype(float)
@@ -39,7 +39,7 @@ def with_near_post(batch: Batch) -> Samples:
 
 
 def on_other_lines(batch: Batch) -> Samples:
-    """Return `both_keepers`, and shots at both keepers on a half circle of 0.8 m and on the goal line."""
+    """Return samples of `both_keepers`, and goals against keepers on a half circle of 0.8 m and on the goal line."""
     samples = both_keepers(batch)
     for line, stance in LINES.items():
         for name, settings in KEEPERS.items():
@@ -53,7 +53,7 @@ def conceded(samples: Samples, name: str) -> float:
 
 
 def slower(samples: Samples, name: str) -> float:
-    """Return the share of the slower shots that go in [%]."""
+    """Return the share of goals [%] among the shots of at most SLOWER [m/s]."""
     return 100.0 * mean(samples[name][samples["speed"] <= SLOWER])
 
 
@@ -64,7 +64,7 @@ def ratio(samples: Samples, share: Any) -> float:
 
 
 def goals_by_speed(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of goals against the speed of the shot, for both keepers."""
+    """Plot the share of goals against the speed of the shot, for both keepers."""
     names = {"passive": "passive, far post", "active": "active, far post"}
     names |= {f"near {name}": f"{name}, near post" for name in KEEPERS}
     curves = tuple(
@@ -171,7 +171,7 @@ TRIED = (("fit", "own"), ("fit", "tenfold"), ("fit", "thirtyfold"), ("kalman", "
 
 
 def by_noise(batch: Batch) -> Samples:
-    """Return goals (M,) of both keepers by camera noise, with a fit over five frames or a Kalman filter."""
+    """Return goals (M,) against both keepers by camera noise, with a fit over five frames or a Kalman filter."""
     samples: Samples = {}
     for fit, noise in TRIED:
         more: dict[str, Any] = {"sensors": {"pixel_noise": NOISES[noise]}, "memory": FITS[fit], "shots": FEWER}
@@ -182,12 +182,12 @@ def by_noise(batch: Batch) -> Samples:
 
 
 def benefit(samples: Samples, fit: str, noise: str) -> float:
-    """Return the goals in a hundred shots that the active keeper prevents."""
+    """Return how many goals in a hundred shots the active keeper prevents, compared with the passive keeper."""
     return 100.0 * mean(samples[f"{fit} {noise} passive"] - samples[f"{fit} {noise} active"])
 
 
 def benefit_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the prevented goals against the error of the believed ball."""
+    """Plot the prevented goals against the error of the believed ball."""
     curves = tuple(
         Curve(
             text,

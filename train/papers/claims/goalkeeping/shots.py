@@ -43,7 +43,7 @@ def face_shots(
     batch: Batch, settings: dict[str, Any], *, shots: int = SHOTS, near_post: bool = False, league: str = MIDDLE,
     **more: Any,
 ) -> Faced:  # fmt: skip
-    """Let shots be kicked at a goalkeeper of heinemann-2006 with some settings; `more` is for the match."""
+    """Kick shots at a goalkeeper of heinemann-2006 with `settings`, return outcomes; `more`: options of the match."""
     rng = batch.rng()
     team = make_team("heinemann-2006", **settings)
     match = stage(batch, league, matches=shots, home=2, controllers={"home": team, "away": "still"}, **more)
@@ -62,7 +62,7 @@ def face_shots(
 
 
 def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray) -> Faced:
-    """Hold the ball for LOOK seconds, kick it, and return the outcome."""
+    """Hold the ball for LOOK seconds, kick it, and return the outcomes of the shots."""
     rate, count = match.league.control_rate, match.count
     for _ in range(round(LOOK * rate)):
         put_ball(match, *place)

@@ -41,13 +41,13 @@ SCENE_TEXT = (
 
 
 def travels_by(batch: Batch, draw: Draw) -> dict[str, list[Travel]]:
-    """Return the travels of a batch of scenes by both planners."""
+    """Return the travels of both planners through the scenes of a batch."""
     scenes = scenes_of(batch, draw, SCENES)
     return {name: [travel(scene, **changes) for scene in scenes] for name, changes in PLANNERS.items()}
 
 
 def compare(batch: Batch, draw: Draw) -> Samples:
-    """Return the figures of the travels of both planners through the same scenes."""
+    """Return the results of `figures_of` for the travels of both planners through equal scenes."""
     samples: Samples = {}
     for name, travels in travels_by(batch, draw).items():
         samples |= figures_of(travels, name)
@@ -55,13 +55,13 @@ def compare(batch: Batch, draw: Draw) -> Samples:
 
 
 def canonical(batch: Batch) -> Samples:
-    """Return the two canonical crossings by both planners, one unit each, equal in every batch."""
+    """Return results of both planners in the two canonical crossings, one unit each, equal in every batch."""
     return figures_with_sides({name: [travel(scene, **changes) for scene in CANONICAL.values()]
                                for name, changes in PLANNERS.items()})  # fmt: skip
 
 
 def figures_with_sides(travels_of: dict[str, list[Travel]]) -> Samples:
-    """Return the figures of travels by planner, with their changes of side, and how far they stray from the plan."""
+    """Return results of travels by planner: `figures_of`, changes of side, and distances from the first plan."""
     samples: Samples = {}
     for name, travels in travels_of.items():
         samples |= figures_of(travels, name)
@@ -71,7 +71,7 @@ def figures_with_sides(travels_of: dict[str, list[Travel]]) -> Samples:
 
 
 def with_random(batch: Batch) -> Samples:
-    """Return the canonical crossings (equal in every unit) and random ones, by both planners."""
+    """Return results in canonical crossings (equal in every unit) and in random crossings, by both planners."""
     fixed = canonical(batch)
     kept = {f"{scene} {name}": np.full(SCENES, values[i]) for name, values in fixed.items()
             for i, scene in enumerate(CANONICAL)}  # fmt: skip
@@ -79,21 +79,21 @@ def with_random(batch: Batch) -> Samples:
 
 
 def with_exact(batch: Batch) -> Samples:
-    """Return `with_random`, and the new planner's figures with a threshold of T five times as strict."""
+    """Return the results of `with_random`, and of the new planner with a threshold of T five times as strict."""
     scenes = scenes_of(batch, CROSSING, SCENES)
     exact_ones = [travel(scene, threshold=0.02, most_iterations=16) for scene in scenes]
     return with_random(batch) | figures_of(exact_ones, "exact")
 
 
 def strays(one: Travel) -> float:
-    """Return the greatest distance [m] of the travelled path from the path planned at first."""
+    """Return the greatest distance [m] of the travelled path from the path of the first plan."""
     planned, path = one.planned(0), one.path
     gaps = np.hypot(*(path[:, None] - planned[None]).transpose(2, 0, 1))
     return float(gaps.min(axis=1).max())
 
 
 def worst(samples: Samples, name: str, take: Any = max) -> float:
-    """Return the greatest (or least) of a quantity of both canonical scenes."""
+    """Return the greatest (or, with `take` min, the least) value of a quantity over both canonical scenes."""
     return float(take(samples[f"{scene} {name}"][0] for scene in CANONICAL))
 
 
@@ -103,17 +103,17 @@ def dramatic(samples: Samples) -> float:
 
 
 def longer(samples: Samples, name: str) -> float:
-    """Return the excess [%] of the old planner's mean of a quantity over the new planner's."""
+    """Return the excess [%] of the old planner's mean of a quantity over the new planner's mean."""
     return 100.0 * (mean(samples[f"old {name}"]) / mean(samples[f"new {name}"]) - 1.0)
 
 
 def less(samples: Samples, name: str) -> float:
-    """Return the old planner's mean of a quantity minus the new planner's."""
+    """Return the old planner's mean of a quantity minus the new planner's mean."""
     return mean(samples[f"old {name}"] - samples[f"new {name}"])
 
 
 def snapshots(samples: Samples) -> Sequence[Figure]:
-    """Draw the paper's figure: planned and travelled path of both planners after 1, 30 and 60 cycles, scene a."""
+    """Plot the paper's figure: planned and travelled paths of both planners after 1, 30 and 60 cycles, scene a."""
     figures = []
     for name, text in {"old": "Conventional planner", "new": "Time-variant planner"}.items():
         one = travel(CANONICAL["a"], **PLANNERS[name])
@@ -122,7 +122,7 @@ def snapshots(samples: Samples) -> Sequence[Figure]:
 
 
 def snapshot(one: Travel, cycle: int, title: str) -> Figure:
-    """Return the planned and the travelled path of a travel at the start of a cycle, and the obstacle.  MH18"""
+    """Return a picture of the planned path, the travelled path and the obstacle at the start of a cycle.  MH18"""
     cycle = min(cycle, len(one.stations) - 2)
     planned, travelled = one.planned(cycle), one.path[: cycle + 1]
     angle = np.linspace(0.0, 2.0 * np.pi, 25)
@@ -135,7 +135,7 @@ def snapshot(one: Travel, cycle: int, title: str) -> Figure:
 
 
 def gap_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the smallest gaps and the times of both planners, as cumulative shares."""
+    """Plot the cumulative distributions of the smallest gap and of the time, for both planners."""
     shares = np.linspace(1.0, 99.0, 50)
     names = {"old": "conventional planner", "new": "time-variant planner"}
 

@@ -30,13 +30,13 @@ CELLS = (2 * SETTINGS.half_u + 1) * (2 * SETTINGS.half_v + 1)  # of the whole gr
 
 
 def evaluations(batch: Batch) -> Samples:
-    """Return the evaluations of the potential (M,) by plans of both planners."""
+    """Return how often each plan (M,) of both planners evaluates the potential."""
     return {name: np.array([one.evaluations for one in plans_of(batch, **changes)], float)
             for name, changes in PLANNERS.items()}  # fmt: skip
 
 
 def of_field(samples: Samples, name: str) -> float:
-    """Return the mean share [%] of the whole field's cells that a plan evaluates."""
+    """Return the mean number of evaluations of a plan, divided by the number of cells of the whole field [%]."""
     return 100.0 * mean(samples[name]) / CELLS
 
 
@@ -61,7 +61,7 @@ H04 = Claim(
 
 
 def with_and_without_search(batch: Batch) -> Samples:
-    """Return the plans (M,) past rows and cups that join robot and target, with the local search and without it."""
+    """Return which plans (M,) past rows and cups join robot and target, with the local search and without it."""
     both = {"on": plans_of(batch, wall), "off": plans_of(batch, wall, search=False)}
     samples = {name: np.array([one.arrived for one in plans], float) for name, plans in both.items()}
     touches = np.array([one.clearance() < -0.02 for one in both["on"]], float)
@@ -89,7 +89,7 @@ H05 = Claim(
 
 
 def first_heading(one: Plan, scene: Scene) -> float:
-    """Return the angle [degrees] between a path's first half metre and the straight way."""
+    """Return the angle [degrees] between the first half metre of a path and the straight line to the target."""
     path = one.path
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     x, y = (np.interp(HEADING, along, path[:, i]) - path[0, i] for i in (0, 1))
@@ -98,7 +98,7 @@ def first_heading(one: Plan, scene: Scene) -> float:
 
 
 def sharpest(one: Plan) -> float:
-    """Return the greatest turn [degrees] of a path within half a metre."""
+    """Return the greatest change of heading [degrees] of a path within half a metre."""
     path = one.path
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     at = np.arange(0.0, along[-1], 0.1)
@@ -108,7 +108,7 @@ def sharpest(one: Plan) -> float:
 
 
 def backward_and_forward(batch: Batch) -> Samples:
-    """Return first heading, length and sharpest turn (M,) of backward and forward plans of the same scenes."""
+    """Return first heading, length and sharpest turn (M,) of backward and forward plans in equal scenes."""
     scenes, samples = scenes_of(batch, still_obstacle, SCENES), {}
     for name, backward in (("back", True), ("fore", False)):
         plans = [plan(scene, time_variant=False, backward=backward) for scene in scenes]
@@ -119,7 +119,7 @@ def backward_and_forward(batch: Batch) -> Samples:
 
 
 def more(samples: Samples, name: str) -> float:
-    """Return the backward plans' mean of a quantity minus the forward plans'."""
+    """Return the mean of a quantity of the backward plans minus its mean of the forward plans."""
     return mean(samples[f"back {name}"] - samples[f"fore {name}"])
 
 
@@ -145,7 +145,7 @@ H06 = Claim(
 
 
 def costs(batch: Batch) -> Samples:
-    """Return the time [us] of both planners for each scene (M,), the least of five tries each."""
+    """Return the computing time [us] of each scene's plan (M,) by both planners, the least of five tries."""
     scenes, samples = scenes_of(batch, CROSSING, SCENES), {}
     for name, changes in PLANNERS.items():
         planner = Planner(**changes)
@@ -154,14 +154,14 @@ def costs(batch: Batch) -> Samples:
 
 
 def timed(planner: Planner, scene: Scene) -> float:
-    """Return the time of a plan [us], Python's overhead included."""
+    """Plan a scene once and return the computing time [us], Python's overhead included."""
     begun = perf_counter()
     planner.plan(*scene)
     return 1e6 * (perf_counter() - begun)
 
 
 def load(batch: Batch) -> Samples:
-    """Return the time [us] of plans of both planners, and of plans past nine obstacles."""
+    """Return the computing times [us] of plans by both planners, and of plans past nine obstacles."""
     _, plans = PlanLoad(int(batch.sequence().generate_state(1)[0])).sample(SCENES)
     return costs(batch) | {"nine": 1e6 * np.array(plans)}
 
@@ -204,7 +204,7 @@ H15 = Claim(
 
 
 def same_paths(batch: Batch, still: bool = True) -> Samples:
-    """Return the scenes (M,) in which both planners plan equal paths, bit for bit; `still`: the obstacles stand."""
+    """Tell in which scenes (M,) both planners plan equal paths, bit for bit; `still`: with obstacles at rest."""
     scenes, same = scenes_of(batch, CROSSING, SCENES), []
     for scene in scenes:
         rows = [(x, y, 0.0, 0.0) if still else (x, y, vx, vy) for x, y, vx, vy in scene.obstacles]

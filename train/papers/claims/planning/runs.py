@@ -20,29 +20,29 @@ CROSSING: Draw = partial(crossing, speed=SPEED)
 
 
 def scenes_of(batch: Batch, draw: Draw, count: int) -> list[Scene]:
-    """Return the scenes of a batch."""
+    """Draw `count` scenes of a batch with the function `draw`."""
     rng = batch.rng()
     return [draw(rng) for _ in range(count)]
 
 
 def travel(scene: Scene, **changes: Any) -> Travel:
-    """Return the travel of a point through a scene by a planner with some settings."""
+    """Return the travel of a point through a scene, led by a planner with the settings `changes`."""
     return Planner(**changes).travel(*scene, seconds=LONGEST)
 
 
 def plan(scene: Scene, **changes: Any) -> Plan:
-    """Return the plan of a scene by a planner with some settings."""
+    """Return the plan for one scene by a planner with the settings `changes`."""
     return Planner(**changes).plan(*scene)
 
 
 def plans_of(batch: Batch, draw: Draw = CROSSING, **changes: Any) -> list[Plan]:
-    """Return the plans of a batch of scenes."""
+    """Return one plan for each scene of a batch, by a planner with the settings `changes`."""
     planner = Planner(**changes)
     return [planner.plan(*scene) for scene in scenes_of(batch, draw, SCENES)]
 
 
 def crossing_text() -> str:
-    """Return the scenes of `plans_of` in words."""
+    """Describe the scenes of `plans_of` in words."""
     return f"{SCENES} crossings a batch, of one obstacle and a way of {WAY:g} m, each planned once"
 
 
@@ -58,7 +58,7 @@ def side_changes(travels: Travel) -> int:
 
 
 def side_of(travels: Travel, cycle: int) -> int:
-    """Return +1 if a plan has the first obstacle on its left, -1 on its right, 0 if the obstacle is out of its way."""
+    """Return +1 if a cycle's plan passes with the first obstacle on its left, -1 on its right, 0 if it is not near."""
     path = travels.planned(cycle)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
     one = travels.obstacles[0]
@@ -73,7 +73,7 @@ def side_of(travels: Travel, cycle: int) -> int:
 
 
 def figures_of(travels: list[Travel], name: str) -> Samples:
-    """Return figures of travels (M,): arrival, collision, smallest gap [m], time [s], length [m], turn [degrees] ..."""
+    """Return results of travels (M,): arrival, collision, smallest gap [m], time [s], length [m], turn [degrees] ..."""
     figures = {
         "arrived": [one.arrived for one in travels],
         "hit": [one.clearance < 0.0 for one in travels],

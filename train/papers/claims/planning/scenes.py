@@ -19,7 +19,7 @@ ROOM = 0.9  # [m] free of slow traffic around robot and target, assumed
 
 
 class Scene(NamedTuple):
-    """The input of a planner."""
+    """The input of a planner: the robot's start, its target, and the obstacles."""
 
     robot: tuple[float, float]
     target: tuple[float, float]
@@ -34,7 +34,7 @@ CANONICAL = {
 
 
 def turned_scene(rng: np.random.Generator, obstacles: list[tuple[float, float, float, float]]) -> Scene:
-    """Return a scene whose way of WAY metres along x is turned and moved to about the middle of the pitch."""
+    """Rotate a scene, given with its path of WAY metres along x, at random, and move it near the pitch's middle."""
     way = rng.uniform(-pi, pi)
     x, y = rng.uniform(-0.5, 0.5, 2) - 0.5 * WAY * np.array([cos(way), sin(way)])
 
@@ -49,7 +49,7 @@ def turned_scene(rng: np.random.Generator, obstacles: list[tuple[float, float, f
 
 
 def crossing(rng: np.random.Generator, speed: float) -> Scene:
-    """Return a crossing: an obstacle meets the straight way close to a robot at a top speed [m/s]."""
+    """Draw a scene in which an obstacle crosses the straight path as a robot of `speed` [m/s] comes to this point."""
     far = rng.uniform(0.3, 0.7) * WAY
     when = far / speed + rng.uniform(-LATE, LATE)
     v, way = rng.uniform(*CROSSERS), rng.choice([-1.0, 1.0]) * rng.uniform(pi / 4, 3 * pi / 4)
@@ -58,7 +58,7 @@ def crossing(rng: np.random.Generator, speed: float) -> Scene:
 
 
 def slow_traffic(rng: np.random.Generator) -> Scene:
-    """Return a way among obstacles that move slowly in any direction, the first of them on the way."""
+    """Draw a scene with obstacles that move slowly in any direction, the first of them near the straight path."""
     rows: list[tuple[float, float, float, float]] = []
     while len(rows) < SLOW_OBSTACLES:
         wide = 0.3 if not rows else 1.5
@@ -73,12 +73,12 @@ def slow_traffic(rng: np.random.Generator) -> Scene:
 
 
 def still_obstacle(rng: np.random.Generator) -> Scene:
-    """Return a way with one standing obstacle on it or a little beside it."""
+    """Draw a scene with one standing obstacle on the straight path or a little beside the path."""
     return turned_scene(rng, [(float(rng.uniform(0.35, 0.65) * WAY), float(rng.uniform(-0.2, 0.2)), 0.0, 0.0)])
 
 
 def wall(rng: np.random.Generator) -> Scene:
-    """Return a row of two or three touching robots, square to the way, or a cup of nine about the target."""
+    """Draw a scene with a row of two or three touching robots across the path, or a cup of nine about the target."""
     kind = rng.integers(3)
     middle = float(rng.uniform(0.4, 0.6) * WAY)
     if kind < 2:

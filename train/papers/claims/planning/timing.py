@@ -17,7 +17,7 @@ KINDS: dict[str, dict[str, Any]] = {"smooth": {}, "literal": {"literal": True}}
 
 
 def times(batch: Batch, slower: float = 1.0) -> Samples:
-    """Return T over T_min (M,), iterations and convergence of plans; `slower` scales the speed behind T_min."""
+    """Return T over T_min (M,), passes, convergence and errors of T of plans; `slower` multiplies T_min."""
     samples: Samples = {}
     for name, changes in KINDS.items():
         plans = plans_of(batch, **changes)

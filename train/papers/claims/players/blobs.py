@@ -28,7 +28,7 @@ BINS = (0.5, 0.8, 1.1, 1.4, 1.7, 2.0, 2.3, 2.6)  # [m]
 def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> dict[str, np.ndarray]:
     """Return believed over true range, and whether a sticker of the head and of the trunk is seen (RUNS, T).
 
-    "distance" (RUNS,) [m] is the true one.
+    "distance" (RUNS,) [m] is the true distance.
     """
     rng = batch.rng()
     memory = {"player_blob": blobs, "player_infrared": False}
@@ -52,7 +52,7 @@ def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> 
 
 
 def compare_blobs(batch: Batch) -> Samples:
-    """Return arrays (RUNS, jerseys, T): ranges by both ways, and in frames with a trunk with or without a head."""
+    """Return relative ranges (RUNS, jerseys, T) by both methods, in all frames and with and without a head sticker."""
     samples: Samples = {}
     for blobs in BLOBS:
         runs = [watch_players(batch, jersey, blobs) for jersey in JERSEYS]
@@ -65,30 +65,30 @@ def compare_blobs(batch: Batch) -> Samples:
 
 
 def jumps(samples: Samples, blobs: str) -> np.ndarray:
-    """Return the ratio of the believed range without a head sticker to that with one, for each jersey (jerseys,)."""
+    """Return the median range without a head sticker over the median range with one, for each jersey (jerseys,)."""
     without, complete = (samples[f"{blobs} {name} head"] for name in ("without", "with"))
     ratios = [median(without[:, j]) / max(median(complete[:, j]), 1e-9) for j in range(len(JERSEYS))]
     return np.array(ratios)
 
 
 def worst_jump(samples: Samples, blobs: str) -> float:
-    """Return the jump of the jersey that is farthest from the paper's factor of two."""
+    """Return the ratio of `jumps` that is farthest from the paper's factor of two."""
     ratios = jumps(samples, blobs)
     return float(ratios[np.argmax(np.abs(np.log(ratios / 2.0)))]) if np.isfinite(ratios).all() else np.nan
 
 
 def headless(samples: Samples, j: int, i: int) -> float:
-    """Return the share of frames without a head sticker [%] of a jersey in a bin of distances."""
+    """Return the share of frames [%] without a head sticker, for jersey `j` in the distance bin `i`."""
     return 100 * (1.0 - mean(samples["head"][in_bins(samples["distance"], BINS)[i], j]))
 
 
 def scatter(samples: Samples, blobs: str) -> float:
-    """Return the scatter of the believed range about its mean in each run [%]."""
+    """Return the rms deviation [%] of the believed relative range from its mean in each run."""
     return 100 * rms(about_own_mean(samples[blobs].reshape(-1, samples[blobs].shape[-1])))
 
 
 def blob_figures(samples: Samples) -> Sequence[Figure]:
-    """Draw the scatter of both ways and the share of frames that show a head sticker against the distance."""
+    """Plot the scatter of the range by both methods, and the share of frames without a head sticker, over distance."""
     middles, inside = middles_of(BINS, 100), in_bins(samples["distance"], BINS)
     steady = [
         Curve(label, middles, [scatter({blobs: samples[blobs][i]}, blobs) if i.any() else np.nan for i in inside])

@@ -30,9 +30,9 @@ EVENTS: dict[str, float | None] = {"none": None, "ghost": 0.0, "miss": 1e6}  # g
 
 
 def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
-    """Return the memory's error (M, T) [m] from an event on: mean gap of the three opponents to their slots.
+    """Return the memory's error (M, T) [m] since an event: mean distance of three opponents from their memory slots.
 
-    "ghosts" and "missed" (M,): counts in the frame of the event.
+    "ghosts" and "missed" (M,): their numbers in the frame of the event.
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, away=3)
@@ -60,13 +60,13 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
 
 
 def error_of(match: Match) -> np.ndarray:
-    """Return the mean distance (M,) [m] of the opponents from the slots that stand for them, KNOWN if none does."""
+    """Return the mean distance (M,) [m] of the opponents from the slots matched to them, KNOWN if none is matched."""
     gaps = matched(gaps_to(match, slots_of(match), FOES), KNOWN)
     return np.asarray(np.minimum(gaps, KNOWN).mean(axis=1))
 
 
 def compare_errors(batch: Batch) -> Samples:
-    """Return the error that each ghost and each miss adds, over AFTER (M,) and frame by frame (M, T) [m].
+    """Return the error that each ghost and each miss adds, as mean over AFTER (M,) and in each frame (M, T) [m].
 
     Matches count if the event made a ghost or a miss, and the frame without the event has neither.
     """
@@ -83,7 +83,7 @@ def compare_errors(batch: Batch) -> Samples:
 
 
 def ghost_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the added error against the time since the event."""
+    """Plot the added error of the memory against the time since the event."""
     steps = samples["course ghost"].shape[1]
     times = np.linspace(0.0, AFTER, steps)[::4]
     curves = [

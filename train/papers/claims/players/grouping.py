@@ -42,7 +42,7 @@ FEW = 5.0  # [%] of the slots filled that may be ghosts
 
 
 def put_two_in_view(match: Match, rng: np.random.Generator, alike: bool = False) -> None:
-    """Put two opponents somewhere in the view of robot 0, who looks ahead, seen from any side; `alike`: equally far."""
+    """Place two opponents at random in view of robot 0, who looks ahead, with random headings; `alike`: equally far."""
     shape, rows = (DRAWS, match.count, 2), np.arange(match.count)
     distance, bearing = rng.uniform(NEAR, FAR, shape), rng.uniform(-WIDE, WIDE, shape)
     if alike:
@@ -55,9 +55,9 @@ def put_two_in_view(match: Match, rng: np.random.Generator, alike: bool = False)
 
 
 def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
-    """Return whether each opponent in view shows a blob (M, 2), and the slots that this frame filled with it (M, 2).
+    """Return whether each opponent in view shows a blob (M, 2), and how many slots it has filled in this frame (M, 2).
 
-    Blobs and slots belong to the opponent that is nearest sideways.
+    A blob or slot belongs to the opponent that is nearest to it sideways.
     """
     mine, slots = owners(match, FOES), slots_of(match)
     away, true = from_camera(match, FOES)
@@ -68,12 +68,12 @@ def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of surplus slots (M,), and of players that show a blob and have no slot (M,)."""
+    """Return the number of surplus slots (M,), and the number of players that show a blob but have no slot (M,)."""
     return np.maximum(filled - visible, 0).sum(axis=1), (visible & (filled == 0)).sum(axis=1)
 
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
-    """Return counts (M,) over all frames: ghosts, missed, filled slots, visible players, with a grouping factor."""
+    """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
     match = watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
     put_two_in_view(match, batch.rng())
     begin(match)
@@ -89,7 +89,7 @@ def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.nda
 
 
 def try_factors(batch: Batch) -> Samples:
-    """Return the counts (M, jerseys) for every factor."""
+    """Return the counts of `count_errors` (M, jerseys) for every grouping factor."""
     samples: Samples = {}
     for factor in FACTORS:
         counts = [count_errors(batch, factor, jersey) for jersey in JERSEYS]
@@ -98,29 +98,29 @@ def try_factors(batch: Batch) -> Samples:
 
 
 def share(samples: Samples, name: str, factor: float, of: str = "visible") -> np.ndarray:
-    """Return ghosts or missed players of each jersey (jerseys,) [%] of the players visible, or of the slots filled."""
+    """Return the share [%] of ghosts or missed players among visible players, or filled slots, by jersey (jerseys,)."""
     total = samples[f"{of} {factor:g}"].sum(axis=0)
     return np.asarray(100 * samples[f"{name} {factor:g}"].sum(axis=0) / np.maximum(total, 1.0))
 
 
 def wrong(samples: Samples, factor: float) -> np.ndarray:
-    """Return ghosts and missed players together of each jersey (jerseys,) [%] of the players that are visible."""
+    """Return the sum of ghosts and missed players [%] of visible players, for each jersey (jerseys,)."""
     return np.asarray(share(samples, "ghosts", factor) + share(samples, "missed", factor))
 
 
 def above_the_best(samples: Samples) -> np.ndarray:
-    """Return the errors [%] at the paper's factor minus the fewest at another factor, of each jersey (jerseys,)."""
+    """Return the errors [%] at the paper's factor minus the fewest errors at another factor, by jersey (jerseys,)."""
     others = np.stack([wrong(samples, factor) for factor in FACTORS if factor != CHOSEN])
     return np.asarray(wrong(samples, CHOSEN) - others.min(axis=0))
 
 
 def of_jersey(samples: Samples, value: Callable[[Samples], np.ndarray], jersey: float) -> float:
-    """Return a quantity of one jersey."""
+    """Return the quantity `value` of the samples for one size of the jersey's stickers."""
     return float(value(samples)[JERSEYS.index(jersey)])
 
 
 def factor_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw ghosts and missed players against the factor, one figure for each jersey."""
+    """Plot the shares of ghosts and missed players against the grouping factor, one figure for each jersey."""
     label = "grouping factor [sizes of the larger blob]"
     return tuple(
         Figure(
@@ -179,7 +179,7 @@ S33 = Claim(
 
 
 def keep_one(batch: Batch, alike: bool = False) -> Samples:
-    """Count the frames (M,) with two opponents visible and one slot filled, and those that keep the nearer one."""
+    """Count frames (M,) with two opponents visible and one slot filled, and frames that keep the nearer opponent."""
     match = watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin(match)
@@ -200,14 +200,14 @@ def keep_one(batch: Batch, alike: bool = False) -> Samples:
 
 
 def two_alike(batch: Batch) -> Samples:
-    """Return `keep_one` for two opponents at equal distances, whose sizes do not tell who is nearer."""
+    """Return `keep_one` for two opponents at equal distances, whose sizes do not tell which is nearer."""
     return keep_one(batch, alike=True)
 
 
 def kept_one(match: Match) -> np.ndarray:
     """Return the index of the opponent (M,) that the slot filled in this frame stands for.
 
-    It is the opponent whose place is nearer to the slot's, in units of the errors: ASIDE, and RANGE of the distance.
+    This is the opponent nearest to the slot's place, in units of the errors: ASIDE, and RANGE of the distance.
     """
     slots, rows = slots_of(match), np.arange(match.count)
     row = is_fresh(match, slots).argmax(axis=1)

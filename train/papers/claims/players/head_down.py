@@ -25,8 +25,8 @@ OVERLOOKED = 1.5  # [1] of the true distance, beyond which a player is overlooke
 def look_at_heads(batch: Batch, **sensors: float) -> Samples:
     """Return each run's mean range error (M,) [m] of a near player with its head up and down, NaN if it is not seen.
 
-    "up" and "down" by the size of its jersey, "... by infrared" by the ranger; also the share of frames that show it,
-    and the share in which the robot overlooks it, with and without the obstacle from the reading.
+    "up", "down": by the size of the jersey; "... by infrared": by the ranger; also the share of frames that show the
+    player, and the share in which robot 0 overlooks it, with and without the obstacle from the ranger.
     """
     samples: Samples = {}
     for name, tilt in TILTS.items():
@@ -41,10 +41,10 @@ def look_at_heads(batch: Batch, **sensors: float) -> Samples:
 
 
 def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle: bool) -> tuple[np.ndarray, ...]:
-    """Let robot 0 stare at a near player with its head tilted [rad]; return arrays (T, M) [m].
+    """Let robot 0 stare at a near player whose head is tilted by `tilt` [rad]; return arrays (T, M) [m].
 
-    Errors of its range by size and by infrared, NaN without a reading; the distance of the nearest known player or
-    obstacle; and the true distance.
+    Errors of the player's range by size and by infrared, NaN without a reading; the distance of the nearest known
+    player or obstacle; and the true distance.
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
@@ -72,7 +72,7 @@ def nearest_known(match: Match) -> np.ndarray:
 
 
 def by_infrared(match: Match) -> np.ndarray:
-    """Return the distance (M,) [m] from robot 0 of a player whose chest the ranger meets, NaN without a reading."""
+    """Return the distance (M,) [m] from robot 0 to a player whose chest the ranger hits, NaN without a reading."""
     camera, axis = camera_of(match)
     robot, reading = match.robots[:, 0], match.percepts["infrared"][:, 0].astype(float)
     level = np.hypot(axis[:, 0], axis[:, 1])
@@ -87,26 +87,26 @@ def heads_that_hide_nothing(batch: Batch) -> Samples:
 
 
 def hundred_times(samples: Samples, name: str) -> float:
-    """Return a hundred times the mean of a quantity: [cm] for metres, [%] for a share."""
+    """Return a hundred times the mean of the quantity `name`: [cm] for metres, [%] for a share."""
     return 100 * mean(samples[name])
 
 
 def farther(samples: Samples) -> float:
-    """Return the believed range with the head down minus that with the head up [cm]."""
+    """Return the believed range with the player's head down minus the range with its head up [cm]."""
     return 100 * mean(samples["down"] - samples["up"])
 
 
 def left_over(samples: Samples) -> float:
-    """Return the size of the error by infrared with the head down over `farther` [%].
+    """Return the absolute range error by infrared with the head down, divided by `farther` [%].
 
-    NaN where a lowered head makes nobody seem farther.
+    NaN where a lowered head does not make the player seem farther.
     """
     difference = farther(samples)
     return 100 * abs(hundred_times(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
 
 
 def head_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the bias against the distance."""
+    """Plot the bias of a near player's range against the distance, with its head up and down."""
     edges = np.linspace(NEAR, FAR, 6)
     inside = in_bins(samples["distance"], edges)
     curves = [

@@ -38,7 +38,7 @@ QUANTITIES = (*SIZES, *TABLES)
 
 
 def box_sizes(match: Match) -> list[np.ndarray]:
-    """Return width and height (M,) [px] of the largest blob of the opponents' colour, and of the box round all."""
+    """Return width and height (M,) [px] of the opponents' largest blob, and of the box round all opponents' blobs."""
     blobs = match.percepts["opponents"][:, 0]
     there = blobs["area"] > 0
     width = np.where(there, blobs["left"].astype(float) - blobs["right"], 0.0)
@@ -54,7 +54,7 @@ def box_sizes(match: Match) -> list[np.ndarray]:
 
 
 def turn_once_round(batch: Batch, jersey: float, view: str, **sensors: Any) -> dict[str, np.ndarray]:
-    """Return sizes [px] and relative range errors of a turning player, means (RUNS, SECTORS) by its view."""
+    """Return sizes [px] and relative range errors of a turning player, means (RUNS, SECTORS) over angles of view."""
     rng = batch.rng()
     settings = {"jersey": jersey, **sensors}
     match = watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
@@ -86,7 +86,7 @@ def by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 
 def jerseys_from_all_sides(batch: Batch, **sensors: Any) -> Samples:
-    """Return arrays (RUNS, jerseys, SECTORS) of every quantity."""
+    """Return each of QUANTITIES as an array (RUNS, jerseys, SECTORS), for jerseys of all sizes."""
     runs = []
     for jersey in JERSEYS:
         front = turn_once_round(batch, jersey, "front", **sensors)
@@ -96,12 +96,12 @@ def jerseys_from_all_sides(batch: Batch, **sensors: Any) -> Samples:
 
 
 def stickers_alike(batch: Batch) -> Samples:
-    """Return `jerseys_from_all_sides` with stickers of chest and rump as large as those of the flanks."""
+    """Return `jerseys_from_all_sides` with stickers of chest and rump as large as the stickers of the flanks."""
     return jerseys_from_all_sides(batch, **ALIKE)
 
 
 def variation(sizes: np.ndarray) -> np.ndarray:
-    """Return the mean coefficient of variation over the views of each jersey (jerseys,) [1]; sizes (runs, j, views)."""
+    """Return the coefficient of variation [1] over views, mean over runs (jerseys,); sizes (runs, jerseys, views)."""
     there = np.isfinite(sizes)
     count = np.maximum(there.sum(axis=2), 1)
     middle = np.where(there, sizes, 0.0).sum(axis=2) / count
@@ -110,25 +110,25 @@ def variation(sizes: np.ndarray) -> np.ndarray:
 
 
 def width_over_height(samples: Samples, which: str = "") -> float:
-    """Return the variation of the width with the view over that of the height, in the worst jersey."""
+    """Return the variation of the width over the views divided by the variation of the height, in the worst jersey."""
     return float((variation(samples[f"{which}width"]) / variation(samples[f"{which}height"])).min())
 
 
 def front_over_side(samples: Samples, which: str = "") -> np.ndarray:
-    """Return the height seen head-on over the height from the side, of each jersey (jerseys,)."""
+    """Return the height seen head-on divided by the height seen from the side, for each jersey (jerseys,)."""
     height = samples[f"{which}height"]
     front, side = height[:, :, FRONT].mean(axis=2), height[:, :, SIDES].mean(axis=2)
     return np.array([mean(front[:, j] / side[:, j]) for j in range(len(JERSEYS))])
 
 
 def bias(samples: Samples, table: str, sectors: Sequence[int]) -> np.ndarray:
-    """Return the mean relative range error [%] of each jersey (jerseys,) in some sectors."""
+    """Return the mean relative range error [%] for each jersey (jerseys,), over the given sectors of view."""
     errors = samples[f"{table} table"][:, :, list(sectors)]
     return np.array([100 * mean(errors[:, j]) for j in range(len(JERSEYS))])
 
 
 def over_views(labels: dict[str, str], title: str, unit: str, scale: float) -> Callable[[Samples], Sequence[Figure]]:
-    """Return a drawing of quantities, by name with their labels, against the view, at the stickers' own size."""
+    """Return a function that plots quantities (`labels` by name) against the view, for stickers of their own size."""
 
     def draw(samples: Samples) -> Sequence[Figure]:
         views = [360.0 / SECTORS * i for i in range(SECTORS)]

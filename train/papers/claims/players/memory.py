@@ -42,9 +42,9 @@ ONE_STICKER = {"trunk_stickers": 1, "sticker_miss": 0.05, "player_miss": 0.0}  #
 
 
 def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict[str, np.ndarray]:
-    """Look at three opponents, then for SECONDS at one alone; arrays (M, T).
+    """Let robot 0 look at three opponents in turn, then for SECONDS at one of them alone; return arrays (M, T).
 
-    "filled": number of slots filled since, ideally one; "range": scatter of its distance [1].
+    "filled": number of slots filled since then, ideally one; "range": relative scatter of the believed range [1].
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
@@ -72,9 +72,9 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
 
 
 def compare_likelihoods(batch: Batch) -> Samples:
-    """Return the share of time (M,) in which one opponent holds two slots or more, by each likelihood.
+    """Return the share of time (M,) in which one opponent holds two slots or more, for each likelihood in POWERS.
 
-    All blobs in view count as one player, so only the matching can fill a second slot.
+    All blobs in view count as one player, so only the matching can fill a second slot. "all ...": three slots or more.
     """
     samples: Samples = {}
     for name, (distance, angle) in POWERS.items():
@@ -110,17 +110,17 @@ def compare_misses(batch: Batch) -> Samples:
 
 
 def by_misses(samples: Samples, name: str) -> list[float]:
-    """Return the share of time [%] by a likelihood in each case of MISSES."""
+    """Return the share of time [%] with two slots or more by the likelihood `name`, in each case of MISSES."""
     return [share(samples, f"{name}, {missed}") for missed in MISSES]
 
 
 def share(samples: Samples, name: str) -> float:
-    """Return a share of time [%]."""
+    """Return the mean of a share of time [%], over all runs."""
     return 100 * mean(samples[name])
 
 
 def slot_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of runs with a second slot filled against the time."""
+    """Plot the share of runs in which one opponent holds two slots against the time."""
     names = [name for name in POWERS if f"course {name}" in samples]
     steps = samples[f"course {FINAL}"].shape[-1]
     times = [float(i * SECONDS / steps) for i in range(steps)]

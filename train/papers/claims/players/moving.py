@@ -33,16 +33,16 @@ CUT_OFFS: dict[str, dict[str, Any]] = {"with": {}, "without": NO_CUT_OFF, "unmat
 
 
 def draw_scenes(batch: Batch) -> tuple[np.ndarray, ...]:
-    """Return distance, bearing, the observer's y and the mover's heading: each scene once for each of SPEEDS."""
+    """Draw distances, bearings, observers' y and movers' headings, each scene repeated for each of SPEEDS."""
     rng = batch.rng()
     ranges = ((NEAREST, FARTHEST), (-COURSE, COURSE), (-0.3, 0.3), (-np.pi, np.pi))
     return tuple(np.repeat(rng.uniform(low, high, SCENES), len(SPEEDS)) for low, high in ranges)
 
 
 def leave(batch: Batch) -> Samples:
-    """Let movers walk off while a dribbler comes: arrays (scenes, speeds) [m].
+    """Let movers walk off after a sighting; return distances and errors of their believed places (scenes, speeds) [m].
 
-    "distance" at the sighting; error of the believed place: "first" at the sighting, "error" when a dribbler arrives.
+    "distance" and "first", the error, at the sighting; "error" when a dribbler would arrive at the believed place.
     """
     distance, bearing, y, heading = draw_scenes(batch)
     speeds = np.tile(SPEEDS, SCENES)
@@ -68,7 +68,7 @@ def leave(batch: Batch) -> Samples:
 
 
 def leave_and_pass(batch: Batch) -> Samples:
-    """Let movers walk off; let a robot dribble past a far one with the forces' cut-off and without ("with clean").
+    """Let movers walk off; let a robot dribble past a far mover with the forces' cut-off and without ("with clean").
 
     Without the cut-off k2 is matched: a force is 1 at the same distance; "unmatched" keeps k2; "middle ..." counts
     distances from middle to middle. NaN in scenes without a dribbler.
@@ -83,12 +83,12 @@ def leave_and_pass(batch: Batch) -> Samples:
 
 
 def gain(samples: Samples, name: str, way: str = "", other: str = "without") -> float:
-    """Return the gain [pp] by the cut-off in a share of the runs past a far mover."""
+    """Return the gain [pp] that the cut-off brings in the share `name` of the runs past a far mover."""
     return 100.0 * (mean(samples[f"{way}with {name}"]) - mean(samples[f"{way}{other} {name}"]))
 
 
 def walk(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
-    """Let the mover walk and change its turn every KEPT s while robot 0 watches; return its path (2, T, M) [m]."""
+    """Let the mover walk and change its turn rate every KEPT s while robot 0 watches; return its path (2, T, M) [m]."""
     robot = match.robots[:, 1]
     way = []
     every = round(KEPT * match.league.control_rate)
@@ -102,30 +102,30 @@ def walk(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Gener
 
 
 def by_distance(samples: Samples, speeds: Sequence[float], name: str = "error") -> list[float]:
-    """Return the median error [cm] in each bin of distance, over movers of some speeds."""
+    """Return the median error of the believed place [cm] in each bin of distance, over movers of the given speeds."""
     column = [SPEEDS.index(speed) for speed in speeds]
     distance, error = samples["distance"][:, column], samples[name][:, column]
     return [100 * median(error[there]) for there in in_bins(distance, BINS)]
 
 
 def by_speed(samples: Samples) -> list[float]:
-    """Return the median error [cm] at each speed, over all distances."""
+    """Return the median error of the believed place [cm] at each speed, over all distances."""
     return [100 * median(samples["error"][:, i]) for i in range(len(SPEEDS))]
 
 
 def at_speed(samples: Samples, speed: float, beyond: bool) -> float:
-    """Return the median error [cm] of movers at a speed that were seen beyond the cut-off, or within it."""
+    """Return the median error [cm] of movers at one speed, sighted beyond the cut-off distance or within it."""
     distance, error = (samples[name][:, SPEEDS.index(speed)] for name in ("distance", "error"))
     return 100 * median(error[(distance > CUT_OFF) == beyond])
 
 
 def beyond_less_within(samples: Samples, speed: float) -> float:
-    """Return the error beyond the cut-off minus the error within it [cm]."""
+    """Return the error of movers sighted beyond the cut-off minus the error of movers sighted within it [cm]."""
     return at_speed(samples, speed, True) - at_speed(samples, speed, False)
 
 
 def moved_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the error against the distance for each speed."""
+    """Plot the error of the mover's believed place against the distance of the sighting, for each speed."""
     middles = middles_of(BINS, 100)
     curves = tuple(Curve(f"{100 * speed:.0f} cm/s", middles, by_distance(samples, (speed,))) for speed in SPEEDS)
     return (Figure("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]", curves),)

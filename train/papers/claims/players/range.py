@@ -25,9 +25,9 @@ ASIDE = 0.4  # [rad] of the bearing
 
 
 def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> Samples:
-    """Return the beliefs of robots that look at one other player: arrays (M, T), NaN in frames that do not show it.
+    """Let robots look at one other player; return believed and true values (M, T), "range" NaN in frames without it.
 
-    "range": error of the distance between the bodies' centres [m]; "true" [m]; "view" [rad]; "infrared" [m], 0: none.
+    "range": error of the distance of body centres; "true": this distance; "infrared": 0 if none; all [m]; "view" [rad].
     """
     rng = batch.rng()
     match = watchers(batch, MATCHES, **settings)
@@ -50,7 +50,7 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
 
 
 def look_at_balls(batch: Batch) -> Samples:
-    """Return "range" and "true" of `look_at_players` for a ball at the places of the player."""
+    """Return "range" and "true" as `look_at_players`, for a ball at the player's places."""
     rng = batch.rng()
     match = watchers(batch, MATCHES, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
@@ -71,7 +71,7 @@ def look_at_balls(batch: Batch) -> Samples:
 
 
 def player_and_ball(batch: Batch) -> Samples:
-    """Return the relative range errors (M, T) of players and of balls at the same places."""
+    """Return the relative range errors (M, T) of players and of balls at equal places."""
     player, ball = look_at_players(batch, NEAR, FAR), look_at_balls(batch)
     return {
         "player": player["range"] / player["true"], "ball": ball["range"] / ball["true"],
@@ -80,12 +80,12 @@ def player_and_ball(batch: Batch) -> Samples:
 
 
 def over_ball(samples: Samples) -> float:
-    """Return the relative error of the player's range over the ball's."""
+    """Return the relative rms range error of the player divided by that of the ball."""
     return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
 
 
 def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
-    """Return the root mean squares of some labelled errors, times 100, against the true distance."""
+    """Return curves of the rms of labelled errors, times 100, against the true distance."""
     edges = np.linspace(near, far, 8)
     inside = in_bins(samples["true"], edges)
     return tuple(
@@ -95,13 +95,13 @@ def error_curves(samples: Samples, labels: dict[str, str], near: float, far: flo
 
 
 def ball_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw both errors against the distance."""
+    """Plot the relative range errors of a player and of the ball against the distance."""
     curves = error_curves(samples, {"player": "player", "ball": "ball"}, NEAR, FAR)
     return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
 
 
 def with_and_without_ranger(batch: Batch) -> Samples:
-    """Return the range errors (M, T) [m] with the ranger's rule and without, in frames where it takes the reading."""
+    """Return range errors (M, T) [m] with the ranger's rule and without, in frames where the rule takes its reading."""
     runs = {
         name: look_at_players(batch, RANGER_NEAR, RANGER_FAR, memory={"player_infrared": rule})
         for name, rule in (("with", True), ("without", False))
@@ -114,12 +114,12 @@ def with_and_without_ranger(batch: Batch) -> Samples:
 
 
 def gain(samples: Samples) -> float:
-    """Return the reduction of the error by the ranger [cm]: above 0 it helps."""
+    """Return the reduction of the rms range error by the ranger [cm]: above 0 the ranger helps."""
     return 100 * (rms(samples["without"]) - rms(samples["with"]))
 
 
 def ranger_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the error with the rule and without against the distance."""
+    """Plot the range error with the ranger's rule and without against the distance."""
     curves = error_curves(samples, {"with": "by infrared", "without": "by size"}, RANGER_NEAR, RANGER_FAR)
     label = "distance between bodies' centres [cm]"
     return (Figure("Range error of a centred player, infrared below 40 cm", label, "rms error [cm]", curves),)

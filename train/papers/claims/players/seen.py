@@ -1,6 +1,6 @@
 """Stage robots that look at other players, and compare their beliefs with the truth, for all matches at once.
 
-Robot 0, of the home team, looks; the claim moves its head.
+Robot 0, of the home team, is the observer; the claim moves its head.
 """
 
 from typing import Any
@@ -20,7 +20,7 @@ STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at whic
 
 
 def watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
-    """Return matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
+    """Set up matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
     settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
     match = stage(batch, matches=matches, home=home, away=away, **settings)
     hide_ball(match)
@@ -29,7 +29,7 @@ def watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **sett
 
 
 def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> None:
-    """Put robot r at a distance [m] and bearing [rad] from robot 0, which sees it at an angle `view` [rad].
+    """Put robot r at a distance [m] and bearing [rad] from robot 0, so that robot 0 sees it at angle `view` [rad].
 
     View 0 is head-on, a half-turn is from behind.
     """
@@ -44,12 +44,12 @@ def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
 
 
 def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICKER) -> None:
-    """Turn the head of robot 0 to robot r: fills in columns 4 to 6 of actions (M, R, 7)."""
+    """Turn the head of robot 0 to robot r: fill columns 4 to 6 of actions (M, R, 7)."""
     look_at_point(match, actions, 0, match.robots["x"][:, r], match.robots["y"][:, r], height)
 
 
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:
-    """Return the tracks (M, slots) of robot 0 for opponents, or for team-mates."""
+    """Return robot 0's memory slots (M, slots), with their tracks, for opponents or for team-mates."""
     first = match.league.slots.teammates
     slots: np.ndarray = match.tracks[:, 0, :first] if teammates else match.tracks[:, 0, first:]
     return slots
@@ -62,7 +62,7 @@ def is_fresh(match: Match, slots: np.ndarray) -> np.ndarray:
 
 
 def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
-    """Return distance [m] and bearing [rad] (M,) of the opponent seen in this frame, NaN without one.
+    """Return distance [m] and bearing [rad] (M,) of the opponent seen in this frame, NaN without an opponent.
 
     The nearest of several counts: it has the largest blob; the others are ghosts or stand behind it.
     """
@@ -80,23 +80,23 @@ def places_of(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ahead_and_left(eye: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return points of the field frame in the frames of robots: ahead and left [m]."""
+    """Convert points of the field frame to the frames of robots `eye`: metres ahead, metres to the left."""
     cosine, sine = np.cos(eye["heading"]), np.sin(eye["heading"])
     dx, dy = x - eye["x"], y - eye["y"]
     return cosine * dx + sine * dy, cosine * dy - sine * dx
 
 
 def gaps_to(match: Match, slots: np.ndarray, robots: Any) -> np.ndarray:
-    """Return the distances (M, slots, n) [m] between slots and true robots; `NONE` for empty slots."""
+    """Return the distances (M, slots, n) [m] between slots and the true places of robots; `NONE` for empty slots."""
     x, y = places_of(match, robots)
     gaps = np.hypot(slots["x"][:, :, None] - x[:, None, :], slots["y"][:, :, None] - y[:, None, :])
     return np.where(slots["present"][:, :, None] == 1, gaps, NONE)
 
 
 def matched(gaps: np.ndarray, limit: float) -> np.ndarray:
-    """Return the gap of each player (M, n) to its slot, `NONE` for a player without a slot.
+    """Return the distance between each player and its matched slot (M, n), `NONE` for a player without a slot.
 
-    gaps (M, slots, n). Greedy, the closest pair first, each slot and each player once, pairs within `limit` only.
+    gaps (M, slots, n). Greedy: closest pair first, each slot and player at most once, pairs within `limit` only.
     """
     left = np.where(gaps <= limit, gaps, NONE)
     count, slots, players = left.shape
@@ -113,7 +113,7 @@ def matched(gaps: np.ndarray, limit: float) -> np.ndarray:
 
 
 def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray, np.ndarray]:
-    """Return bearings and elevations (M, blobs) [rad] of robot 0's blobs of a colour from its camera, NaN without one.
+    """Return bearings and elevations (M, blobs) [rad] of blobs of a colour from robot 0's camera, NaN without a blob.
 
     The geometry of soccer_env.optics.head_camera for all robots at once; a test compares the two.
     """
@@ -138,7 +138,7 @@ def from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def blob_heights(match: Match, r: int = 1) -> np.ndarray:
-    """Return the heights over the ground (M, blobs) [m] of the middles of opponents' blobs, if they are robot r's."""
+    """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot r."""
     away, _ = from_camera(match, [r])
     camera, _ = camera_of(match)
     heights: np.ndarray = camera[:, 2:] + away * np.tan(blob_directions(match)[1])
@@ -146,7 +146,7 @@ def blob_heights(match: Match, r: int = 1) -> np.ndarray:
 
 
 def owners(match: Match, robots: Any) -> np.ndarray:
-    """Return the owner of each opponents' blob (M, blobs): index in `robots` of the sideways nearest, -1 if none."""
+    """Return for each opponents' blob (M, blobs) the index in `robots` of the robot nearest sideways, -1: no blob."""
     bearing, _ = blob_directions(match)
     away, true = from_camera(match, robots)
     aside = np.abs(wrapped(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
@@ -154,7 +154,7 @@ def owners(match: Match, robots: Any) -> np.ndarray:
 
 
 def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
-    """Return the bearings (M, slots) [rad] of slots from robot 0's camera, not from its body's centre."""
+    """Return the bearings (M, slots) [rad] of slots' places from robot 0's camera, not from its body's centre."""
     camera, _ = camera_of(match)
     ahead, left = ahead_and_left(match.robots[:, 0], camera[:, 0], camera[:, 1])
     bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])

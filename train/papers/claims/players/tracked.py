@@ -40,7 +40,7 @@ KEPT = 2.0  # [s] between two random walks
 
 
 def walk_about(match: Match, actions: np.ndarray, step: int, rng: np.random.Generator) -> None:
-    """Let everybody walk about and robot 0 sweep its head; fills in actions (M, R, 7)."""
+    """Fill in actions (M, R, 7) by which all robots walk about at random and robot 0 sweeps its head."""
     if step % round(KEPT * match.league.control_rate) == 0:
         shape = match.robots.shape
         actions[..., 0] = rng.uniform(0.0, 1.0, shape)
@@ -50,7 +50,7 @@ def walk_about(match: Match, actions: np.ndarray, step: int, rng: np.random.Gene
 
 
 def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
-    """Return the number of tracked players, of five (M, T), and the range errors (M, T, 2) [m].
+    """Return how many of five players are tracked (M, T), and the range errors (M, T, 2) [m].
 
     The errors are of the nearest team-mate and the nearest opponent in the frame, NaN without one.
     """
@@ -74,12 +74,12 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
 
 
 def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
-    """Tell which players of a team (M, n) a slot stands for."""
+    """Tell which players of a team (M, n) have a memory slot within NEAR of their true place."""
     return np.asarray(np.isfinite(matched(gaps_to(match, slots_of(match, mates), rows), NEAR)))
 
 
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
-    """Return the range error (M,) [m] of the nearest player of a team in this frame, NaN if it shows none.
+    """Return the range error (M,) [m] of a team's nearest player that this frame shows, NaN without a player.
 
     The slot is compared with the player that is nearest to it sideways.
     """
@@ -95,7 +95,7 @@ def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
 
 
 def compare_systems(batch: Batch) -> Samples:
-    """Return the tracked players and errors of each variant in equal scenes."""
+    """Return the tracked players and range errors of each system in VARIANTS, in equal scenes."""
     samples: Samples = {}
     for name, memory in VARIANTS.items():
         samples |= {f"{part} {name}": values for part, values in track_all(batch, **memory).items()}
@@ -106,17 +106,17 @@ def compare_systems(batch: Batch) -> Samples:
 
 
 def recall(samples: Samples, name: str) -> float:
-    """Return the share of the five others that are tracked [%]."""
+    """Return the share of the five other players that the system `name` tracks [%]."""
     return 20 * mean(samples[f"tracked {name}"])
 
 
 def error(samples: Samples, name: str) -> float:
-    """Return the root mean square range error [cm]."""
+    """Return the rms range error [cm] of the system `name`."""
     return 100 * rms(samples[f"error {name}"])
 
 
 def tracked_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the distribution of the number of tracked players."""
+    """Plot the distribution of the number of tracked players, for each system."""
     curves = [
         Curve(name, range(6), [100 * float(np.mean(samples[f"tracked {name}"] == n)) for n in range(6)])
         for name in VARIANTS

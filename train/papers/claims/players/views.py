@@ -21,7 +21,7 @@ SECTORS = 12  # of 15 degrees in the histogram, both sides together
 def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
     """Return the angles (M, R, R) [rad] from which robots see others, 0 head-on; and whether the others are in view.
 
-    In view: not farther than FAR, within the camera's width around the head's present direction; occlusion is ignored.
+    In view: within FAR and within the camera's width around the head's current direction; occlusion is ignored.
     """
     robots = match.robots
     dx = robots["x"][:, None, :] - robots["x"][:, :, None]  # from the one that looks (axis 1) to the other (axis 2)
@@ -35,7 +35,7 @@ def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 
 def play_matches(batch: Batch, senses: str) -> np.ndarray:
-    """Count the others in view in matches of the chaser by their angle: counts (M, SECTORS)."""
+    """Count sightings of other robots by their angle of view, in matches of the chaser: (M, SECTORS)."""
     match = kick_off(batch, matches=MATCHES, senses=senses)
     counts = np.zeros((MATCHES, SECTORS))
     for step in range(round(SECONDS * match.league.control_rate)):
@@ -50,29 +50,29 @@ def play_matches(batch: Batch, senses: str) -> np.ndarray:
 
 
 def meet_in_play(batch: Batch) -> Samples:
-    """Return the counts in matches in which robots use their sensors, and in matches with ideal senses."""
+    """Return the counts of `play_matches` with the robots' sensors, and with ideal senses."""
     return {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}
 
 
 def thirds(counts: np.ndarray) -> np.ndarray:
-    """Return the shares [%] of the three thirds of the circle: 60 degrees to both sides of the front, sides, rear."""
+    """Return the shares [%] of views from the front (within 60 degrees), the sides, and the rear (beyond 120)."""
     total = counts.sum(axis=0).reshape(3, -1).sum(axis=1)
     return np.asarray(100.0 * total / max(total.sum(), 1.0))
 
 
 def share_of(samples: Samples, third: int) -> float:
-    """Return the share of a third [%] in play by sensors."""
+    """Return the share [%] of one third of the circle (see `thirds`) in play by sensors."""
     return float(thirds(samples["sensors"])[third])
 
 
 def lead_of_front(counts: np.ndarray) -> float:
-    """Return the share of head-on views minus the next third's [%]."""
+    """Return the share of head-on views minus the larger share of the two other thirds [%]."""
     front, side, rear = thirds(counts)
     return float(front - max(side, rear))
 
 
 def view_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the histogram of view angles."""
+    """Plot the distribution of the angles of view, with sensors and with ideal senses."""
     width = 180.0 / SECTORS
     middles = [width * (i + 0.5) for i in range(SECTORS)]
     curves = []

@@ -25,7 +25,7 @@ SLOWLY = 0.2  # [rad/s] least turn rate
 
 
 def signs_of(match: Match, r: int) -> np.ndarray:
-    """Return the ball's own speed away from robot r [m/s], |bearing| [rad], |turn| [rad/s], distance [m]: (4, M).
+    """Return for robot r the ball's speed away [m/s], |bearing| [rad], |turn rate| [rad/s] and distance [m]: (4, M).
 
     The distance is from the camera.
     """
@@ -37,14 +37,14 @@ def signs_of(match: Match, r: int) -> np.ndarray:
 
 
 def cause_of(signs: np.ndarray) -> int:
-    """Return the index of an alarm's cause, from the mean signs (4,) before it."""
+    """Return the index in CAUSES of an alarm's cause, from the mean signs (4,) before the alarm."""
     away, bearing, turn, distance = signs
     tests = (away > AWAY, bearing > ASIDE or turn > SLOWLY, distance < NEAR, True)
     return tests.index(True)
 
 
 class Approaches:
-    """Approaches of play: when they begin, whether somebody stops them, and how they end, of robots (M, R)."""
+    """Approaches to the ball in play, by robots (M, R): counts of approaches, recoveries and false alarms by cause."""
 
     def __init__(self, match: Match) -> None:
         self.match, self.watch = match, Watch(match, BEFORE)
@@ -55,7 +55,7 @@ class Approaches:
         self.causes = np.zeros((match.count, len(CAUSES)))
 
     def look(self, step: int) -> None:
-        """Note a control step."""
+        """Update the counts after a control step."""
         match, rows = self.match, range(self.match.robots.shape[1])
         self.watch.look()
         self.signs = [*self.signs[1 - self.watch.size :], np.stack([signs_of(match, r) for r in rows], axis=-1)]
@@ -74,12 +74,12 @@ class Approaches:
                 self.found["usual free"][m] += self.cause(m, r) in USUAL
 
     def cause(self, m: int, r: int) -> int:
-        """Return the cause of an alarm, by the last seconds of a robot."""
+        """Return the cause of an alarm of robot r in match m, from its signs in the last seconds."""
         return cause_of(np.mean([sign[:, m, r] for sign in self.signs], axis=0))
 
 
 def causes(batch: Batch) -> Samples:
-    """Return false alarms of play by cause (M, causes), approaches and recoveries (M,), and staged alarms (M,)."""
+    """Return false alarms of play by cause (M, causes), approaches, recoveries (M,), and alarms in staged runs (M,)."""
     match = kick_off(batch, matches=MATCHES, team="sacks-2001")
     seen = Approaches(match)
     for step in play(match, PLAY_TIME):
@@ -92,7 +92,7 @@ def causes(batch: Batch) -> Samples:
 
 
 def more_usual(samples: Samples) -> float:
-    """Return the share of receding and turning before false alarms minus the share in free approaches [pp]."""
+    """Return the share of receding or turning before false alarms minus the share in free approaches [pp]."""
     alarms, free = samples["alarms"].sum(), samples["free"].sum()
     if not alarms or not free:
         return float("nan")
@@ -100,14 +100,14 @@ def more_usual(samples: Samples) -> float:
 
 
 def by_cause(samples: Samples) -> np.ndarray:
-    """Return the shares [%] of the causes in all false alarms of play."""
+    """Return the share [%] of each cause among all false alarms of play."""
     total = samples["causes"].sum()
     shares: np.ndarray = 100.0 * samples["causes"].sum(axis=0) / total if total else np.full(len(CAUSES), np.nan)
     return shares
 
 
 def share_of(samples: Samples, cause: int) -> float:
-    """Return the share [%] of one cause."""
+    """Return the share [%] of one cause among all false alarms of play."""
     return float(by_cause(samples)[cause])
 
 

@@ -24,7 +24,7 @@ NUMBERS = ("got", "freed", "began", "aside", "over", "again", "tries", "goals", 
 
 
 class Fate:
-    """The fate of robots, one in each match: times [s] of events since the moment (N,), NaN for no event."""
+    """Events in the future of one robot in each match: times [s] since the sampled moment (N,), NaN for no event."""
 
     def __init__(self, match: Match, robots: np.ndarray) -> None:
         self.match, self.robots, self.rows = match, robots, np.arange(match.count)
@@ -36,7 +36,7 @@ class Fate:
         self.ended = np.zeros(match.count, bool)  # by a goal: what follows is another situation
 
     def look(self, now: float) -> None:
-        """Note a control step."""
+        """Record the events of a control step at the time `now` [s]."""
         match, at = self.match, (self.rows, self.robots)
         self.watch.look()
         doing = behaviours(match)[at]
@@ -62,7 +62,7 @@ class Fate:
         self.ended |= scored != NO_TEAM
 
     def first(self, name: str, happens: np.ndarray, now: float) -> None:
-        """Note the time of an event's first occurrence."""
+        """Record the time of an event's first occurrence."""
         self.found[name][happens & ~self.ended & np.isnan(self.found[name])] = now
 
     def goes_freely(self, recovers: np.ndarray) -> np.ndarray:
@@ -87,7 +87,7 @@ def has_alone(match: Match, robots: np.ndarray) -> np.ndarray:
 
 
 def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
-    """Return the angles (M,) [deg] between the ways from robots to the ball and from the ball to their goals."""
+    """Return the angles (M,) [deg] between the directions from robots to the ball and from the ball to their goals."""
     robot, ball = match.robots[np.arange(match.count), robots], match.balls
     ahead = match.matches["home_direction"] * np.where(robot["team"] == HOME, 1.0, -1.0)
     to_ball = np.arctan2(ball["y"] - robot["y"], ball["x"] - robot["x"])
@@ -99,17 +99,17 @@ def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
 def follow(
     batch: Batch, *, begun: bool = False, kind: int = HELD, random_sides: bool = False, **settings: Any
 ) -> Samples:
-    """Return the fate of the robots of sampled moments, (MATCHES, MOST) each, with settings by name for them.
+    """Return the fates of robots held at sampled moments, (MATCHES, MOST) each; `settings`: settings of their team.
 
-    NaN: no such moment, or no event. `begun`: they begin to recover at once, as if they had noticed;
-    `random_sides`: they step aside to a random side.
+    NaN: no such moment, or no event. `kind`: HELD or TRIPPED; `begun`: robots begin to recover at once, as if they had
+    noticed; `random_sides`: they step aside to a random side.
     """
     return _follow(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
 
 
 @lru_cache(maxsize=1024)
 def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]) -> Samples:
-    """Return `follow` for hashable arguments, which the cache needs."""
+    """Compute `follow` from hashable arguments, which the cache needs."""
     moments = sample(batch)
     place = places(moments)
     found = {
@@ -130,7 +130,7 @@ def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: 
 
 
 def run(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_sides: bool) -> Samples:
-    """Play a branch to its end."""
+    """Play a branch to its end and return the fates of its robots."""
     if begun:
         for r in np.unique(robots):
             recover(match, robots == r, int(r))
@@ -148,7 +148,7 @@ def run(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_side
 
 
 def places(moments: Moments) -> np.ndarray:
-    """Return the number of each moment within its match."""
+    """Return the index of each moment within its match."""
     before = moments.match[:, None] == moments.match[None, :]
     numbers: np.ndarray = np.tril(before, -1).sum(axis=1)
     return numbers
@@ -163,6 +163,6 @@ def chosen(found: Samples, **flags: float) -> np.ndarray:
 
 
 def shares_of(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the numbers of moments with the given flags, and of hits among them, in each match (MATCHES,)."""
+    """Return the number of moments with the given flags, and the number of hits among them, by match (MATCHES,)."""
     there = chosen(found, **flags)
     return there.sum(axis=1).astype(float), (there & hit(found)).sum(axis=1).astype(float)

@@ -31,7 +31,7 @@ def near_ball(match: Match) -> np.ndarray:
 
 
 def contacts(batch: Batch) -> Samples:
-    """Count contact episodes (M,), the time with a crowd at the ball (M,) [s], approaches and those with a contact."""
+    """Count contact episodes (M,), time with a crowd at the ball (M,) [s], approaches and approaches with a contact."""
     match = kick_off(batch, matches=MATCHES, team=OFF)
     episodes, crowded, touching, approaches, met = np.zeros((5, MATCHES))
     since, was = np.full(match.robots.shape, np.inf), np.zeros(match.robots.shape, bool)
@@ -75,7 +75,7 @@ S01 = Claim(
 
 
 def deadlocks(batch: Batch, recovery: bool) -> Samples:
-    """Let pairs go for a ball; return the pairs held short of it, those without the ball 20 s later, and the times."""
+    """Let pairs go for a ball; return pairs held short of it, pairs without the ball 20 s later, and the times."""
     match = converge(batch, PAIRS, recovery=recovery)
     watch = Watch(match)
     held, got = np.full(PAIRS, np.nan), np.full(PAIRS, np.inf)
@@ -95,7 +95,7 @@ def deadlocks(batch: Batch, recovery: bool) -> Samples:
 
 
 def pairs(batch: Batch) -> Samples:
-    """Return both variants (M,), and the robots held in play that are not free 20 s later (M,)."""
+    """Return `deadlocks` without and with recovery (M,), and the robots held in play and not free 20 s later (M,)."""
     off, on = deadlocks(batch, False), deadlocks(batch, True)
     held, bound = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK))
     lay, still = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK), still=1.0)
@@ -105,7 +105,7 @@ def pairs(batch: Batch) -> Samples:
 
 
 def deadlock_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of held pairs without the ball against the time."""
+    """Plot the share of held pairs that do not have the ball yet against the time."""
     grid = np.linspace(0.0, DEADLOCK, 41)
     curves = []
     for name, title in (("", "no detection"), (" on", "detection and recovery")):

@@ -35,7 +35,7 @@ WINDOW = 2.5  # [s] over which the velocity is averaged, assumed
 
 
 def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Hold robots on their way to a still ball; return its distance [m] and the time until they notice [s], (M,).
+    """Hold robots on their path to a still ball; return the ball's distance [m] and the time to notice [s], (M,).
 
     The distance is from the camera. inf: not within WAIT; NaN: noticed before the hold.
     """
@@ -53,7 +53,7 @@ def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def held(batch: Batch) -> Samples:
-    """Return distances and latencies of held robots (M,), and the counts of criteria."""
+    """Return distances and latencies of held robots (M,), and the counts for the criteria."""
     distance, after = latencies(batch)
     samples = {"distance": distance, "after": after}
     for name, seconds, low, high in COUNTED:
@@ -69,7 +69,7 @@ def held(batch: Batch) -> Samples:
 
 
 def latency_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw quantiles of the latency against the ball's distance."""
+    """Plot quantiles of the time until a held robot notices against the ball's distance."""
     bins = [samples["after"][there & ~np.isnan(samples["after"])] for there in in_bins(samples["distance"], BINS)]
     curves = tuple(
         Curve(
@@ -117,7 +117,7 @@ S22 = Claim(
 
 
 def windows(batch: Batch) -> Samples:
-    """Return the mean radial velocities [m/s] of windows of play, of free robots and of held ones (M, K).
+    """Return mean radial velocities [m/s] of free robots and of held robots in time windows of play (M, K).
 
     Windows do not overlap; NaN: no further window in the match.
     """
@@ -141,7 +141,7 @@ def windows(batch: Batch) -> Samples:
 
 
 def area(samples: Samples) -> float:
-    """Return the area under the ROC curve: the probability that a stuck robot reads more than a free one."""
+    """Return the area under the ROC curve: the probability that a stuck robot reads more than a free robot."""
     free, stuck = known(samples["free"]), known(samples["stuck"])
     if len(stuck) == 0:
         return float("nan")
@@ -151,7 +151,7 @@ def area(samples: Samples) -> float:
 
 
 def velocity_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the distributions of the velocities of free and held robots."""
+    """Plot the distributions of the mean radial velocity of free robots and of held robots."""
     edges = np.linspace(-0.2, 0.1, 25)
     curves = []
     for name, title in (("free", "walks freely"), ("stuck", "held")):

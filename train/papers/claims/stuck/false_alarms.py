@@ -24,7 +24,7 @@ TRIES, TIME = 48, 20.0  # approaches of each kind a batch, [s] of each at most
 
 
 def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
-    """Let robots that nothing stops go to a ball anywhere round them; return the false alarms (M,).
+    """Let robots that nothing stops go to a ball anywhere round them; return which have a false alarm (M,).
 
     An alarm is a recovery that begins before the robot has the ball.
     """
@@ -46,7 +46,7 @@ def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
 
 
 def one_and_two(batch: Batch) -> Samples:
-    """Return false alarms with one counter and with two, in approaches to a still ball (M,)."""
+    """Return false alarms with one counter and with two counters, in approaches to a still ball (M,)."""
     found = {}
     for n in (1, 2):
         found[f"counters {n}"] = approach(batch, rolls=False, two_counters=n == 2)
@@ -56,13 +56,13 @@ def one_and_two(batch: Batch) -> Samples:
 
 
 def fewer(samples: Samples, name: str) -> float:
-    """Return the alarms with one counter over those with two, where half an alarm replaces none; NaN: no alarm."""
+    """Return the number of alarms with one counter divided by that with two (at least half an alarm); NaN: no alarm."""
     one, two = samples[f"{name} 1"].sum(), samples[f"{name} 2"].sum()
     return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
 
 
 def rate(name: str, samples: Samples) -> float:
-    """Return the alarms in 100 approaches of a variant."""
+    """Return the number of alarms of the variant `name` in 100 approaches."""
     return 100.0 * mean(samples[name])
 
 
@@ -94,7 +94,7 @@ S23 = Claim(
 
 
 def sweep(batch: Batch) -> Samples:
-    """Return latencies of held robots [s] and false alarms of free ones at each threshold (M, thresholds)."""
+    """Return latencies of held robots [s] and false alarms of free robots at each threshold (M, thresholds)."""
     delay, false = [], []
     for count in COUNTS:
         distance, after = latencies(batch, stuck_count=count)
@@ -105,17 +105,17 @@ def sweep(batch: Batch) -> Samples:
 
 
 def delays(samples: Samples) -> list[float]:
-    """Return the mean latency [s] at each threshold."""
+    """Return the mean latency [s] of held robots at each threshold."""
     return [mean(samples["delay"][:, i]) for i in range(len(COUNTS))]
 
 
 def falses(samples: Samples) -> list[float]:
-    """Return the false alarms in 100 approaches at each threshold."""
+    """Return the number of false alarms in 100 approaches at each threshold."""
     return [100.0 * mean(samples["false"][:, i]) for i in range(len(COUNTS))]
 
 
 def sweep_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw delay and false alarms against the threshold."""
+    """Plot the mean latency and the number of false alarms against the threshold."""
     delay = Curve("held robots", COUNTS, delays(samples))
     false = Curve("free robots", COUNTS, falses(samples))
     return (

@@ -33,9 +33,9 @@ HELD = "who holds it goes on playing: sacks-2001 without recovery"
 
 
 def stuck_again(batch: Batch, way_back: bool = False) -> Samples:
-    """Tell who is held again within AGAIN after the recovery, for each number of steps back (M, moments, numbers).
+    """Tell which robots are held again within AGAIN after a recovery, by number of steps back (M, moments, numbers).
 
-    `way_back`: subtract the time to walk the steps forward again.
+    `way_back`: subtract the time to walk these steps forward again.
     """
     columns = []
     for steps in BACK_STEPS:
@@ -49,23 +49,23 @@ BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
 
 
 def shares(samples: Samples) -> list[float]:
-    """Return the share [%] held again for each number of steps back."""
+    """Return the share of robots held again [%] for each number of steps back."""
     return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
 
 
 def share(samples: Samples, number: int) -> float:
-    """Return the share [%] held again for one of the numbers of steps back."""
+    """Return the share of robots held again [%] for the number of steps BACK_STEPS[number]."""
     return shares(samples)[number]
 
 
 def ten_over_fewer(samples: Samples) -> float:
-    """Return the share held again after 10 steps over the mean share after 2 and 5; NaN: nobody is held."""
+    """Return the share held again after 10 steps back over the mean share after 2 and 5; NaN: no robot is held."""
     two, five, ten, _ = shares(samples)
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
 
 def again_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share against the steps."""
+    """Plot the share of robots held again against the number of steps back."""
     curve = Curve("held again within 5 s", BACK_STEPS, shares(samples))
     return (Figure("Held again after a recovery", "steps back", "robots [%]", (curve,)),)
 
@@ -95,7 +95,7 @@ S26 = Claim(
 
 
 def sides(batch: Batch) -> Samples:
-    """Return misalignments [deg] (M, moments) and counts of clear ways (M,), also with a random side ("... either")."""
+    """Return misalignments [deg] (M, moments) and counts of clear paths (M,), also for random sides ("... either")."""
     samples: Samples = {}
     for word, drawn in (("", False), (" either", True)):
         fate = follow(batch, begun=True, random_sides=drawn)
@@ -111,7 +111,7 @@ def sides(batch: Batch) -> Samples:
 
 
 def change(samples: Samples, name: str = "", until: str = "at ball") -> float:
-    """Return the mean change [deg] of the misalignment since before a recovery, until the ball or "after" it."""
+    """Return the mean change [deg] of the misalignment from before a recovery until the ball, or until "after" it."""
     return mean(samples[f"{until}{name}"] - samples[f"before{name}"])
 
 
@@ -148,7 +148,7 @@ S27 = Claim(
 
 
 def attempts(batch: Batch) -> Samples:
-    """Return the fate of held robots (M, moments): recovering at once, when they notice, and not at all."""
+    """Return fates of held robots (M, moments) that recover at once, when they notice, not at all, or by QUICK."""
     samples: Samples = {}
     variants = {"begun": follow(batch, begun=True), "on": follow(batch, recovery=True),
                 "off": follow(batch, recovery=False), "quick": follow(batch, **QUICK)}  # fmt: skip
@@ -165,7 +165,7 @@ def attempts(batch: Batch) -> Samples:
 
 
 def within(samples: Samples, name: str, seconds: float, flags: dict[str, float]) -> float:
-    """Return the share [%] of robots with the given flags that were free, or had the ball, in time."""
+    """Return the share [%] of robots with the given flags that are free, or have the ball, within `seconds`."""
     times = samples[name]
     for flag, value in flags.items():
         times = np.where(samples[flag] == value, times, np.nan)
@@ -173,7 +173,7 @@ def within(samples: Samples, name: str, seconds: float, flags: dict[str, float])
 
 
 def gain(samples: Samples, name: str = "freed", word: str = "begun", flags: dict[str, float] | None = None) -> float:
-    """Return the share of robots free, or with the ball, with a recovery minus the share without [pp]."""
+    """Return the share of robots free, or with the ball, with a recovery minus the share without a recovery [pp]."""
     seconds = FREE if name == "freed" else FUTURE
     return within(samples, f"{name} {word}", seconds, flags or {}) - within(
         samples, f"{name} off", seconds, flags or {}
@@ -181,7 +181,7 @@ def gain(samples: Samples, name: str = "freed", word: str = "begun", flags: dict
 
 
 def tries_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of free robots against the time."""
+    """Plot the share of robots that are free again against the time, for each kind of recovery."""
     grid = np.linspace(0.0, FUTURE, 49)
     curves = []
     for word, title in (("begun", "recover at once"), ("on", "recover when they notice"), ("off", "push on")):
@@ -191,7 +191,7 @@ def tries_figure(samples: Samples) -> Sequence[Figure]:
 
 
 def several(samples: Samples) -> float:
-    """Return the share [%] of recoveries that begin again before the robot has the ball."""
+    """Return the share [%] of robots that begin more than one recovery before they have the ball."""
     tries = samples["tries begun"]
     return 100.0 * mean(np.where(np.isnan(tries), np.nan, tries > 1.0))
 

@@ -26,19 +26,19 @@ START = -0.9  # [m] x of the robot at the start
 
 
 def seekers(batch: Batch, matches: int, others: int = 1, **settings: Any) -> Match:
-    """Return matches in which sacks-2001, with settings by name, plays robot 0, and opponents stand still."""
+    """Set up matches in which sacks-2001, with the given settings, plays robot 0, and opponents stand still."""
     sides = {"home": make_team("sacks-2001", **settings), "away": "still"}
     return stage(batch, LEGGED, matches=matches, away=others, controllers=sides)
 
 
 def recovers(match: Match) -> np.ndarray:
-    """Return where (M,) the player of robot 0 is recovering from a collision."""
+    """Tell in which matches (M,) robot 0 is recovering from a collision."""
     behaviour = memory_of(match)["behaviour"]
     return (behaviour >= BACK) & (behaviour <= ROTATE)
 
 
 def hold(match: Match) -> None:
-    """Immobilise robots: from now on their legs slip; they can still turn."""
+    """Immobilise all robots: from now on their legs slip; they can still turn."""
     constants_of(match)["drive_traction"] = constants_of(match)["drive_thrust"] = NO_GRIP
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
@@ -46,12 +46,12 @@ def hold(match: Match) -> None:
 
 
 def anchor(match: Match, rows: Sequence[int]) -> None:
-    """Make robots so heavy that nobody can move them."""
+    """Make the robots `rows` so heavy that no robot can move them."""
     set_mass(match, rows, HEAVY, HEAVY)
 
 
 def walk_up(batch: Batch, matches: int, nearest: float, farthest: float, **settings: Any) -> Match:
-    """Return matches in which robot 0 walks towards a still ball `nearest` to `farthest` [m] before its camera."""
+    """Set up matches in which robot 0 walks to a still ball, `nearest` to `farthest` [m] ahead of its camera."""
     rng = batch.rng()
     match = seekers(batch, matches, **settings)
     heading = rng.uniform(-0.5, 0.5, matches)
@@ -63,9 +63,9 @@ def walk_up(batch: Batch, matches: int, nearest: float, farthest: float, **setti
 
 
 def converge(batch: Batch, matches: int, **settings: Any) -> Match:
-    """Return matches in which two opponents walk to a still ball ahead of both, from ways that meet at an angle.
+    """Set up matches in which two opponents walk to a still ball ahead of both, on paths that meet at an angle.
 
-    Both are sacks-2001, with settings by name.
+    Both are players of sacks-2001, with the given settings.
     """
     rng = batch.rng(4)
     team = make_team("sacks-2001", **settings)
@@ -82,10 +82,10 @@ def converge(batch: Batch, matches: int, **settings: Any) -> Match:
 
 
 def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) -> Match:
-    """Return matches in which an immovable robot stands in robot 0's way to a still ball.
+    """Set up matches in which an immovable robot stands in robot 0's path to a still ball.
 
-    It stands beside the straight way, so that the ball is seen past it, and their bodies overlap by up to OVERLAP; the
-    ways (M,) [rad] are up to `ways` off the goal's direction.
+    The immovable robot stands beside the straight path, so that the ball is seen past it, and the bodies overlap by up
+    to OVERLAP; paths (M,) [rad] are up to `ways` off the goal's direction.
     """
     rng = batch.rng()
     match = seekers(batch, matches, **settings)
@@ -103,7 +103,7 @@ def behind_post(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) 
 
 
 def recover(match: Match, rows: Any = slice(None), r: int = 0) -> None:
-    """Let the player of robot r begin a recovery now, as if it had noticed that it is stuck."""
+    """Make the player of robot r begin a recovery now, as if it had noticed that it is stuck."""
     memory, steps = memory_of(match, r), team_settings_of(match, r)["back_steps"][0]
     memory["behaviour"][rows] = BACK
     memory["clock"][rows] = 0.0

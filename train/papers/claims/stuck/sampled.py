@@ -37,7 +37,7 @@ OUT = -1  # behaviour of a player that is sent off
 
 @dataclass(frozen=True)
 class Moments:
-    """Copies of matches (N,) at moments of one robot each, and the circumstances of these moments."""
+    """Copies of matches (N,), each at a moment of one robot, and the circumstances of these moments."""
 
     parts: dict[str, np.ndarray]  # everything that the future depends on, by name
     match: np.ndarray  # number in the batch
@@ -55,7 +55,7 @@ class Moments:
 
 
 class Watch:
-    """The movements of robots (M, R) in the last `seconds` seconds."""
+    """A sliding window over the movements of robots (M, R): the last `seconds` seconds."""
 
     def __init__(self, match: Match, seconds: float = WINDOW) -> None:
         self.match = match
@@ -63,7 +63,7 @@ class Watch:
         self.rows: list[np.ndarray] = []
 
     def look(self) -> None:
-        """Note all places after a control step."""
+        """Append the robots' and the ball's positions and states after a control step to the window."""
         match, robots = self.match, self.match.robots
         walk = np.hypot(robots["walk"]["forward"], robots["walk"]["left"]) * match.league.dt
         touch = match.robot_events["collision"] == 1
@@ -77,13 +77,13 @@ class Watch:
         return len(self.rows) == self.size
 
     def path(self, at: int = 0) -> np.ndarray:
-        """Return the distances [m] that the robots moved in the window; with `at` 5, that the ball moved."""
+        """Return the distances [m] that the robots moved from start to end of the window; with `at` 5, the ball's."""
         way = self.rows[-1][at : at + 2] - self.rows[0][at : at + 2]
         distance: np.ndarray = np.hypot(way[0], way[1])
         return distance
 
     def mean(self, row: int) -> np.ndarray:
-        """Return the mean of a row of the window."""
+        """Return the mean over the window of one recorded quantity, by its row in `look`."""
         mean: np.ndarray = np.mean([now[row] for now in self.rows], axis=0)
         return mean
 
@@ -106,7 +106,7 @@ class Watch:
     def short(self) -> np.ndarray:
         """Tell which robots went for the ball, in contact, and approached it much less than their legs walked.
 
-        Unlike a held robot they may move: two robots that push the ball before them come no nearer to it.
+        Unlike held robots they may move: two robots that push the ball ahead of them come no nearer to the ball.
         """
         first, last = (np.hypot(now[5] - now[0], now[6] - now[1]) for now in (self.rows[0], self.rows[-1]))
         walked = self.mean(2) * self.size
@@ -120,7 +120,7 @@ class Watch:
 
 
 def behaviours(match: Match) -> np.ndarray:
-    """Return the behaviours of all players (M, R) of teams of this package, OUT for players that are sent off.
+    """Return the current behaviour of each player (M, R) of this package's teams, OUT for players that are sent off.
 
     A player that is sent off remembers its behaviour, and resumes it when it returns.
     """
@@ -129,14 +129,14 @@ def behaviours(match: Match) -> np.ndarray:
 
 
 def of_camera(match: Match, distance: np.ndarray, bearing: np.ndarray) -> np.ndarray:
-    """Return distances [m] from the camera, level ahead, of places given from the middles of bodies."""
+    """Convert distances [m] from body centres, at bearings [rad], to distances from a camera that looks ahead."""
     ahead = match.league.head.camera_ahead
     from_camera: np.ndarray = np.hypot(distance * np.cos(bearing) - ahead, distance * np.sin(bearing))
     return from_camera
 
 
 def tripped(match: Match) -> np.ndarray:
-    """Tell for which robots (M, R) on the way to the ball both counters have tripped, by the paper's settings."""
+    """Tell for which robots (M, R) on the path to the ball both counters have tripped, by the paper's settings."""
     team = SacksSettings()
     memory = np.stack([memory_of(match, r) for r in range(match.robots.shape[1])], axis=1)
     ball = match.beliefs["ball"]
@@ -147,16 +147,16 @@ def tripped(match: Match) -> np.ndarray:
 
 
 def sample(batch: Batch) -> Moments:
-    """Watch a batch of matches and copy them where a robot is held, and where its counters trip.
+    """Play a batch of matches, and copy them where a robot is held and where its counters trip.
 
-    All claims share the moments: of a batch only seed, index and pose count.
+    All claims share these moments, which depend only on the batch's seed, index and pose.
     """
     return _sample(replace(batch, claim="moments"))
 
 
 @lru_cache(maxsize=64)
 def _sample(batch: Batch) -> Moments:
-    """Return `sample` for a batch as the key of a cache."""
+    """Compute `sample` for a batch that serves as the key of a cache."""
     match = kick_off(batch, matches=MATCHES, team=BASE)
     watch = Watch(match)
     since = np.full((2, *match.robots.shape), np.inf)
@@ -178,7 +178,7 @@ def _sample(batch: Batch) -> Moments:
 
 
 def gathered(match: Match, copies: list[tuple[dict[str, np.ndarray], dict[str, Any]]]) -> Moments:
-    """Return copies of moments as arrays; `match` gives the shapes of empty ones."""
+    """Stack copies of moments into arrays; `match` gives the shapes if there are no copies."""
     stacked = {
         name: np.stack([saved[name] for saved, _ in copies]) if copies else array[:0]
         for name, array in parts(match).items()
@@ -207,7 +207,7 @@ def copy_moment(match: Match, watch: Watch, kind: int, m: int, r: int) -> tuple[
 
 
 def branch(batch: Batch, moments: Moments, chosen: np.ndarray, team: int, settings: dict[str, Any]) -> Match:
-    """Return matches that go on from the chosen moments (mask or rows), one team with settings by name."""
+    """Return matches that continue from the chosen moments (mask or rows), one team with the given settings."""
     sides: dict[str, Any] = {"home": BASE, "away": BASE}
     sides["home" if team == HOME else "away"] = make_team("sacks-2001", **settings)
     match = kick_off(batch, rules=PATIENT, matches=len(moments.match[chosen]), controllers=sides)

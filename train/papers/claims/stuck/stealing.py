@@ -16,10 +16,10 @@ JUST = 0.25  # [s] after a touch in which a ball that is lost was lost by it, as
 
 
 def steal(batch: Batch, avoid: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Let a robot chase an opponent that has the ball; return balls won (M,), won by contact, and calls of the referee.
+    """Let a robot chase an opponent with the ball; return balls won (M,), balls won by contact, and referee's calls.
 
-    By contact: the opponent loses the ball while the two touch, or just after, and the robot is the next to have it.
-    The scene ends after STEAL_TIME, or when the referee whistles or moves the ball.
+    By contact: the opponent loses the ball during a touch between the two or just after, and the robot has the ball
+    next. The scene ends after STEAL_TIME, or when the referee whistles or moves the ball.
     """
     rng = batch.rng()
     sides: dict[str, Any] = {"home": make_team("sacks-2001", avoid_chasing=avoid), "away": make_team("sacks-2001")}
@@ -58,7 +58,7 @@ def ended_by_referee(match: Match) -> np.ndarray:
 
 
 def steals(batch: Batch) -> Samples:
-    """Return the results of `steal` with avoidance while chasing, and without (M,)."""
+    """Return the results of `steal` with avoidance while chasing, and without avoidance (M,)."""
     (on, on_contact, on_called), (off, off_contact, off_called) = steal(batch, True), steal(batch, False)
     found = {"on": on, "off": off, "on contact": on_contact, "contact": off_contact}
     return {**found, "called": 0.5 * (on_called + off_called), "one": np.ones(STEALS)}

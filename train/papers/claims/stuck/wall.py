@@ -17,9 +17,9 @@ ASIDE, AWAY = (35.0, 90.0), (0.4, 0.8)  # [deg] in view of a panned head, [m] of
 
 
 def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Run the drill facing-wall; return who got the ball (M,) and the tries to get free.
+    """Run the drill facing-wall; return which robots get the ball (M,) and the number of tries to get free.
 
-    `seen`: the ball lies aside, in view of the robot, not behind it.
+    `seen`: the ball lies to the robot's side, in view, not behind the robot.
     """
     team, rng = make_team("sacks-2001", **settings), batch.rng()
     match = drill(batch, "facing-wall", team, matches=RUNS)
@@ -40,7 +40,7 @@ def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np
 
 
 def walls(batch: Batch) -> Samples:
-    """Run both scenes with the rule that turns to a ball far aside, with sidesteps always, and without recovery."""
+    """Run both scenes with rotation to a ball far aside, always with sidesteps, and without recovery (`face_wall`)."""
     samples: Samples = {"one": np.ones(RUNS)}
     for scene, seen in (("aside", True), ("behind", False)):
         samples[f"{scene} rotate"], samples[f"{scene} tries"] = face_wall(batch, seen)

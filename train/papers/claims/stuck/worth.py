@@ -23,17 +23,17 @@ WAYS = {"on": True, "off": False}
 
 
 def task(batch: Batch, scene: str, recovery: bool) -> Match:
-    """Return a drill of robot 0."""
+    """Set up the drill `scene` for robot 0, with or without the recovery."""
     return drill(batch, scene, make_team("sacks-2001", recovery=recovery), matches=RUNS)
 
 
 def past_post(batch: Batch, recovery: bool) -> Match:
-    """Return runs of robot 0 to a ball visible past an immovable robot in the way."""
+    """Set up runs of robot 0 to a ball that it sees past an immovable robot in its path."""
     return behind_post(batch, RUNS, recovery=recovery)
 
 
 def meeting(batch: Batch, recovery: bool) -> Match:
-    """Return pairs that go for a still ball from two ways, both with the recovery or without."""
+    """Set up pairs that go for a still ball from two directions, both with the recovery or both without."""
     return converge(batch, RUNS, recovery=recovery)
 
 
@@ -58,7 +58,7 @@ def until_got(match: Match) -> np.ndarray:
 
 
 def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return the referee's calls of stuck balls in 3 v 3 play (M,), and the robots pulled apart (M,)."""
+    """Return the numbers of stuck balls called in 3 v 3 play (M,), and of times that robots are pulled apart (M,)."""
     match = kick_off(batch, matches=MATCHES, team=f"sacks-2001:recovery={recovery}")
     stuck, apart = np.zeros(MATCHES), np.zeros(MATCHES)
     for _ in play(match, PLAY):
@@ -69,7 +69,7 @@ def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
 
 
 def on_and_off(batch: Batch) -> Samples:
-    """Return times to the ball, of robots held in play (M, moments) and in each staged task (M, 3), and calls (M,)."""
+    """Return times to the ball of robots held in play (M, moments) and in staged tasks (M, 3), and calls (M,)."""
     samples: dict[str, Any] = {}
     for word, recovery in WAYS.items():
         fate = follow(batch, recovery=recovery)
@@ -89,18 +89,18 @@ def success(samples: Samples, word: str, task: str = "play") -> float:
 
 
 def gain(samples: Samples, task: str = "play") -> float:
-    """Return the success with the recovery minus that without [pp]."""
+    """Return the success [pp] in a task with the recovery minus the success without the recovery."""
     return success(samples, "on", task) - success(samples, "off", task)
 
 
 def mean_time(samples: Samples, word: str) -> float:
-    """Return the mean time [s] to the ball of robots held in play, WITHIN for robots that get it later or never."""
+    """Return the mean time [s] to the ball of robots held in play; WITHIN stands for later or never."""
     times = samples[f"play {word}"]
     return mean(np.minimum(times, WITHIN))
 
 
 def time_figure(samples: Samples) -> Sequence[Figure]:
-    """Draw the share of runs with the ball won against the time."""
+    """Plot the share of runs in which a robot has got the ball against the time."""
     grid, curves = np.linspace(0.0, LONGEST, 41), []
     for name in ("play", *TASKS):
         for word in WAYS:
