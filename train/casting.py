@@ -13,7 +13,7 @@ STILL, PLAYS = "still", "chaser"  # the team without a part in a drill, and the 
 
 @dataclass(frozen=True)
 class Cast:
-    """Sizes of home and away, their teams in words, and the controllers of a Match."""
+    """The two sides of a match, home and away: team sizes, team names in words, and the `controllers` of a Match."""
 
     sizes: tuple[int, int]
     names: tuple[str, str]
@@ -28,12 +28,12 @@ def sizes_of(scene: Scene) -> tuple[int, int]:
 
 
 def controllers_of(scene: Scene, team: str) -> dict[str, str]:
-    """Return the controllers for a team in a drill: it plays away in a drill of saves, home in all others."""
+    """Return the `controllers` of a Match for a team in a drill: it plays away in a drill of saves, else home."""
     return cast_of(scene, sizes_of(scene), *((None, team) if scene.success == SAVES else (team, None))).controllers
 
 
 def cast_of(scene: Scene, sizes: tuple[int, int], home: str | None = None, away: str | None = None) -> Cast:
-    """Return the teams of a scene; a side without a name gets the chaser, or the team that the drill is meant for."""
+    """Return the cast of a scene; a side without a name gets the chaser, or the team that the drill is meant for."""
     saves, drill = scene.success == SAVES, scene.success != "none"
     names = (home or (STILL if saves else PLAYS), away or (STILL if drill and not saves else PLAYS))
     if away is not None or not scene.opponents:

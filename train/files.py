@@ -21,7 +21,7 @@ def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
 
 
 def read_bounded(path: Path) -> bytes:
-    """Return the bytes of a file of results; ValueError if it is no regular file, or larger than LARGEST."""
+    """Return the contents of a file of results; ValueError if it is no regular file, or larger than LARGEST."""
     try:
         return read_plain(path, LARGEST)
     except ValueError as error:
@@ -61,7 +61,7 @@ def records_in(path: Path, content: bytes) -> tuple[list[dict[str, Any]], int]:
 
 
 def _parse(line: bytes) -> dict[str, Any] | None:
-    """Return the record of a line, None unless it is complete."""
+    """Return the record of a line of JSON; None if the line is incomplete."""
     if not line.endswith(b"\n"):
         return None
     try:

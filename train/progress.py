@@ -41,7 +41,7 @@ class Progress:
             self._bar.stop()
 
     def advance(self, amount: float) -> None:
-        """Advance the bar by an amount of work."""
+        """Add `amount` to the work done, and update the bar."""
         with self._lock:
             self._done += amount
             if self._bar is not None:
@@ -59,7 +59,7 @@ class Progress:
                 self._say()
 
     def _say(self) -> None:
-        """Print a line, if the last one is EVERY seconds old."""
+        """Print a line of progress, if the last line is at least EVERY seconds old."""
         now = time.monotonic()
         if self._total <= 0 or now - self._said < EVERY:
             return

@@ -23,7 +23,7 @@ UNKNOWN = "unknown"  # in place of the hash of a team whose state cannot be hash
 
 
 def of_modules(names: Iterable[str]) -> dict[str, str]:
-    """Return, by module, a hash of the code behind each name of the form MODULE:NAME."""
+    """Return a hash of the code of each module that a name of the form MODULE:NAME refers to, by module."""
     paths = {MODULE_PATH.fullmatch(name.partition("@")[0]) for name in names}
     modules = {path[1] for path in paths if path is not None and path[1] in sys.modules}
     return {module: module_hash(module) for module in sorted(modules)}
@@ -46,7 +46,7 @@ def version_of(package: str) -> str:
 
 
 def module_hash(module: str) -> str:
-    """Return one hash over a module and every file of the package that it imports, "" without a file."""
+    """Return a hash over a module and all files of the package that it imports; "" for a module without a file."""
     path = file_of(module, module)
     return digest("".join(sorted(sources(module, path).values()))) if path else ""
 
@@ -68,14 +68,14 @@ def team_hash(team: str | Team) -> str:
 
 
 def modules_of(function: Any) -> set[str]:
-    """Return the modules in which a function, and the functions that it was made from, are written."""
+    """Return the modules that define a function and the functions in its closure."""
     plain = getattr(function, "py_func", function)
     inner = [cell.cell_contents for cell in getattr(plain, "__closure__", None) or ()]
     return {plain.__module__}.union(*(modules_of(one) for one in inner if hasattr(one, "__module__") and callable(one)))
 
 
 def state_of(team: Any) -> str | None:
-    """Return the state of an object as text, None unless it consists of plain values and arrays alone."""
+    """Return the attributes of a team object as text; None if any is neither a plain value nor an array."""
     try:
         return json.dumps(vars(team), sort_keys=True, default=as_text)
     except (TypeError, ValueError):  # an object of another kind, no attributes to look at, a circle
@@ -83,7 +83,7 @@ def state_of(team: Any) -> str | None:
 
 
 def as_text(value: Any) -> list[str]:
-    """Return a text that identifies an array or a dtype; TypeError for anything else that is no plain value."""
+    """Return texts that identify an array (dtype, shape, hash) or a dtype; TypeError for any other object."""
     if isinstance(value, np.dtype):
         return [str(value)]
     if not isinstance(value, (np.ndarray, np.generic)) or value.dtype.hasobject:
@@ -92,7 +92,7 @@ def as_text(value: Any) -> list[str]:
 
 
 def check_told_apart(made: dict[str, str]) -> None:
-    """Raise ValueError for a team without a hash, whose results a folder could confuse with another team's."""
+    """Raise ValueError for a team without a hash: a folder could mistake another team's results for its own."""
     if UNKNOWN in made.values():
         raise ValueError(
             "a team keeps what cannot be compared with another run's: give the object an attribute `fingerprint`, a "
@@ -111,12 +111,12 @@ def digest(text: str) -> str:
 
 
 def settings_hash(conditions: dict[str, Any], made: dict[str, str]) -> str:
-    """Return the hash in every line of a result, which keeps lines of other settings out."""
+    """Return the hash of settings that every line of a result carries, so that lines of other settings are refused."""
     return digest(json.dumps([conditions, made], sort_keys=True))
 
 
 def commit() -> str:
-    """Return the commit of the checkout that this package runs from, "+" added if files differ; "" without one."""
+    """Return the commit of the checkout that this code runs from, with "+" if tracked files differ; "" without git."""
     if not (ROOT.parent / ".git").exists():
         return ""
     try:

@@ -43,7 +43,7 @@ class Kind:
 
 
 class ResultsFolder:
-    """The folder at `path`, or, without a path, nowhere: then nothing is read or written.
+    """The results of a run in the folder `path`; without a path nothing is read or written.
 
     ValueError if it holds something else, a run with other settings, or is in use. `anew` removes an earlier run first.
     `defaults`: values for conditions that older runs lack. `about`: the entry of that name in settings.json.
@@ -77,7 +77,7 @@ class ResultsFolder:
         self.close()
 
     def close(self) -> None:
-        """Release the folder."""
+        """Release the lock of the folder."""
         if self._lock is not None:
             self._lock.release()
 
@@ -105,7 +105,7 @@ class ResultsFolder:
         write_whole(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
 
     def _grown(self, before: dict[str, Any], mine: dict[str, Any]) -> list[Any]:
-        """Accept a smaller run of a kind that may grow as this one: return its size, [] otherwise."""
+        """Accept a folder whose run is smaller, if runs of this kind may grow: return [its size], else []."""
         name = self.kind.grows
         was, now = before["conditions"].get(name), mine["conditions"].get(name)
         if not isinstance(was, int) or not isinstance(now, int) or was >= now:
@@ -115,9 +115,9 @@ class ResultsFolder:
         return [was]
 
     def results(self, name: str, kind: type[T], key: str) -> dict[Any, T]:
-        """Return the finished parts in a file of lines, each once, by the field `key` of the dataclass `kind`.
+        """Read the finished parts from a file of lines; return objects of the dataclass `kind`, by its field `key`.
 
-        Its field `settings` has to be the hash of this run's settings: ValueError for a line of another run.
+        The field `settings` of each line must be the hash of this run's settings: ValueError for a line of another run.
         """
         if self.path is None:
             return {}
@@ -140,14 +140,14 @@ class ResultsFolder:
             append_lines(self.path / name, (part if isinstance(part, dict) else asdict(part) for part in parts))
 
     def write(self, name: str, content: str | bytes) -> None:
-        """Write a file of the folder, or of a folder in it, whole."""
+        """Write a file of the folder, or of a folder in it, whole or not at all."""
         if self.path is not None:
             (self.path / name).parent.mkdir(exist_ok=True)
             write_whole(self.path / name, content)
 
 
 def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
-    """Raise ValueError for a line whose fields have other types than the number, text or table of its dataclass."""
+    """Raise ValueError for a line with a field of another type (int, str or dict) than in the dataclass `kind`."""
     hints = get_type_hints(kind)
     for name, value in record.items():
         wanted = get_origin(hints[name]) or hints[name]
@@ -156,7 +156,7 @@ def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
 
 
 def make_folder(path: Path) -> None:
-    """Make a folder; ValueError for a file, and for the current folder, which an empty text means as well."""
+    """Make a folder; ValueError for a file, and for the current folder, for which an empty path stands as well."""
     if path == Path():
         raise ValueError("out must be a folder of the run's own, not the current one")
     if path.exists() and not path.is_dir():
@@ -165,9 +165,9 @@ def make_folder(path: Path) -> None:
 
 
 def settings_before(path: Path, kind: Kind, anew: bool = False) -> dict[str, Any] | None:
-    """Return the settings.json of a run that a folder holds, None without a run.
+    """Return the contents of settings.json in a folder; None if the folder holds no run.
 
-    ValueError if the folder holds something else, and for a file that cannot be read unless that is to begin `anew`.
+    ValueError if the folder holds something else; also if settings.json cannot be read, except with `anew`.
     """
     if not (path / SETTINGS).exists():
         there = [name for name in kind.files if (path / name).exists()]
@@ -195,7 +195,7 @@ def read_settings(path: Path) -> dict[str, Any]:
 
 
 def check_same(path: Path, what: str, theirs: dict[str, Any], mine: dict[str, Any]) -> None:
-    """Raise ValueError naming each condition, version and hash of a run that differs from mine."""
+    """Raise ValueError that names each condition, version and hash in which a stored run differs from this one."""
     differences = [
         f"{name} {theirs[part].get(name)!r} there, {mine[part].get(name)!r} now"
         for part in ("conditions", "made_with")
@@ -208,7 +208,7 @@ def check_same(path: Path, what: str, theirs: dict[str, Any], mine: dict[str, An
 
 
 def remove_run(path: Path, kind: Kind, before: dict[str, Any] | None) -> None:
-    """Remove the files of a run; the settings last, as files without them are refused."""
+    """Remove the files of a run, settings.json last, because a folder of results without it is refused."""
     patterns = kind.more(before["conditions"] if before else {})
     for found in (one for pattern in patterns for one in sorted(path.glob(pattern))):
         if found.is_dir():
@@ -220,7 +220,7 @@ def remove_run(path: Path, kind: Kind, before: dict[str, Any] | None) -> None:
 
 
 def lock(path: Path) -> Any:
-    """Return the lock of a folder, held; ValueError if another process holds it. It ends with the process."""
+    """Lock a folder and return the lock; ValueError if another process holds it. The lock ends with the process."""
     from filelock import FileLock, Timeout
 
     held = FileLock(path)

@@ -17,7 +17,7 @@ Interval = tuple[float, float, float]  # mean, low, high
 def paired_bootstrap(
     pairs: ArrayLike, *, resamples: int = RESAMPLES, confidence: float = CONFIDENCE, seed: int = 0
 ) -> Interval:
-    """Return mean, low and high of a quantity by resampling pairs with replacement (percentile interval).
+    """Return the mean of a quantity with low and high end of its interval, by resampling pairs (percentile bootstrap).
 
     `pairs` (P,) holds one number for each pair of matches, their mean; two matches from one seed are not independent,
     so the pair is the unit. The same pairs, in the same order, and seed give the same interval.
@@ -35,18 +35,18 @@ def paired_bootstrap(
 
 
 def wilson_interval(wins: int, trials: int, *, confidence: float = CONFIDENCE) -> Interval:
-    """Return share, low and high of a proportion by Wilson's score interval, which is honest at 0 and 1 as well."""
+    """Return share, low and high of a proportion by Wilson's score interval, which also holds near 0 and 1."""
     if not 0 <= wins <= trials or trials < 1:
         raise ValueError(f"wins must be 0 to trials and trials at least 1, got {wins} of {trials}")
     return (wins / trials, *_wilson(wins / trials, trials, confidence))
 
 
 def clustered_share(hits: ArrayLike, trials: ArrayLike, *, confidence: float = CONFIDENCE) -> Interval:
-    """Return share, low and high of a proportion counted in units of several trials each, as frames of one run.
+    """Return share, low and high of a proportion whose trials form dependent groups (units), as frames of one run do.
 
-    hits, trials: (U,). Wilson's interval with the number of independent trials that the scatter between units shows
-    (Kish's effective size); if every trial went the same way that is the number of units. Without a trial: all
-    shares are possible.
+    hits, trials: (U,). Wilson's interval with an effective number of independent trials, estimated from the scatter
+    between units (Kish's effective size): the number of units if all trials had one outcome. Without a trial the
+    interval is 0 to 1.
     """
     hit, tried = _numbers(hits, "hits"), _numbers(trials, "trials")
     if len(hit) != len(tried) or (hit < 0).any() or (hit > tried).any():
@@ -69,7 +69,7 @@ def unit_bootstrap(
     confidence: float = CONFIDENCE,
     seed: int = 0,
 ) -> Interval:
-    """Return a quantity of samples, low and high, by resampling their units with replacement (percentile interval).
+    """Return `value` of the samples with low and high end of its interval, by resampling units (percentile bootstrap).
 
     Each array of `samples` has the same independent units along its first axis (runs, pairs, matches); units are drawn
     whole, which suits medians, ratios and paired differences alike. A value that is not finite (a median of nothing)
@@ -98,9 +98,9 @@ def unit_bootstrap(
 def ratio_bootstrap(
     parts: np.ndarray, wholes: np.ndarray, *, resamples: int = 1000, confidence: float = CONFIDENCE, seed: int = 0
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return N ratios sum(parts) / sum(wholes), low and high, by resampling units with replacement, the same for all.
+    """Return N ratios sum(parts) / sum(wholes), low and high, by resampling units, the same units for all ratios.
 
-    parts, wholes: (U, N), a row for each independent unit. A ratio of nothing is NaN, and its interval with it.
+    parts, wholes: (U, N), a row for each independent unit. A ratio with sum(wholes) 0 is NaN, and so is its interval.
     """
     weights = np.random.default_rng(seed).multinomial(len(parts), [1.0 / len(parts)] * len(parts), size=resamples)
     tail = 50.0 * (1.0 - _fraction(confidence))  # [%]
@@ -118,7 +118,7 @@ def interquartile_mean(values: ArrayLike) -> float:
 
 
 def required_matches(pairs: ArrayLike, half_width: float, *, confidence: float = CONFIDENCE) -> int:
-    """Return how many matches (even) an interval of +- half_width needs, if further pairs scatter as these (P,) do.
+    """Return the even number of matches for an interval of +- half_width, if further pairs scatter as `pairs` (P,) do.
 
     From the normal approximation P = (z s / half_width)^2, where s is the standard deviation of the pairs.
     """
@@ -132,7 +132,7 @@ def required_matches(pairs: ArrayLike, half_width: float, *, confidence: float =
 
 
 def _wilson(share: float, trials: float, confidence: float) -> tuple[float, float]:
-    """Return low and high of Wilson's interval for a share of a number of trials."""
+    """Return both ends of Wilson's interval for a share of successes in `trials` trials."""
     z = _quantile(confidence)
     spread = z * z / trials
     middle = (share + spread / 2) / (1 + spread)
@@ -156,5 +156,5 @@ def _fraction(confidence: float) -> float:
 
 
 def _quantile(confidence: float) -> float:
-    """Return z such that a normal draw lies within +- z of its mean with that probability."""
+    """Return z such that a standard normal variable lies within +- z with the probability `confidence`."""
     return NormalDist().inv_cdf(0.5 + _fraction(confidence) / 2)

@@ -25,7 +25,7 @@ class CommandSettings(Checked):
 
 
 def split_players(players: int | str | None, default: int) -> tuple[int, int]:
-    """Return the team sizes of "3v5", of 3 or of None (the default)."""
+    """Parse team sizes: "3v5" gives (3, 5), 3 gives (3, 3), None gives `default` for both."""
     parts = [default] if players is None else str(players).lower().split("v")
     try:
         sizes = [int(part) for part in parts]
@@ -37,7 +37,7 @@ def split_players(players: int | str | None, default: int) -> tuple[int, int]:
 
 
 def split_senses(senses: str) -> tuple[str, str]:
-    """Return the senses of the first and the second team of "ideal" or "home=ideal,away=sensors"."""
+    """Parse "ideal" or "home=ideal,away=sensors"; return the senses of the first and of the second team."""
     named = dict(part.strip().partition("=")[::2] for part in senses.split(","))
     both = (
         (named.get("home", SENSING), named.get("away", SENSING)) if set(named) <= {"home", "away"} else (senses, senses)
@@ -48,7 +48,7 @@ def split_senses(senses: str) -> tuple[str, str]:
 
 
 def command_with(command: str, settings: Any, always: Collection[str] = ()) -> str:
-    """Return the command with settings, a dataclass; defaults are left out, except those of `always`.
+    """Return the command line with these settings, a dataclass; defaults are left out, except fields in `always`.
 
     `anew` is left out, too, because it would remove the run to resume; and `json`, which changes no result.
     """
@@ -65,13 +65,13 @@ def command_with(command: str, settings: Any, always: Collection[str] = ()) -> s
 
 
 def written(value: object) -> str:
-    """Return a value as a word of a command: a float in its shortest exact form."""
+    """Return a value as an argument of a command line: a float in its shortest exact form."""
     short = f"{value:g}" if isinstance(value, float) else str(value)
     return short if not isinstance(value, float) or float(short) == value else repr(value)
 
 
 def different(name: str, text: str) -> tuple[str, ...]:
-    """Return the names of teams in a text; ValueError if one stands there twice."""
+    """Return the names in a text, between commas; ValueError if a name stands there twice."""
     names = split(text, name)
     if len(set(names)) < len(names):
         refuse(name, "different", text)
@@ -79,7 +79,7 @@ def different(name: str, text: str) -> tuple[str, ...]:
 
 
 def split(text: str, name: str) -> tuple[str, ...]:
-    """Return the parts of a text between commas; a part NAME:switch=value keeps the commas of its switches."""
+    """Split a text at commas, but keep a part such as NAME:switch=value,switch=value whole."""
     parts: list[str] = []
     for part in text.split(","):
         if "=" in part and ":" not in part and parts:
@@ -92,7 +92,7 @@ def split(text: str, name: str) -> tuple[str, ...]:
 
 
 def layer_sizes(name: str, text: str) -> tuple[int, ...]:
-    """Return the layer sizes of "64,64"; ValueError for anything else."""
+    """Parse layer sizes such as "64,64"; ValueError for any other text."""
     try:
         sizes = tuple(int(part) for part in str(text).split(","))
     except ValueError:

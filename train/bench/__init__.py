@@ -1,4 +1,4 @@
-"""Measure the speed: `soccer bench`. It compares loads within one run; no test measures time.
+"""Measure the speed of the package: `soccer bench`. Speeds are compared within one run; no test measures time.
 
 settings.py    the command's options
 benchmark.py   the rows of the report as medians of interleaved timings, and a description of the machine

@@ -41,7 +41,7 @@ Pairs = dict[str, list[tuple[float, float]]]  # row -> seconds here and there
 
 @dataclass(frozen=True)
 class Ratio:
-    """A row's time in this checkout over its time in the other."""
+    """The ratio of a row's time in this checkout to its time in the other checkout."""
 
     name: str
     here: float  # [s] median
@@ -52,7 +52,7 @@ class Ratio:
 
     @property
     def verdict(self) -> str:
-        """Return "slower", "faster", or "" where the interval contains 1."""
+        """Return "slower" or "faster" for this checkout, or "" if the interval of the ratio contains 1."""
         return "slower" if self.low > 1.0 else "faster" if self.high < 1.0 else ""
 
 
@@ -109,7 +109,7 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
 
 
 def chosen(rows: list[str], words: str) -> list[str]:
-    """Return the rows whose names contain all words; ValueError if there is none."""
+    """Return the rows whose names contain every word of `words`; ValueError if no name does."""
     matching = [row for row in rows if all(word in row for word in words.split())]
     if not matching:
         raise ValueError(f"no row contains {words!r}; rows: {'; '.join(rows)}")
@@ -117,7 +117,7 @@ def chosen(rows: list[str], words: str) -> list[str]:
 
 
 def measure(row: str, here: Worker, there: Worker, repetitions: int, pairs: Pairs) -> dict[str, str]:
-    """Time a row in the order A B B A and add its pairs; return {row: reason} if a checkout lacks the row."""
+    """Time a row in the order A B B A and add its pairs to `pairs`; return {row: reason} if a checkout lacks it."""
     firsts = {worker.name: worker.sample(row) for worker in (here, there)}  # untimed: it builds and compiles
     missing = [name for name, first in firsts.items() if first is None]
     if missing:
@@ -129,7 +129,7 @@ def measure(row: str, here: Worker, there: Worker, repetitions: int, pairs: Pair
 
 
 def ratio_of(name: str, pairs: list[tuple[float, float]]) -> Ratio:
-    """Return the ratio of the medians of pairs, with its interval."""
+    """Return the ratio of the two medians of a row's pairs of times, with its interval."""
     here, there = np.array(pairs).T
     value, low, high = unit_bootstrap(
         {HERE: here, THERE: there}, lambda sample: float(np.median(sample[HERE]) / np.median(sample[THERE]))
@@ -138,7 +138,7 @@ def ratio_of(name: str, pairs: list[tuple[float, float]]) -> Ratio:
 
 
 def checkout_of_this() -> Path:
-    """Return the checkout that contains this code; ValueError for an installed package."""
+    """Return the folder of the checkout that contains this code; ValueError for an installed package."""
     if not (PACKAGE.parent / "train").is_dir():
         raise ValueError("--against compares checkouts, and this soccer_env is installed outside of one")
     return PACKAGE.parent
@@ -160,7 +160,7 @@ def started(checkout: Path, name: str, settings: BenchSettings, script: Path) ->
 
 
 def link_packages(checkout: Path, folder: Path) -> None:
-    """Link a checkout's packages into a folder in their installed layout; ValueError if the path is no checkout."""
+    """Link a checkout's packages into `folder`, laid out as if installed; ValueError if `checkout` is no checkout."""
     package = folder / "soccer_env"
     package.mkdir()
     if not (checkout / "soccer_env" / "__init__.py").is_file():

@@ -26,7 +26,7 @@ START_TIMES = {  # name of the row: the Python program to time
 
 
 class ApiLoad:
-    """`parallel_env.step` with random actions: dictionaries in and out, one match."""
+    """Time `parallel_env.step` with random actions: one match, dictionaries in and out."""
 
     def __init__(self, league: str, seed: int, observe: Any = "truth") -> None:
         from soccer_env import soccer_v0
@@ -57,7 +57,7 @@ class ApiLoad:
 
 
 class ResetLoad(ApiLoad):
-    """`parallel_env.reset` in mid-match."""
+    """Time `parallel_env.reset` in mid-match."""
 
     def sample(self, steps: int) -> float:
         """Return the seconds per reset, averaged over `steps` resets, each after a step of play."""
@@ -72,7 +72,7 @@ class ResetLoad(ApiLoad):
 
 
 class BranchLoad:
-    """`Match.branch` of a running 3 v 3 match with sensors and its Space: into one match, or into 64 at once."""
+    """Time `Match.branch` of a running 3 v 3 match with sensors and its Space: into one match, or into 64 at once."""
 
     def __init__(self, league: str, seed: int, matches: int = 64) -> None:
         both = {"home": "chaser", "away": "chaser"}
@@ -83,7 +83,7 @@ class BranchLoad:
             self.match.step()
 
     def sample(self, branches: int, together: bool) -> float:
-        """Return the seconds per branch; the overwritten matches are in mid-play as well."""
+        """Return the seconds per branched match; the overwritten matches are in mid-play as well."""
         spent, at = 0.0, None if together else 0
         for _ in range(branches):
             self.planner.step()
@@ -107,7 +107,7 @@ def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> flo
 
 
 def arrays_of(root: object) -> list[np.ndarray]:
-    """Return every array, except views, that an object of this package and its parts hold, each once."""
+    """Return every array, except views, that an object of this package or any of its parts holds; each array once."""
     waiting = [root]
     seen = set()
     arrays = []
@@ -159,7 +159,7 @@ def _run(program: str, cold: bool) -> float:
 
 
 def interleaved(loads: dict[str, Callable[[], float]], repetitions: int) -> dict[str, list[float]]:
-    """Return the samples of every load, taken in turn, so that a slow moment of the machine slows all alike."""
+    """Return the samples of each load; loads take turns, so that a slow moment of the machine slows all alike."""
     samples: dict[str, list[float]] = {name: [] for name in loads}
     for repetition in range(repetitions):
         for name in loads if repetition % 2 == 0 else reversed(loads):

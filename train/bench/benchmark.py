@@ -68,7 +68,7 @@ Samples = dict[str, list[float]]
 
 @dataclass(frozen=True)
 class Row:
-    """A measured number and its target."""
+    """A row of the report: a measured number and its target, if it has one."""
 
     name: str
     value: float
@@ -78,12 +78,12 @@ class Row:
 
 
 def at_most(name: str, value: float, unit: str, limit: float, scale: float = 1.0) -> Row:
-    """Return a row whose value should be at most a limit; both are shown multiplied by `scale`."""
+    """Return a row whose target is a value of at most `limit`; value and limit are shown multiplied by `scale`."""
     return Row(name, value, f"{value * scale:.3g} {unit}".strip(), f"<= {limit * scale:g}", value <= limit)
 
 
 def at_least(name: str, value: float, unit: str, limit: float) -> Row:
-    """Return a row whose value should be at least a limit."""
+    """Return a row whose target is a value of at least `limit`."""
     shown = f"{value:,.0f} {unit}" if value >= 100 else f"{value:.3g} {unit}"
     return Row(name, value, shown.strip(), f">= {limit:,g}", value >= limit)
 
@@ -116,7 +116,7 @@ def run(settings: BenchSettings) -> dict[str, Any]:
 
 
 def measure_core(league: str, settings: BenchSettings) -> Samples:
-    """Return the samples [s per match step] of the core and of its floors in one league."""
+    """Return the samples [s per match step] of the core, and of the bare physics beneath it, in one league."""
     matches = settings.matches
     seed = settings.seed
     steps = settings.steps
@@ -151,7 +151,7 @@ def measure_apis(league: str, settings: BenchSettings) -> Samples:
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:
-    """Return the median over repetitions of one load's time over another's."""
+    """Return the ratio of the times of two loads: the median over the repetitions."""
     return median(a / b for a, b in zip(samples[above], samples[below], strict=True))
 
 

@@ -39,7 +39,7 @@ class Load(Protocol):
     """A load that can be timed."""
 
     def sample(self, steps: int) -> float:
-        """Run `steps` control steps of all matches; return the seconds per match step."""
+        """Play `steps` control steps of all matches; return the seconds per match step."""
         ...
 
 
@@ -64,7 +64,7 @@ class CoreLoad:
         self.run(round(WARM_UP * settings.control_rate))
 
     def run(self, steps: int) -> None:
-        """Step all matches."""
+        """Play `steps` control steps of all matches."""
         for _ in range(steps):
             actions = None if self.draws is None else self.draws[self.steps // self.hold % DRAWS]
             self.match.step(actions)
@@ -90,7 +90,7 @@ class ParticlesLoad(CoreLoad):
 
 
 class BareMatch(Match):
-    """A Match that also times its calls of cpSpaceStep."""
+    """A Match that also measures the time spent in cpSpaceStep."""
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         self.bare = 0.0  # [s] in cpSpaceStep since the start
@@ -111,7 +111,7 @@ class BareMatch(Match):
 
 
 class OwnFloor(CoreLoad):
-    """cpSpaceStep alone, in the league's own Spaces, with the play and the substeps of the core."""
+    """Time cpSpaceStep alone, in the league's own Spaces, with the play and the substeps of the core."""
 
     kind = BareMatch
 
@@ -124,7 +124,7 @@ class OwnFloor(CoreLoad):
 
 
 class ReferenceFloor:
-    """cpSpaceStep alone in a scene that no change of a league touches: 6 discs, a ball, 7 wall segments."""
+    """Time cpSpaceStep alone in a fixed scene, the same for every league: 6 discs, a ball, 7 wall segments."""
 
     def __init__(self, matches: int, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
@@ -134,7 +134,7 @@ class ReferenceFloor:
             self.batch.set_space(m, reference_space(self.rng))
 
     def sample(self, steps: int) -> float:
-        """Return the seconds per match step, averaged over at least `steps` of them."""
+        """Return the seconds per match step, averaged over at least `steps` steps."""
         spent, matches = 0.0, len(self.substeps)
         rounds = -(-steps // REFERENCE_STEPS)
         for _ in range(rounds):

@@ -23,7 +23,7 @@ TRIES = 5  # a scene's time is the median of these
 
 
 def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, float, float, float], np.ndarray]:
-    """Return robot and target (4,) [m] and (n,) obstacles, anywhere on the pitch."""
+    """Draw a random scene: robot and target as x, y, x, y (4,) [m], and (n,) obstacles, anywhere on the pitch."""
     half = np.array([0.5 * LENGTH, 0.5 * WIDTH])
     robot = target = 2.0 * half
     while (np.abs(target) > half).any():
@@ -42,7 +42,7 @@ def draw_scene(rng: np.random.Generator) -> tuple[tuple[float, float, float, flo
 
 
 class PlanLoad:
-    """The planner of 2006 in many scenes, compiled before the first timing."""
+    """Time the planner of 2006 in many random scenes; it is compiled before the first timing."""
 
     def __init__(self, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
@@ -88,7 +88,7 @@ class TeamLoad:
         return (perf_counter() - start) / (steps * self.match.count)
 
     def decide(self, times: int) -> float:
-        """Let both teams decide from their current beliefs; return the seconds per robot and decision."""
+        """Let both teams decide `times` times from their current beliefs; return the seconds per robot and decision."""
         match, spent = self.match, 0.0
         for squad in match.squads:
             rows = squad.players
@@ -106,17 +106,17 @@ class TeamLoad:
 
 @compiled
 def begin(x, y, to_x, to_y, settings, scratch, plans):
-    """Start a plan from (x, y) to (to_x, to_y)."""
+    """Initialise the plan in `plans[0]`, from (x, y) to (to_x, to_y)."""
     begin_plan(x, y, to_x, to_y, 1, settings[0], scratch[0], plans[0])
 
 
 @compiled
 def walk_back(others, settings, scratch, plans):
-    """Do one backward pass, for the time of the straight line."""
+    """Run one backward pass of the planner, with T the time of the straight line."""
     plan_pass(plans[0].least_time, others, settings[0], scratch[0], plans[0])
 
 
 @compiled
 def make_plan(x, y, to_x, to_y, others, settings, scratch, plans):
-    """Make one plan."""
+    """Compute a whole plan from (x, y) to (to_x, to_y) into `plans[0]`."""
     plan_way(x, y, to_x, to_y, 1, others, settings[0], scratch[0], plans[0])

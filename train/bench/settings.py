@@ -10,14 +10,14 @@ from soccer_env.train.written_settings import CommandSettings
 
 @dataclass(frozen=True)
 class BenchSettings(CommandSettings):
-    """Measure the speed of both leagues against the bare physics; figures are medians of repetitions in one run."""
+    """Measure the speed of both leagues against the bare physics; results are medians of repetitions in one run."""
 
     quick: bool = False
-    """Finish in a minute, less exactly: fewer matches, steps and repetitions, no cold start."""
+    """Finish in a minute, with less precision: fewer matches, steps and repetitions, and no cold start."""
     out: Path | None = None
-    """JSON file to write the figures to."""
+    """JSON file to write the results to."""
     json: bool = False
-    """Print the same JSON instead of tables."""
+    """Print the results as JSON, as --out holds them, instead of tables."""
     seed: int = 0
     """Seed of the timed matches."""
     against: Path | None = None
@@ -40,20 +40,20 @@ class BenchSettings(CommandSettings):
 
     @property
     def matches(self) -> int:
-        """Return how many matches run side by side."""
+        """Return the number of matches that run side by side."""
         return 128 if self.quick else 512
 
     @property
     def repetitions(self) -> int:
-        """Return how often each load is timed."""
+        """Return the number of timings of each load."""
         return 3 if self.quick else 11
 
     @property
     def rounds(self) -> int:
-        """Return how often the processes of the two checkouts are restarted."""
+        """Return the number of times that the processes of the two checkouts are started."""
         return 2 if self.quick else 5
 
     @property
     def steps(self) -> int:
-        """Return the control steps of one timing."""
+        """Return the number of control steps in one timing."""
         return 25 if self.quick else 50

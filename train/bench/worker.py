@@ -31,7 +31,7 @@ Makers = Mapping[str, Callable[[int, int], Sampler]]  # from how many matches an
 
 
 def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int) -> Sampler:
-    """Return a sampler of the batched core [s per match step]: random actions, or one team against itself."""
+    """Return a function that times the batched core [s per match step]: random actions, or a team against itself."""
     from soccer_env import Match
 
     rng, hold = np.random.default_rng(0), round(HOLD * LEAGUES[league])
@@ -58,7 +58,7 @@ def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches:
 
 
 def of_saves(league: str, matches: int, steps: int) -> Sampler:
-    """Return a sampler of a save and a load of a running match with sensors [s for both, per match]."""
+    """Return a function that times a save and a load of a running match with sensors [s for both, per match]."""
     from soccer_env import Match
 
     match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, senses="sensors", observe="belief")
@@ -73,7 +73,7 @@ def of_saves(league: str, matches: int, steps: int) -> Sampler:
 
 
 def of_branches(league: str, matches: int, steps: int) -> Sampler:
-    """Return a sampler of a branch of a running match with sensors into one of 64 [s]."""
+    """Return a function that times a branch of a running match with sensors into one of 64 matches [s]."""
     from soccer_env import Match
 
     settings: Any = {"home": PLAYERS, "away": PLAYERS, "senses": "sensors", "observe": "belief"}
@@ -91,7 +91,7 @@ def of_branches(league: str, matches: int, steps: int) -> Sampler:
 
 
 def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
-    """Return a sampler of `parallel_env.step`, or of its reset after a step of play [s each]."""
+    """Return a function that times `parallel_env.step`, or a reset after a step of play [s each]."""
     from soccer_env import soccer_v0
 
     rng = np.random.default_rng(0)
@@ -127,7 +127,7 @@ def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
 
 
 def of_import(matches: int, steps: int) -> Sampler:
-    """Return a sampler of `import soccer_env` in its own process [s]."""
+    """Return a function that times `import soccer_env` in a new process [s]."""
 
     def sample() -> float:
         start, before = perf_counter(), children_time()

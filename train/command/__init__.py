@@ -1,6 +1,6 @@
 """The command `soccer`.
 
-command_line.py      the commands: the settings that each reads, and the text that it prints
+command_line.py      the commands: the settings that each command reads, and the text that it prints
 match_commands.py    `soccer record`, `replay`, `export` and `watch`
 listing.py           `soccer list`
 parsing.py           parse a command's words into its settings, or report the error in one line; shell completion

@@ -81,7 +81,7 @@ def help_text() -> str:
 
 
 def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
-    """Run a command; turn a user's mistake into one line on stderr and an exit code."""
+    """Run a command and return its exit code; report a user's mistake in one line on stderr."""
     try:
         with swallowed_interrupts_again():
             return command(words)
@@ -100,7 +100,7 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
 
 @contextlib.contextmanager
 def swallowed_interrupts_again() -> Iterator[None]:
-    """Send Ctrl-C once more where Python swallows it: destructors and callbacks of weak references cannot raise."""
+    """Repeat Ctrl-C if Python swallows the interrupt: destructors and callbacks of weak references cannot raise."""
     timers: list[threading.Timer] = []
     usual = sys.unraisablehook
 
@@ -134,7 +134,7 @@ def console() -> Console:
 
 
 def print_json(value: Any) -> None:
-    """Print a value as JSON, alone on stdout, for programs."""
+    """Print a value as JSON, with nothing else on stdout, for programs."""
     print(json.dumps(value, indent=2))
 
 
@@ -157,7 +157,7 @@ def kinds_of_settings() -> dict[str, type]:
 
 
 def run_completion(words: list[str]) -> int:
-    """Run `soccer --print-completion SHELL`, or with tyro's own flag."""
+    """Run `soccer --print-completion SHELL`; tyro's own flag for completion works as well."""
     shell = "".join([*words[0].split("=", 1), *words[1:]][1:2])
     print(completion(shell, kinds_of_settings(), SUMMARIES))
     return 0
@@ -190,7 +190,7 @@ def run_evaluate(words: list[str]) -> int:
 
 
 def say_written(folder: Path | None, *names: str) -> None:
-    """Print the paths of those of the named files that exist in a folder."""
+    """Print the paths of the files in `names` that exist in a folder."""
     if folder is not None:
         print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
 
@@ -288,7 +288,7 @@ def run_train(words: list[str]) -> int:
 
 
 def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
-    """Return `train` and the module of its reports; ValueError names the packages to install."""
+    """Return the function `train` and the module `reports` of a training; ValueError names the packages to install."""
     try:
         import soccer_env.train.ppo.training  # noqa: F401  # imports torch and everything else that training needs
         from soccer_env.train.ppo import reports, train

@@ -19,7 +19,7 @@ from soccer_env.match.step import step_slice
 
 @contextmanager
 def step_compiled_beside() -> Iterator[None]:
-    """Run the second process during a `with` block, if the step of a match is not in the cache."""
+    """Run the second process during a `with` block, if the cache lacks the code for a step of a match."""
     if config.DISABLE_JIT or not sys.executable or cores() < 2 or is_kept(step_slice):
         yield
         return
@@ -37,7 +37,7 @@ def cores() -> int:
 
 
 def compile_step() -> None:
-    """Compile the step of a match, by one step with ideal senses."""
+    """Compile the code for a step of a match, by playing one step with ideal senses."""
     from soccer_env.match import Match
 
     match = Match("legged-2001", home=1, away=1, senses="ideal", seed=0)

@@ -16,7 +16,7 @@ LEFT_OUT = "unset"  # the default that the help shows
 
 @REGISTRY.primitive_rule
 def without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | None:
-    """Return the parser of a type such as `float | None`: a float's, showing None as unset; None for other types."""
+    """Return the parser for a type such as `float | None`: that of float, None shown as unset; None for other types."""
     kinds = tuple(kind for kind in get_args(info.type) if kind is not type(None))
     if len(kinds) == len(get_args(info.type)):
         return None

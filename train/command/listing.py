@@ -81,7 +81,7 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
 
 
 def leagues() -> Iterator[Table]:
-    """Yield the leagues with their main numbers, and the contacts between the materials of each."""
+    """Yield the table of leagues with their main numbers, and for each league a table of contacts between materials."""
     from soccer_env.leagues import LEAGUES
 
     columns = ("name", "family", "pitch", "robots", "time", "source")
@@ -107,7 +107,7 @@ def leagues() -> Iterator[Table]:
 
 
 def teams() -> Iterator[Table]:
-    """Yield the teams and the families of leagues that each plays."""
+    """Yield the table of teams, with the families of leagues that each team can play in."""
     from soccer_env.teams import NAMES, make_team, registered
     from soccer_env.teams.explaining import what_it_is
 
@@ -126,7 +126,7 @@ def teams() -> Iterator[Table]:
 
 
 def settings_of_teams() -> Iterator[Table]:
-    """Yield the settings of each team, such as sacks-2001:recovery=False; of a variant only its differences."""
+    """Yield a table of settings for each team, such as sacks-2001:recovery=False; of a variant only its differences."""
     from soccer_env.teams import NAMES, make_team
 
     for name in NAMES:
@@ -151,7 +151,7 @@ def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
 
 
 def scenes() -> Iterator[Table]:
-    """Yield the scenes."""
+    """Yield the table of scenes."""
     from soccer_env.scenes import SCENES
 
     rows = [
@@ -171,7 +171,7 @@ def scenes() -> Iterator[Table]:
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:
-    """Yield the numbers of one robot's observation."""
+    """Yield the table of the numbers in one robot's observation."""
     from soccer_env.leagues import find_league
     from soccer_env.observations import layout
     from soccer_env.observations.scales import in_numbers
@@ -192,7 +192,7 @@ def frame_of(entry: Entry) -> str:
 
 
 def changed_by_mirror(entry: Entry) -> str:
-    """Return what a left-right mirror changes in an entry, for a table: its sign, its place or nothing."""
+    """Return the effect of a left-right mirror on an entry, for a table: a change of sign or of place, or nothing."""
     return {1: "", -1: "sign", None: "place"}[entry.mirror]
 
 
@@ -208,7 +208,7 @@ def sensors(league: str) -> Iterator[Table]:
 
 
 def rules(league: str) -> Iterator[Table]:
-    """Yield the rules of a league and their numbers in each rule set."""
+    """Yield the table of the rules of a league, with the value of each rule in each rule set."""
     from soccer_env.leagues import find_league
     from soccer_env.leagues.options import notes_of
     from soccer_env.leagues.rules import SETS, Rules, rule_set
@@ -233,7 +233,7 @@ def in_set(value: bool | float) -> str:
 
 
 def actions() -> Iterator[Table]:
-    """Yield the action kinds: numbers and the discrete set."""
+    """Yield tables of the kinds of actions: those of numbers, and the discrete set."""
     from soccer_env.actions import BOX, DISCRETE, MEANINGS
 
     rows = [(name, meaning, "box, full" if name in BOX else "full") for name, meaning in MEANINGS.items()]
@@ -243,7 +243,7 @@ def actions() -> Iterator[Table]:
 
 
 def rewards() -> Iterator[Table]:
-    """Yield the reward terms with their weights in each preset."""
+    """Yield the table of reward terms, with their weights in each preset."""
     from soccer_env.rewards import PRESETS, TERMS
 
     rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
@@ -254,7 +254,7 @@ def rewards() -> Iterator[Table]:
 
 
 def statistics() -> Iterator[Table]:
-    """Yield the statistics of play with their definitions."""
+    """Yield the tables of statistics of play, with their definitions."""
     from soccer_env.statistics.figures import FIGURES, SHARE
     from soccer_env.statistics.maps import MAP_TEXTS
 
@@ -273,7 +273,7 @@ def statistics() -> Iterator[Table]:
 
 
 def claims() -> Iterator[Table]:
-    """Yield the claims of the papers that `soccer reproduce` measures."""
+    """Yield the tables of claims of the papers that `soccer reproduce` measures."""
     from soccer_env.match.staging import PATIENT
     from soccer_env.train.papers.claims import all_claims
     from soccer_env.train.papers.results import rules_in_words

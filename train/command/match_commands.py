@@ -81,7 +81,7 @@ def say_pair(pair: int, differences: list[Difference]) -> None:
 
 
 def say_checked(result: RecheckResult) -> None:
-    """Print the result of all replayed pairs, and how to draw the same sample again."""
+    """Print the result of all replayed pairs, and the command that draws the same sample again."""
     played, differing = len(result.pairs), len(result.differing)
     drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
     which = f"{played} of {result.finished} finished pairs played again{drawn}"

@@ -1,4 +1,4 @@
-"""Parse the words of a command into its settings; an error is a ValueError of one line.
+"""Parse the arguments of a command into its settings; an error is a ValueError of one line.
 
 tyro passes each error to a hook as a record (`tyro._errors`, private to the version that pyproject.toml bounds); its
 own printed text is not used.
@@ -30,7 +30,7 @@ COMPLETION = ("--print-completion", "--tyro-print-completion")  # flags of `socc
 
 
 def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
-    """Return the settings that the words of a command describe; ValueError in one line for a wrong word.
+    """Return the settings that the arguments of a command describe; ValueError in one line for a wrong argument.
 
     With a `default`, such as the settings of a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
     """
@@ -53,7 +53,7 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
 
 
 def printed(show: Callable[[], Any]) -> str:
-    """Return what a function prints before it ends the program."""
+    """Return the text that `show` prints before it exits with SystemExit."""
     content = io.BytesIO()
     text = io.TextIOWrapper(content, encoding=getattr(sys.stdout, "encoding", None) or "utf-8")  # decides on boxes
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(text):
@@ -63,7 +63,7 @@ def printed(show: Callable[[], Any]) -> str:
 
 
 def first_options(text: str, last: str, name: str) -> str:
-    """Return the help of a command up to the option `last`, and how many more there are; "": the whole help."""
+    """Cut the help text of a command after the option `last` and add the number of further options; "": no cut."""
     lines = text.splitlines()
     options = [at for at, line in enumerate(lines) if re.match("[│ ] -", line)]
     at = next((at for at, row in enumerate(options) if re.match(rf". --{last}\b", lines[row])), len(options)) + 1
@@ -74,7 +74,7 @@ def first_options(text: str, last: str, name: str) -> str:
 
 
 def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:
-    """Return tyro's record of an error in words; for an unknown kind of record, its name."""
+    """Return the message for tyro's record of an error; for an unknown kind of record, the name of the kind."""
     record = type(event).__name__
     if record == "UnrecognizedArgs":
         return unknown_word(event.tokens[0], kind, pairs)
@@ -93,14 +93,14 @@ def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:
 
 
 def name_of(argument: Any) -> str:
-    """Return the name of an argument in the help: its longest flag, or the name of a positional argument."""
+    """Return the name by which the help shows an argument: its longest flag, or for a positional argument its name."""
     flags: tuple[str, ...] = argument.lowered.name_or_flags
     name = max(flags, key=len, default="")
     return name if name.startswith("-") else str(argument.field.intern_name).upper()
 
 
 def unknown_word(word: str, kind: type, pairs: bool) -> str:
-    """Return the error for a word that no option takes."""
+    """Return the error message for a word that belongs to no option."""
     flags = flags_of(kind, pairs)
     if word.startswith("-"):
         return unknown("option", word.partition("=")[0], flags)
@@ -108,7 +108,7 @@ def unknown_word(word: str, kind: type, pairs: bool) -> str:
 
 
 def flags_of(kind: Any, pairs: bool) -> list[str]:
-    """Return the flags of a settings dataclass; `pairs`: both flags of yes-or-no settings."""
+    """Return the flags of a settings dataclass; `pairs`: with both --mirror and --no-mirror for a yes-or-no setting."""
     flags = []
     for field in fields(kind):
         if "Positional" in str(field.type):
@@ -119,7 +119,7 @@ def flags_of(kind: Any, pairs: bool) -> list[str]:
 
 
 def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
-    """Return the settings' own error for the value of a flag, "" if they raise none."""
+    """Return the message of the ValueError that the settings raise for the value of a flag, "" if they accept it."""
     at = [index for index, word in enumerate(words) if word.partition("=")[0] == flag]
     if not flag or not at:
         return ""
@@ -135,13 +135,13 @@ def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
 
 
 def required(kind: Any) -> dict[str, Path]:
-    """Return a value for each required field of a settings dataclass: all required fields are paths."""
+    """Return a placeholder for each required field of a settings dataclass: an empty path, as all of them are paths."""
     defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
     return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
 
 
 def reason_of(error: Exception) -> str:
-    """Return why a command failed; for an error of the system, the file and the reason without its number."""
+    """Return the reason why a command failed; for an OSError, the file and the reason without the error number."""
     if isinstance(error, OSError) and error.strerror and error.filename is not None:
         return f"{os.fsdecode(error.filename)}: {error.strerror[0].lower()}{error.strerror[1:]}"
     return str(error)
@@ -168,12 +168,12 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
 
 
 def ready_to_source(script: str) -> str:
-    """Return tyro's zsh script so that it can be sourced as well: unchanged it works only as a file of $fpath."""
+    """Change tyro's zsh script so that it can also be sourced: unchanged it works only as a file of $fpath."""
     return re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, script, flags=re.MULTILINE)
 
 
 def on_one_line(script: str) -> str:
-    """Return a completion script with one line per description: shells take each line for a completion."""
+    """Put each description in a completion script on one line, because shells take each line for a completion."""
     lines = script.splitlines()
     for at, line in enumerate(lines):
         if "COMPLETION_SPEC = {" in line:
@@ -182,7 +182,7 @@ def on_one_line(script: str) -> str:
 
 
 def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
-    """Return the value of a flag, "" without the flag, and the other words; ValueError if the value is missing."""
+    """Return the value of a flag ("" if it is absent) and the remaining words; ValueError if the value is missing."""
     for at, word in enumerate(words):
         if word.startswith(flag + "="):
             return word.partition("=")[2], words[:at] + words[at + 1 :]

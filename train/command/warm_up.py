@@ -53,7 +53,7 @@ class WarmUpSettings(CommandSettings):
 
 
 def warm_up(settings: WarmUpSettings) -> str:
-    """Play every part once; return a summary of the compiled functions."""
+    """Play every part of `parts_of` once; return a summary of the compiled functions."""
     started, before = time.monotonic(), COMPILED.functions
     parts = list(parts_of(settings))
     with Progress("soccer_env: compiling", len(parts)) as progress:
@@ -83,7 +83,7 @@ def parts_of(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
 
 
 def play(league: str, team: str, **settings: Any) -> None:
-    """Let a team play a step against learners, then save and load the match."""
+    """Play one step of a match of the team against learners, then save and load the match."""
     match = Match(league, **{"home": 2, "away": 2, "seed": 0, "opponents": team, **settings})
     kind = match.settings.actions
     shape = (1, len(match.agents)) if kind.name == "discrete" else (1, len(match.agents), kind.size)

@@ -4,7 +4,7 @@ settings.py        the options of `evaluate`, and the conditions that follow
 play_settings.py   the options of `record`, `replay` and `export`
 evaluation.py      `evaluate`: play the matches that a folder lacks, return the result of all
 contest.py         the matches: pairs from the same seeds with sides swapped, many at once
-results.py         one line for each match; the result of all lines        line_checks.py   are the lines sound?
+results.py         one line for each match; the result of all lines        line_checks.py   check the lines
 statistics.py      statistics of play: of a line, totals with intervals, tables
 map_tables.py      tables of a report: shots, thirds of the pitch, passes
 report.py          the result in Markdown and on the screen

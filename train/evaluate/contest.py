@@ -39,7 +39,7 @@ class Contest:
     second: str | Team
 
     def start(self, side: str, seeds: Sequence[int], threads: int = 1) -> Match:
-        """Return matches (one for each seed) in which the first team plays on that side, "home" or "away"."""
+        """Return a Match with one match for each seed; the first team plays on `side`, "home" or "away"."""
         conditions, turn = self.conditions, 1 if side == "home" else -1
         teams, sizes, senses = (self.first, self.second)[::turn], conditions.players[::turn], conditions.senses[::turn]
         return Match(
@@ -51,7 +51,7 @@ class Contest:
 
 
 def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]) -> Contest:
-    """Find the teams; ValueError for an unknown team and for a drill."""
+    """Return the contest of the teams that the conditions name; ValueError for an unknown team and for a drill."""
     scene = find_scene(conditions.scene)
     if scene.success != "none":
         how = f"run_drill({league.name!r}, {scene.name!r}, {conditions.home!r}, runs=100)"
@@ -63,7 +63,7 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
 
 
 def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
-    """Raise ValueError for a policy that was trained with other senses, unless the settings choose the senses."""
+    """Raise ValueError for a policy that was trained with other senses or pose, unless the settings choose them."""
     for side, policy, setting, trained, here in trained_otherwise(contest):
         if getattr(settings, setting) is None:
             flag = f"--{setting}"
@@ -75,7 +75,7 @@ def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
 
 
 def trained_otherwise(contest: Contest) -> Iterator[tuple[str, Policy, str, str, str]]:
-    """Yield side, policy, setting, its value in training and its value here, where the two differ."""
+    """Yield side, policy, setting, value in training, value here for each setting that differs from the training."""
     conditions = contest.conditions
     for side, team, senses in zip(SIDES, (contest.first, contest.second), conditions.senses, strict=True):
         for difference in differences(team, senses, conditions.pose):
@@ -98,7 +98,7 @@ def play_matches(
     contest: Contest, done: set[int], settings: str, threads: int,
     take: Callable[[list[MatchLine]], None], advance: Callable[[float], None],
 ) -> None:  # fmt: skip
-    """Play all matches that are not `done` yet; `take` gets the lines of each batch, in order.
+    """Play all matches whose numbers are not in `done`; `take` gets the lines of each batch, in order.
 
     Each thread plays its own batch. Batches of Python teams run one after another, because two threads may not call a
     team at once. Every thread calls `advance` with the number of control steps that it has played, over all matches.
@@ -144,7 +144,7 @@ def play(
     contest: Contest, batch: Sequence[int], seeds: Sequence[int], settings: str, threads: int,
     advance: Callable[[float], None], stopped: Event,
 ) -> list[MatchLine]:  # fmt: skip
-    """Play a batch to the end, or until `stopped` is set; `advance` gets the control steps of all its matches."""
+    """Play a batch to the end, or until `stopped` is set; `advance` gets the number of control steps of all matches."""
     side = side_of(batch[0])
     match = contest.start(side, [seeds[number // 2] for number in batch], threads)
     lines: dict[int, MatchLine] = {}
@@ -165,7 +165,7 @@ def play(
 
 
 def side_of(number: int) -> str:
-    """Return the side on which the first team plays a match."""
+    """Return the side on which the first team plays match `number`."""
     return SIDES[number % 2]
 
 

@@ -1,4 +1,4 @@
-"""How often a team succeeds in a drill."""
+"""Count how often a team succeeds in a drill."""
 
 import numpy as np
 

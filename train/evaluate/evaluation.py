@@ -72,7 +72,7 @@ def evaluate(
 
 
 def training_notes(contest: Contest) -> dict[str, str]:
-    """Return the training settings that differ from this contest, in words, by the name of the policy."""
+    """Return, by name of policy, the settings of its training that differ from this contest, in words."""
     notes: dict[str, str] = {}
     for _, policy, setting, trained, _ in trained_otherwise(contest):
         notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))

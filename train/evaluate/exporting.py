@@ -28,7 +28,7 @@ KINDS = (".html", ".mp4", ".gif", ".png", *DATA)
 
 
 def export(settings: ExportSettings) -> str:
-    """Write the format of the file's ending; return its name and size in words. See `Replay.video` for errors."""
+    """Write a file in the format of its ending; return its name and size in words. Errors as of `Replay.video`."""
     kind = settings.target.suffix.lower()
     if kind not in (MAPS if settings.maps else KINDS):
         with_maps = f"--out with --maps must end with {', '.join(MAPS)}"
@@ -49,7 +49,7 @@ def export(settings: ExportSettings) -> str:
 
 
 def export_each(settings: ExportSettings) -> str:
-    """Write a film, page or picture of every replay below a folder; return their names and size in words."""
+    """Write a film, page or picture of every replay below a folder; return the names and size of the files in words."""
     sources = replays_of(settings.file)
     targets = targets_of(settings.target, sources)
     check_target(targets[0])
@@ -61,7 +61,7 @@ def export_each(settings: ExportSettings) -> str:
 
 
 def export_one(settings: ExportSettings, kind: str) -> str:
-    """Write a film, page or picture of one replay; return its name and size in words."""
+    """Write a film, page or picture of one replay; return the name and size of the file in words."""
     if settings.maps:
         return str(export_maps(settings.file, settings.target))
     replay = Replay.read(settings.file)
@@ -80,7 +80,7 @@ def export_one(settings: ExportSettings, kind: str) -> str:
 
 
 def write_picture(replay: Replay, settings: ExportSettings) -> str:
-    """Write one frame; return its name and size in words."""
+    """Write one frame as a picture; return the name and size of the file in words."""
     overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
     save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
     return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
@@ -120,7 +120,7 @@ def export_data(settings: ExportSettings) -> list[Path]:
 
 
 def replays_of(path: Path) -> dict[str, Path]:
-    """Return a replay file, or the replay files below a folder, by the names of their matches, in order."""
+    """Return the replay files below a folder (or the one at a path) by the names of their matches, in order."""
     if not path.is_dir():
         return {path.stem: path}
     replays = {file.relative_to(path).with_suffix("").as_posix(): file for file in sorted(path.rglob("*.replay"))}
@@ -130,7 +130,7 @@ def replays_of(path: Path) -> dict[str, Path]:
 
 
 def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
-    """Return a file beside `out` for each match, NAME_MATCH; ValueError where two matches get the same file."""
+    """Return the file to write for each match, NAME_MATCH beside `out`; ValueError if two matches get the same file."""
     targets: dict[Path, str] = {}
     for name in sources:
         target = out.with_name(f"{out.stem}_{name.replace('/', '_')}{out.suffix}")
@@ -141,7 +141,7 @@ def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
 
 
 def collected(sources: dict[str, Path], bar: Progress) -> Iterator[Collected]:
-    """Yield the events and frames of each match; a match is played when the iterator reaches it."""
+    """Yield the events and frames of each match; each match is played only when the iterator reaches it."""
     for name, path in sources.items():
         yield collect(Replay.read(path), name)
         bar.advance(1)

@@ -17,7 +17,7 @@ SHOT = (0, 0, OUTCOMES[0], 0.0, 0.0)  # control step, player, outcome, x, y: as 
 
 
 def check_line(line: MatchLine, players: tuple[int, int]) -> None:
-    """Raise ValueError unless a line's numbers, statistics and maps have the right types; the last two may be missing.
+    """Raise ValueError unless numbers, statistics and maps of a line have the right types; the last two may be missing.
 
     `players`: the sizes of the first and the second team.
     """
@@ -37,7 +37,7 @@ def check_line(line: MatchLine, players: tuple[int, int]) -> None:
 
 @cache
 def examples(players: tuple[int, int]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the statistics and maps of a match that has not begun."""
+    """Return the statistics and the maps of a match that has not begun, as examples of the right types."""
     record = np.full(1, FRESH)[0]
     return line_of_statistics(record, 0), maps_of(record, 0, players)
 

@@ -52,7 +52,7 @@ def of_result(path: Path) -> Maps:
 
 
 def checked(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
-    """Return maps after a check of their shapes and numbers; ValueError for maps that cannot be drawn."""
+    """Check the shapes and numbers of maps from a file and return them as Maps; ValueError if they cannot be drawn."""
     heat = {name: array_of(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
     players, passes, shots = {}, {}, {}
     for side in ("for", "against"):
@@ -72,7 +72,7 @@ def checked(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
 
 
 def array_of(values: Any, shape: tuple[int, ...]) -> np.ndarray:
-    """Return finite numbers of a shape; ValueError for anything else."""
+    """Return nested lists as an array of the given shape; ValueError unless all values are finite numbers."""
     array = np.array(values, np.float64)
     if array.shape != shape or not np.isfinite(array).all():
         raise ValueError(f"numbers of shape {array.shape}, not finite {shape}")

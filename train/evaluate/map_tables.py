@@ -13,7 +13,7 @@ MOST_PAIRS = 12  # of players, shown for both teams
 
 
 def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return rows of name, first team and second team: shots by outcome, ball and robots by thirds."""
+    """Return rows (name, first team, second team): shots by outcome, and the ball's and robots' time in each third."""
     rows: list[tuple[str, str, str]] = []
     for outcome in sorted(OUTCOMES, key=("goal", "saved", "blocked", "off_target").index):
         ours, theirs = (sum(shot[2] == outcome for shot in maps[f"shots_{side}"]) for side in SIDES)
@@ -27,13 +27,13 @@ def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def thirds(heat: np.ndarray) -> list[float]:
-    """Return the share [%] of a heat map (16, 24) in each third of the pitch, the own one first."""
+    """Return the share [%] of a heat map (16, 24) in each third of the pitch, from the own goal on."""
     total = max(int(heat.sum()), 1)
     return [100.0 * float(part.sum()) / total for part in np.split(heat, 3, axis=1)]
 
 
 def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return rows of number, and of that player in both teams: its mean place and its passes."""
+    """Return a row for each player number: mean place and passes of that player in the first and the second team."""
     teams = [(np.array(maps[f"players_{side}"]), np.array(maps[f"passes_{side}"])) for side in SIDES]
     rows = []
     for number in range(max(len(players) for players, _ in teams)):
@@ -43,7 +43,7 @@ def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return rows of passer and receiver, and the passes of both teams: the most frequent pairs, then the total."""
+    """Return rows (pair, both teams' passes) of the most frequent pairs of passer and receiver, and of the total."""
     teams = [np.array(maps[f"passes_{side}"]) for side in SIDES]
     counts = {(a, b): [int(one[a, b]) if max(a, b) < len(one) else 0 for one in teams]
               for a, b in np.ndindex(*np.max([one.shape for one in teams], axis=0).tolist())}  # fmt: skip

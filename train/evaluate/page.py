@@ -47,7 +47,7 @@ def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept
 
 
 def add_figures(page: ReportPage, result: EvaluationResult) -> None:
-    """Add the pictures of FIGURE_MAKERS, or say which package they need."""
+    """Add the pictures of FIGURE_MAKERS, or a sentence that names the missing package."""
     if not can_draw():
         page.say(MISSING[0].upper() + MISSING[1:])
         return
@@ -88,7 +88,7 @@ def add_matches(page: ReportPage, result: EvaluationResult) -> None:
 
 
 def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
-    """Draw the number of matches with each goal difference."""
+    """Plot the number of matches with each goal difference."""
     ended = [line.goals_for - line.goals_against for line in result.lines]
     kinds = {
         "won": [difference for difference in ended if difference > 0],
@@ -110,7 +110,7 @@ def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
 
 
 def draw_mean(result: EvaluationResult) -> Iterator[Drawn]:
-    """Draw the mean goal difference and its interval over the first pairs, the more pairs the further right."""
+    """Plot the mean goal difference of the first n pairs, with its interval, against n."""
     means = pair_means(result.lines, lambda line: line.goals_for - line.goals_against)
     if len(means) < 3:
         return

@@ -94,15 +94,15 @@ class ExportSettings(OverlayFlags, CommandSettings):
     file: tyro.conf.Positional[Path]
     """Replay file, or a folder of replays; with --maps also a result.json. A replay holds no code."""
     out: Path | None = None
-    """File to write; its ending chooses the format. Leave out for a page named after the replay. A folder of replays
-    gives one file a match, NAME_MATCH, but a single table."""
+    """File to write; its ending chooses the format. Leave out for a page named after the replay. From a folder of
+    replays, one file per match, NAME_MATCH; but tables hold all matches in one file."""
     maps: bool = False
     """Draw heat maps, pass networks and shot maps: .png, .svg or .pdf."""
     anew: bool = False
     """Overwrite an existing file."""
     fps: float | None = None
-    """Frames a second of a film; leave out for 25 in an MP4 and 12.5 in a GIF, or each control step if there are
-    fewer."""
+    """Frames per second of a film; leave out for 25 in an MP4 and 12.5 in a GIF, or the rate of control steps if that
+    is lower."""
     speed: float = 1.0
     """Speed of a film, as a multiple of real time."""
     width: int = 640
@@ -114,5 +114,5 @@ class ExportSettings(OverlayFlags, CommandSettings):
 
     @property
     def target(self) -> Path:
-        """Return the file to write: that of `out`, or a page (of maps a picture) named after the replay."""
+        """Return the file to write: `out`, or else a page (with --maps a picture) named after the replay."""
         return self.out or Path(self.file.resolve().stem + (".png" if self.maps else ".html"))

@@ -66,16 +66,16 @@ class RecheckResult:
 
     @property
     def agrees(self) -> bool:
-        """Tell whether nothing differs."""
+        """Tell whether no line and no field of result.json differs."""
         return not self.differences and not self.result
 
     @property
     def differing(self) -> tuple[int, ...]:
-        """Return the pairs that differ."""
+        """Return the numbers of the pairs whose lines differ."""
         return tuple(sorted({difference.pair for difference in self.differences}))
 
     def as_dict(self) -> dict[str, Any]:
-        """Return this for programs."""
+        """Return the result as a dictionary of plain values, for JSON."""
         return {"agrees": self.agrees, "differing": list(self.differing), **asdict(self)}
 
 
@@ -106,7 +106,7 @@ def recheck(
 
 
 def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
-    """Return `count` random pairs, sorted; all if there are no more."""
+    """Return `count` random pairs, sorted; all pairs if there are fewer."""
     if count == ALL or whole_number("pairs", count, 1) >= len(pairs):
         return list(pairs)
     drawn = np.random.default_rng(seed).choice(np.array(pairs), int(count), replace=False)
@@ -114,7 +114,7 @@ def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
 
 
 def compare(stored: Stored, contest: Contest, pairs: Sequence[int], threads: int, tell: Tell) -> list[Difference]:
-    """Play pairs again; return the differences, by match. `tell` gets each pair once both matches are played."""
+    """Play pairs again; return the differences, by match number. `tell` gets each pair after both its matches."""
     differing: dict[int, list[Difference]] = {}
     steps = sum(max(0, stored.lines[number]["steps"]) for pair in pairs for number in (2 * pair, 2 * pair + 1))
     size = -(-len(pairs) // max(-(-len(pairs) // AT_ONCE), (threads + 1) // 2))
@@ -166,7 +166,7 @@ def unlike_result(stored: Stored, contest: Contest) -> tuple[str, ...] | None:
 
 
 def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference]:
-    """Return the fields in which two records of a match differ, each once; a number differs from its text."""
+    """Return the fields in which two records of a match differ, each once; the number 1 differs from the text "1"."""
     both = [dict(leaves(record)) for record in (there, json.loads(json.dumps(again)))]
     fields: dict[tuple[Any, ...], list[tuple[tuple[Any, ...], str, str]]] = {}
     for place in dict.fromkeys([*both[0], *both[1]]):

@@ -19,7 +19,7 @@ NOTE_EVERY = 50  # control steps between two updates of the progress bar
 
 
 def start(settings: PlaySettings) -> tuple[Match, Cast]:
-    """Return the match at its start, and its cast; ValueError for settings that the scene does not allow."""
+    """Return the match of the settings at its start, and its cast; ValueError for settings that the scene forbids."""
     scene, league = find_scene(settings.scene), find_league(settings.league)
     is_drill = scene.success != "none"
     episode = settings.episode or ("drill" if is_drill else "match")
@@ -40,12 +40,12 @@ def start(settings: PlaySettings) -> tuple[Match, Cast]:
 
 
 def record(settings: RecordSettings) -> Replay:
-    """Play a match, write its replay file and return it; ValueError, before the match, for a path without access."""
+    """Play a match, write its replay and return it; ValueError, before the match, if the file cannot be written."""
     return record_with_outcome(settings)[0]
 
 
 def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
-    """Record, and return the outcome of a drill as well: success, failure, out of time; "" for a match."""
+    """Record a match; return the replay and the outcome of a drill: success, failure, out of time; "" for a match."""
     check_target(settings.out)
     match, cast = start(settings)
     recorder = Recorder(match, Thoughts(match, shown_of_memory()))
@@ -62,7 +62,7 @@ def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
 
 
 def shown_of_memory() -> dict[str, tuple[str, ...]]:
-    """Return the fields of teams' memories that a recording keeps for display, with the words for their values."""
+    """Return the fields of teams' memories that a recording keeps for display, each with the words for its values."""
     from soccer_env.baselines.heinemann_2006.memory import ROLES
     from soccer_env.baselines.sacks_2001.memory import BEHAVIOURS
 

@@ -65,7 +65,7 @@ def percent(share: float) -> str:
 
 
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
-    """Return the report; `about` holds the command, date and commit of the evaluation's start."""
+    """Return the report in Markdown; `about` holds the command, date and commit of the evaluation's start."""
     home, away = escaped(result.conditions.home), escaped(result.conditions.away)
     lines = [
         f"# {home} against {away}",
@@ -85,7 +85,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
 
 
 def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tuple[str, str]]:
-    """Return rows of the conditions, versions and hashes of the matches."""
+    """Return rows (name, value) of the conditions, versions and hashes of the matches."""
     conditions = result.conditions
     return [
         ("league", conditions.league),
@@ -102,7 +102,7 @@ def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tup
 
 
 def needed(result: EvaluationResult) -> str:
-    """Return, as a sentence, the number of matches for an interval of HALF_WIDTH."""
+    """Return a sentence with the number of matches that an interval of +- HALF_WIDTH needs."""
     if result.matches_needed is None:
         return ""
     return (
@@ -140,7 +140,7 @@ def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
 
 
 def pairs(result: EvaluationResult) -> list[str]:
-    """Return the table of the first PAIRS_SHOWN pairs, and the number of further pairs."""
+    """Return the table of the first PAIRS_SHOWN pairs in Markdown, with the number of pairs left out."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
         (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))

@@ -26,7 +26,7 @@ HALF_WIDTH = 0.25  # [goals a match] half width of the interval for which the nu
 
 @dataclass(frozen=True)
 class MatchLine:
-    """A finished match, goals from the first team's side."""
+    """A finished match, as a line of matches.jsonl; goals are counted from the first team's side."""
 
     match: int  # 0, 1, ...; matches 2 p and 2 p + 1 are pair p
     pair: int
@@ -42,7 +42,7 @@ class MatchLine:
 
     @property
     def points(self) -> float:
-        """Return 1 for a win, 0.5 for a draw, 0 for a defeat."""
+        """Return the first team's points: 1 for a win, 0.5 for a draw, 0 for a defeat."""
         return 0.5 * (1 + (self.goals_for > self.goals_against) - (self.goals_for < self.goals_against))
 
 
@@ -77,7 +77,7 @@ class EvaluationResult:
     trained: dict[str, str] = field(default_factory=dict)  # training settings that differ, by the policy's name
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the contents of result.json."""
+        """Return the result as a dictionary of plain values, the contents of result.json."""
         record = asdict(self)
         conditions, lines = record.pop("conditions"), record.pop("lines")
         conditions |= {"players": self.conditions.sizes, "senses": self.conditions.senses_text}
@@ -90,7 +90,7 @@ class EvaluationResult:
 def summarise(
     conditions: Conditions, made_with: dict[str, str], lines: Sequence[MatchLine], pitch: Pitch | None = None
 ) -> EvaluationResult:
-    """Return the result of all matches of an evaluation; the maps include the dimensions of `pitch`."""
+    """Return the result of an evaluation from the lines of all matches; the maps include the dimensions of `pitch`."""
     ordered = tuple(sorted(lines, key=lambda line: line.match))
     if [line.match for line in ordered] != list(range(conditions.matches)):
         raise ValueError(f"expected matches 0 to {conditions.matches - 1}, got {len(ordered)} lines")
@@ -117,25 +117,25 @@ def summarise(
 
 
 def maps_on(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the sum of the maps of all matches; nothing if a match has no maps."""
+    """Return the sum of the maps of all matches, with the dimensions of `pitch`; {} if a match has no maps."""
     if not all(maps):
         return {}
     return added(maps) | ({} if pitch is None else {"pitch": plain(pitch)})
 
 
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:
-    """Return the mean of a quantity over the two matches of each pair, from sorted lines."""
+    """Return, for each pair, the mean of `value` over its two matches; `lines` are sorted by match."""
     return [(value(first) + value(second)) / 2 for first, second in zip(lines[::2], lines[1::2], strict=True)]
 
 
 def is_mirrored(conditions: Conditions) -> bool:
-    """Tell whether a team plays itself: both matches of a pair are then identical."""
+    """Tell whether a team plays itself under equal conditions: both matches of a pair are then identical."""
     sizes, senses = conditions.players, conditions.senses
     return conditions.home == conditions.away and sizes[0] == sizes[1] and senses[0] == senses[1]
 
 
 def judge(difference: Estimate, points: Estimate, pairs: int) -> str:
-    """Return the verdict about the first team from the goal difference and points of a number of pairs."""
+    """Return the verdict about the first team, such as "beats clearly", from its goal difference and points."""
     if pairs < LEAST_PAIRS:
         return f"no verdict from fewer than {2 * LEAST_PAIRS} matches"
     if difference.low > 0.0:

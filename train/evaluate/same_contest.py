@@ -27,7 +27,7 @@ MOST = 10_000_000  # matches
 
 @dataclass(frozen=True)
 class Stored:
-    """An evaluation as its folder records it."""
+    """An evaluation, as read from its folder."""
 
     path: Path
     conditions: dict[str, Any]
@@ -38,12 +38,12 @@ class Stored:
 
     @property
     def pairs(self) -> list[int]:
-        """Return the finished pairs: those whose two matches both have a line."""
+        """Return the numbers of the finished pairs: both matches have a line."""
         return sorted(number // 2 for number in self.lines if number % 2 == 0 and number + 1 in self.lines)
 
 
 def read_folder(path: Path) -> Stored:
-    """Return the evaluation of a folder; ValueError for a folder without one, or a damaged one."""
+    """Return the evaluation in a folder; ValueError if the folder holds none, or a damaged one."""
     if not path.is_dir():
         raise ValueError(f"{path} is no folder" if path.exists() else f"there is no folder {path}")
     result = read_result(path / RESULT)  # before the lines: an evaluation may be adding some at this moment
@@ -102,7 +102,7 @@ def read_result(path: Path) -> dict[str, Any] | None:
 def same_contest(
     stored: Stored, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
 ) -> tuple[Contest, list[str]]:
-    """Return the contest of a folder, and in words how its versions differ from the present ones.
+    """Rebuild the contest of a folder; return it, and in words each version that differs from the present one.
 
     ValueError for impossible conditions, for a contest that cannot be rebuilt, and for a changed team.
     """
@@ -151,7 +151,7 @@ def conditions_in(
 
 
 def league_of(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
-    """Return the league of conditions; for a user's own league, ValueError says how to name it."""
+    """Return the league that the conditions name; for a user's own league, ValueError tells the user to name it."""
     name = conditions["league"]
     if not where.get("league") and name not in LEAGUES:
         raise ValueError(
@@ -162,7 +162,7 @@ def league_of(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
 
 
 def check_conditions(stored: Stored, conditions: dict[str, Any], league: League) -> None:
-    """Raise ValueError unless the conditions follow from some settings of an evaluation."""
+    """Raise ValueError unless there are settings of `evaluate` from which exactly these conditions follow."""
     where = stored.path / SETTINGS
     players, senses = conditions["players"], conditions["senses"]
     if not all(isinstance(both, list) and len(both) == 2 for both in (players, senses)):
@@ -182,7 +182,7 @@ def check_conditions(stored: Stored, conditions: dict[str, Any], league: League)
 
 
 def differences_of(stored: Stored, now: dict[str, str]) -> list[str]:
-    """Return in words how versions and hashes differ from a folder's; ValueError for another team or league.
+    """List the versions and hashes that differ from a folder's, in words; ValueError for another team or league.
 
     If the package's code differs, another team cannot be told from a new version: this is reported as a difference.
     """

@@ -49,7 +49,7 @@ class EvaluateSettings(CommandSettings):
     away: str = "random"
     """Opponent, written like --home."""
     matches: int = 20
-    """Number of matches, even: two for each seed. Raise --matches to add matches to a finished evaluation."""
+    """Number of matches, an even number: two for each seed. Raise --matches to add matches to a finished evaluation."""
     minutes: float | Literal["full"] | None = None
     """Minutes of play in a match, both halves together; `full` for a whole match of the league; leave out for 10 in the
     legged league, 4 in the middle size."""
@@ -80,7 +80,7 @@ class EvaluateSettings(CommandSettings):
     keep_pages: bool = False
     """Also write every kept replay as a page for the browser."""
     picture: bool = False
-    """Draw the first match as a sheet of pictures: match.png in --out (needs pygame-ce)."""
+    """Draw moments of the first match on one sheet: match.png in --out (needs pygame-ce)."""
     json: bool = False
     """Print the contents of result.json instead of tables."""
     at_least: float | None = None
@@ -88,7 +88,7 @@ class EvaluateSettings(CommandSettings):
     recheck: Path | None = None
     """Folder of an evaluation, finished or not, to check by playing a sample of its matches again."""
     pairs: int | Literal["all"] = PAIRS
-    """How many finished pairs --recheck plays again, drawn at random (or by --seed); `all` for every pair."""
+    """Number of finished pairs that --recheck plays again, drawn at random (or by --seed); `all` for every pair."""
 
     def __post_init__(self) -> None:
         for side in ("home", "away"):
@@ -132,18 +132,18 @@ class Conditions:
 
     @property
     def senses_text(self) -> str:
-        """Return the senses as the settings write them."""
+        """Return the senses in the form of the option --senses."""
         first, second = self.senses
         return first if first == second else f"home={first},away={second}"
 
 
 def command_of(settings: EvaluateSettings) -> str:
-    """Return the command with these settings."""
+    """Return the command line of `soccer evaluate` with these settings."""
     return command_with("evaluate", settings, always=("league", "home", "away", "matches", "seed"))
 
 
 def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
-    """Return the conditions of settings, with the league's defaults filled in."""
+    """Return the conditions that follow from settings, with the league's defaults filled in."""
     minutes = settings.minutes
     if minutes is None:
         minutes = league.evaluation_minutes

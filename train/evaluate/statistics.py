@@ -31,7 +31,7 @@ UNITS = {(RATE, ""): "/min", (RATE, "s"): "s/min", (SHARE, "s"): "%"}
 
 @dataclass(frozen=True)
 class Total:
-    """A statistic of all matches: its sum (largest, or length), and its value in reports with a 95 % interval."""
+    """A statistic over all matches: its sum (or maximum, or length), and its value in reports with a 95 % interval."""
 
     total: float
     value: float | None  # a rate per minute of play, or a share; None for a share of zero
@@ -41,7 +41,7 @@ class Total:
 
 
 def line_of_statistics(record: Any, team: int) -> dict[str, Any]:
-    """Return the statistics of a match's line from a team's side, and the histogram of its spells by length."""
+    """Return the statistics for a match's line, from `team`'s side, and histograms of both teams' spell lengths."""
     lengths = {
         f"{LENGTHS}_{side}": record[LENGTHS][of].tolist() for side, of in zip(SIDES, (team, 1 - team), strict=True)
     }
@@ -49,7 +49,7 @@ def line_of_statistics(record: Any, team: int) -> dict[str, Any]:
 
 
 def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
-    """Return the statistics of pairs of matches, by name; nothing if a match has none."""
+    """Return each statistic over all matches, by name, from lines sorted by pair; {} if a line has no statistics."""
     if not lines or not all(lines):
         return {}
     result: dict[str, Total] = {}
@@ -70,12 +70,12 @@ def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
 
 
 def named() -> list[tuple[str, Statistic]]:
-    """Return the names of statistics in a line, each with its statistic."""
+    """Return the names under which a line holds statistics ("kicks_for"), each with its Statistic."""
     return [(f"{x.name}_{side}" if x.team else x.name, x) for x in FIGURES for side in (SIDES if x.team else SIDES[:1])]
 
 
 def whole_of(name: str, figure: Statistic) -> str:
-    """Return the name of the whole that a statistic is a share of."""
+    """Return the name, in a line, of the quantity that a statistic is divided by."""
     whole = next(x for x in FIGURES if x.name == figure.whole)
     return f"{figure.whole}_{name.rpartition('_')[2]}" if whole.team else figure.whole
 
@@ -86,13 +86,13 @@ def unit_of(figure: Statistic) -> str:
 
 
 def in_pairs(rows: list[list[float]]) -> np.ndarray:
-    """Return rows of matches, added over the two matches of each pair; an odd last row stands alone."""
+    """Return the rows of matches summed over the two matches of each pair; an odd last row stays alone."""
     numbers = np.array(rows, np.float64)
     return np.add.reduceat(numbers, np.arange(0, len(numbers), 2), axis=0)
 
 
 def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) -> Total:
-    """Return a quantile of the spell lengths of all matches, with its interval by resampling pairs."""
+    """Return a quantile of the lengths of all spells in all matches, with its interval by resampling pairs."""
     counts = in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
     weights = np.random.default_rng(0).multinomial(len(counts), [1.0 / len(counts)] * len(counts), size=1000)
     share = PERCENTS[figure.name]
@@ -136,7 +136,7 @@ GOALS = (
 
 
 def play_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
-    """Return the main statistics as rows of name, first team and second team, or of both together."""
+    """Return the main statistics as rows (name, first team, second team); one for both teams has an empty last cell."""
     rows = []
     for name, words in TELLING:
         if name in totals:
@@ -149,20 +149,20 @@ def play_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
 
 
 def goal_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
-    """Return the goals of both teams by kind."""
+    """Return rows (kind of goal, goals of the first team, goals of the second team)."""
     return [
         (words, f"{totals[f'{name}_for'].total:g}", f"{totals[f'{name}_against'].total:g}") for name, words in GOALS
     ]
 
 
 def whistles(totals: dict[str, Total], side: str) -> str:
-    """Return the whistles against a team a minute."""
+    """Return the number of whistles a minute against the team of a side ("for" or "against"), in words."""
     rates = [total.value or 0.0 for name, total in totals.items() if name.startswith("fouls_") and name.endswith(side)]
     return f"{sum(rates):.2g}/min"
 
 
 def in_words(total: Total) -> str:
-    """Return a statistic with unit and interval."""
+    """Return a statistic in words, with unit and interval; "-" without a value."""
     if total.value is None:
         return "-"
     unit = total.unit if total.unit.startswith("/") else f" {total.unit}".rstrip()

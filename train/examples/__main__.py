@@ -1,4 +1,4 @@
-"""Run an example and say what it reached: python -m soccer_env.train.examples NAME [--steps 10000]."""
+"""Run an example and print its result: python -m soccer_env.train.examples NAME [--steps 10000]."""
 
 import ast
 import importlib

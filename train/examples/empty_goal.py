@@ -1,4 +1,4 @@
-"""The task of most examples: to score into an empty goal within ten seconds; and its test."""
+"""The task of most examples, to score into an empty goal within ten seconds, and a test of what was learned."""
 
 from collections.abc import Callable
 from typing import Any

@@ -21,9 +21,9 @@ from soccer_env.train.written_settings import CommandSettings
 class ReproduceSettings(CommandSettings):
     """Measure the claims of the papers and report whether each holds here.
 
-    Each claim is sampled in batches, the same number for every seed, until the pooled 95 % interval decides it or its
-    cap is reached; the report also shows each seed alone. The same claims, seeds and budget give the same results for
-    any --threads. To resume a run that was stopped, give the same command again.
+    Each claim is sampled in batches, the same number for every seed, until the pooled 95 % interval decides the claim
+    or its cap is reached; the report also shows each seed alone. The same claims, seeds and budget give the same
+    results for any --threads. To resume a run that was stopped, give the same command again.
     """
 
     BOUNDS = {"minutes": Range(0.0, 100_000.0, above=True, below=True)}
@@ -33,11 +33,11 @@ class ReproduceSettings(CommandSettings):
     all: bool = False
     """Measure every claim."""
     quick: bool = False
-    """Take few samples, for a first look: all claims take five minutes after compiling. Verdicts are marked
+    """Take few samples, for a first look: all claims together take five minutes after compiling. Verdicts are marked
     "(quick)"."""
     minutes: float | None = None
-    """Budget in minutes of one core, shared evenly among the claims, by the stated cost of a sample of each claim, not
-    by the clock."""
+    """Budget in minutes of one core, split evenly among the claims; the number of samples follows from each claim's
+    stated cost."""
     pose: Literal["particles", "percept"] = "particles"
     """How robots know where they are: by a particle filter, or by a given noisy pose (percept). A claim about the
     particle filter (H27) always uses it."""
@@ -45,7 +45,7 @@ class ReproduceSettings(CommandSettings):
     """Rule set for claims that are measured in matches: the league's whole rule book, or only goals, restarts and
     dropped balls. Other claims do not depend on it."""
     seeds: Annotated[tuple[int, ...], tyro.conf.arg(aliases=("--seed",))] = (1, 2, 3)
-    """Seeds, each 0 or more; their samples are pooled."""
+    """Seeds, each 0 or more; the samples of all seeds are pooled."""
     threads: int = 1
     """Number of cores: several claims run in parallel processes, a single claim in threads. The results do not depend
     on it."""
@@ -75,11 +75,11 @@ class ReproduceSettings(CommandSettings):
 
     @property
     def budget(self) -> str:
-        """Return the budget in words: "quick", "default" or the minutes."""
+        """Return the budget of samples in words: "quick", "default" or "30 minutes"."""
         return "quick" if self.quick else "default" if self.minutes is None else f"{self.minutes:g} minutes"
 
     def cap(self, batches: int, quick: int, seconds: float, claims: int) -> int:
-        """Return the greatest number of batches of a claim for each seed, in a run of `claims` claims."""
+        """Return the largest number of batches that a claim may take for each seed, in a run of `claims` claims."""
         if self.quick:
             return quick
         runs = claims * len(self.seeds)
@@ -87,7 +87,7 @@ class ReproduceSettings(CommandSettings):
 
 
 def command_of(settings: ReproduceSettings, claim: str = "") -> str:
-    """Return the command line with these settings, or the command that gives a single claim's samples."""
+    """Return the command line with these settings, or one for a single claim that draws the same samples."""
     single = bool(claim) and settings.minutes is None  # the share of --minutes depends on all claims
     words = ["soccer", "reproduce", *((claim,) if single else settings.claims)]
     words += ["--all"] if settings.all and not single else []

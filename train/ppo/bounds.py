@@ -1,4 +1,4 @@
-"""The ranges of a training run's numeric settings, and the names of further logs."""
+"""The ranges of a training run's numeric settings, and the names of the optional logs."""
 
 from typing import Any
 

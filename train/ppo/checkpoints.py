@@ -22,7 +22,7 @@ NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")
 
 
 def write_checkpoint(folder: Path, state: dict[str, Any], step: int) -> None:
-    """Write a checkpoint beside the last one, then point at it. OSError leaves the last one in place."""
+    """Write a checkpoint beside the last one, then let latest.json name it. An OSError leaves the last one valid."""
     name = NAMES[1] if latest(folder).get("file") == NAMES[0] else NAMES[0]
     buffer = io.BytesIO()
     torch.save(as_tensors(state), buffer)
@@ -69,7 +69,7 @@ def latest(folder: Path) -> dict[str, Any]:
 
 
 def as_tensors(value: Any) -> Any:
-    """Return a tree of plain values with its arrays and bytes as tensors, which are read without running code."""
+    """Convert arrays and bytes in a tree of plain values to tensors, which torch reads without running code."""
     if isinstance(value, dict):
         return {key: as_tensors(part) for key, part in value.items()}
     if isinstance(value, (list, tuple)):
@@ -84,7 +84,7 @@ def as_tensors(value: Any) -> Any:
 
 
 def from_tensors(value: Any) -> Any:
-    """Undo `as_tensors`."""
+    """Convert a tree that `as_tensors` returned back to arrays and bytes."""
     if isinstance(value, dict) and value.keys() == {"bytes"}:
         return value["bytes"].numpy().tobytes()
     if isinstance(value, dict) and value.keys() == {"array"}:
@@ -97,7 +97,7 @@ def from_tensors(value: Any) -> Any:
 
 
 def generators() -> dict[str, Any]:
-    """Return the states of the generators that training draws from: torch's, numpy's and Python's."""
+    """Return the states of the random generators that training uses: torch's, numpy's and Python's."""
     _, keys, at, has_gauss, gauss = np.random.get_state()  # stable-baselines3 shuffles with numpy's global one
     version, internal, gauss_next = random.getstate()
     return {
@@ -109,7 +109,7 @@ def generators() -> dict[str, Any]:
 
 
 def restore_generators(state: dict[str, Any]) -> None:
-    """Restore the states of the generators."""
+    """Restore the states of the random generators from `state`."""
     torch.set_rng_state(state["torch"])
     if len(state["cuda"]) == (torch.cuda.device_count() if torch.cuda.is_available() else 0):
         torch.cuda.set_rng_state_all(state["cuda"])  # on another machine the draws differ, the run goes on

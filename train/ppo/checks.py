@@ -59,7 +59,7 @@ def check_playable(settings: TrainSettings) -> None:
 
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
-    """Raise ValueError unless the initial policy file, if any, has the shape of the trained policy."""
+    """Raise ValueError unless the policy file of `start`, if any, has the shape of the policy to train (`blank`)."""
     if not settings.start:
         return
     with said_by("start"):
@@ -89,7 +89,7 @@ def check_minutes(settings: TrainSettings, league: League) -> None:
 
 @contextmanager
 def said_by(setting: str) -> Iterator[None]:
-    """Put the name of a setting before the message of a ValueError."""
+    """Put the name of a setting before the message of any ValueError in a `with` block."""
     try:
         yield
     except ValueError as error:
@@ -104,7 +104,7 @@ def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
 
 
 def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
-    """Return a match of the teacher with the settings of the recorded matches."""
+    """Return a match of the teacher, to check that it can play with the settings of the matches to record."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
         settings.played, home=sizes[0], away=sizes[1], controllers=players, scene=settings.scene,
@@ -114,12 +114,12 @@ def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, st
 
 @cache
 def digest(path: str) -> str:
-    """Return the SHA-256 of a file at the first call; the file may be moved during a run."""
+    """Return the SHA-256 of a file, as it was at the first call: the file may be moved during a run."""
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
 def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
-    """Return the origin of a policy for its file, without the user's folders."""
+    """Return the record of a policy's origin for its file: command, settings, versions; without the user's folders."""
     begun = {"start": digest(settings.start)} if settings.start else {}
     settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
     return {
@@ -135,7 +135,7 @@ def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
 
 
 def make_curriculum(settings: TrainSettings) -> Curriculum:
-    """Return the opponents of a run, its past selves among them, which stand still until there are any."""
+    """Return the curriculum of a run; places for past selves hold a team that stands still until there is one."""
     return Curriculum(settings.opponent_names, settings.past, blank_policy(settings, settings.played))
 
 

@@ -8,9 +8,9 @@ from soccer_env.match import Match, truth_state
 
 
 def with_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:
-    """Return observations (M, L, n) of home's robots, and maybe away's, with their side's state (M, s) behind each.
+    """Append to each observation (M, L, n) the state (M, s) from the side of its robot; home's robots come first.
 
-    records: the match's own, or those of episodes that have ended (`match.final`); players: room a side.
+    records: of the match now, or of episodes that have ended (`match.final`); players: slots a side in the state.
     """
     home = match.settings.home
     sides = [truth_state.states(match.settings, records, "home", players)] * home
@@ -20,5 +20,5 @@ def with_state(observations: np.ndarray, match: Match, records: Any, players: in
 
 
 def records_of(match: Match) -> dict[str, np.ndarray]:
-    """Return the match's present records, from which states are computed."""
+    """Return the present records of matches, balls and robots, from which states are computed."""
     return {"matches": match.matches, "balls": match.balls, "robots": match.robots}

@@ -45,16 +45,16 @@ class Learner:
 
     @property
     def network(self) -> SoccerPolicy:
-        """Return the networks that are trained."""
+        """Return the policy object that holds the actor and the critic."""
         assert isinstance(self.model.policy, SoccerPolicy)
         return self.model.policy
 
     def reset_matches(self) -> None:
-        """Begin episodes in all matches, where the first rollout begins."""
+        """Begin new episodes in all matches, for the first rollout."""
         self._begin_at(self.matches.reset(), np.ones(self.model.n_envs, bool))
 
     def collect_rollout(self, each_step: Callable[[], None]) -> None:
-        """Let the policy, with its noise, play a rollout; `each_step` is called after each step of all matches."""
+        """Collect a rollout by the policy with its noise; `each_step` is called after each step of all matches."""
         model = self.model
 
         def stepped(*_: Any) -> bool:
@@ -76,7 +76,7 @@ class Learner:
         check_weights(self.model)
 
     def noted(self) -> dict[str, Any]:
-        """Return stable-baselines3's statistics of the last update, by its names."""
+        """Return stable-baselines3's statistics of the last update, under the names of that library."""
         return dict(self.model.logger.name_to_value)
 
     def close(self) -> None:
@@ -84,7 +84,7 @@ class Learner:
         self.matches.close()
 
     def state(self) -> dict[str, Any]:
-        """Return what a checkpoint keeps of the learner, as plain values and arrays."""
+        """Return the learner's state for a checkpoint, as plain values and arrays."""
         return {
             "network": self.network.state_dict(),
             "optimizer": self.network.optimizer.state_dict(),
@@ -94,19 +94,19 @@ class Learner:
         }
 
     def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
-        """Resume from what `state` returned, with these observations."""
+        """Resume from `saved`, a result of `state`; the next rollout begins with these observations."""
         self.network.load_state_dict(saved["network"])
         self.network.optimizer.load_state_dict(saved["optimizer"])
         self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]
         self._begin_at(observations, saved["starts"])
 
     def _begin_at(self, observations: np.ndarray, starts: np.ndarray) -> None:
-        """Let the next rollout begin with these observations (rows, n); `starts` (rows,): of new episodes."""
+        """Let the next rollout begin with these observations (rows, n); `starts` (rows,): whether an episode begins."""
         self.model._last_obs, self.model._last_episode_starts = observations, starts
 
     @contextmanager
     def _weights_checked(self) -> Iterator[None]:
-        """Say it in one line if torch complains, at length, of NaN in the middle of a rollout or an update."""
+        """Replace torch's long error about NaN in a rollout or an update by the one line of `check_weights`."""
         try:
             yield
         except ValueError:
@@ -115,7 +115,7 @@ class Learner:
 
 
 def make_model(settings: TrainSettings, matches: SoccerVecEnv, entries: list[Entry]) -> PPO:
-    """Return the learner."""
+    """Return stable-baselines3's PPO, set up to train on `matches`."""
     shape = {
         "entries": entries, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
         "activation": settings.activation, "mirror": settings.mirror, "log_std_init": float(np.log(settings.noise)),
@@ -137,13 +137,13 @@ def make_model(settings: TrainSettings, matches: SoccerVecEnv, entries: list[Ent
 
 
 def check_device(device: str) -> None:
-    """Raise ValueError if there is no GPU and one is asked for; stable-baselines3 would silently take the CPU."""
+    """Raise ValueError if `device` is "cuda" without a GPU; stable-baselines3 would silently take the CPU."""
     if device == "cuda" and not torch.cuda.is_available():
         raise ValueError("device='cuda' needs a GPU that torch can use; device='auto' takes one if there is one")
 
 
 def check_weights(model: PPO) -> None:
-    """Raise ValueError if a weight, or the noise, is NaN, infinite or 0: nothing can be learned from there on."""
+    """Raise ValueError if a weight is NaN or infinite, or the noise is so or 0: nothing can be learned from then on."""
     noise: Any = model.policy.log_std
     if not all(bool(torch.isfinite(part).all()) for part in (*model.policy.parameters(), noise.exp(), (-noise).exp())):
         raise ValueError(
@@ -152,6 +152,6 @@ def check_weights(model: PPO) -> None:
 
 
 def part_size(decisions: int, batch: int) -> int:
-    """Return the size of the nearly equal parts, of about `batch`, into which a rollout's decisions are cut."""
+    """Return a batch size near `batch` that cuts a rollout's decisions into nearly equal parts."""
     parts = max(1, round(decisions / batch))
     return -(-decisions // parts)

@@ -30,7 +30,7 @@ class Result:
 
     @property
     def points(self) -> float:
-        """Return 1 for a win, 0.5 for a draw, 0 for a defeat."""
+        """Return the learners' points: 1 for a win, 0.5 for a draw, 0 for a defeat."""
         return 0.5 + 0.5 * float(np.sign(self.goals_for - self.goals_against))
 
 
@@ -58,7 +58,7 @@ def check_request(
 def shares(
     players: Sequence[tuple[int, int]], matches: int, ideal_share: float
 ) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
-    """Return blocks (team size, matches, settings): every size has as many, of which a share has ideal senses."""
+    """Divide matches evenly among team sizes, a share of each with ideal senses; return (sizes, matches, settings)."""
     if not 0.0 <= ideal_share <= 1.0:
         raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
     blocks: list[tuple[tuple[int, int], int, dict[str, str]]] = []
@@ -73,14 +73,14 @@ def shares(
 
 
 def parts(whole: int, count: int) -> list[int]:
-    """Return `count` nearly equal numbers that add up to the whole."""
+    """Return `count` nearly equal whole numbers that add up to `whole`."""
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]
 
 
 def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: int, stagger: int) -> None:
-    """Begin the episodes of some seeds (M,), and let robots stand until they decide.
+    """Begin the episodes of the seeds (M,), and let robots stand until their first decision.
 
-    stagger: 0, or the control steps of an action; clocks then begin apart by whole actions.
+    stagger: 0, or the control steps of an action; episodes then start at clock times that differ by whole actions.
     """
     match.reset(seeds=seeds)
     if stagger:
@@ -91,7 +91,7 @@ def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: in
 
 
 def stagger_clocks(match: Match, repeat: int) -> None:
-    """Let the first episodes of M matches begin at different times of their first half, a whole number of steps on."""
+    """Start the first episodes of M matches at different times of the first half, each a whole number of actions."""
     half = match.settings.half_length
     if np.isfinite(half):
         strides = int(half / (match.league.dt * repeat))
@@ -99,12 +99,12 @@ def stagger_clocks(match: Match, repeat: int) -> None:
 
 
 def playing(match: Match) -> list[str]:
-    """Return the name of the present player of the last away robot, for each match: a team, or a learner."""
+    """Return, for each match, the name of the team that plays the last away robot now, or LEARNER."""
     return [name or LEARNER for name in who_plays(match.squads, len(match.agents) - 1, match.count)]
 
 
 def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarray:
-    """Return the actions of all rows as numbers in [-1, 1], or discrete ones; ValueError for what is neither."""
+    """Return the actions of all rows, checked: numbers clipped to [-1, 1], or discrete actions; else ValueError."""
     if like.ndim == 1:
         return discrete_rows(actions, len(like))
     shape = like.shape
@@ -122,16 +122,16 @@ def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarra
 
 
 def learners_of(match: Match) -> list[tuple[int, str]]:
-    """Return (m, agent) of each learning robot of a block, as its rows are in order."""
+    """Return (m, agent) of each learning robot of a block, in the order of its rows."""
     learners = [agent for agent, learns in zip(match.agents, match.learns, strict=True) if learns]
     return [(m, agent) for m in range(match.count) for agent in learners]
 
 
 @contextmanager
 def undone(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> Iterator[None]:
-    """Let signals wait while all matches reset or step; where one of them lets them come, undo what is raised in all.
+    """Delay signals while all matches reset or step; if a signal or an error still interrupts, undo the step in all.
 
-    So it is in matches that call code of a user, and in those that may have to compile.
+    Signals still interrupt matches that call a user's code, or that may have to compile.
     """
     before: list[Any] = []
     names = list(opponents)
@@ -150,7 +150,7 @@ def undone(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> 
 
 
 def discrete_rows(actions: Any, rows: int) -> np.ndarray:
-    """Return discrete actions (rows,); ValueError for another shape, for other numbers and for unknown actions."""
+    """Return discrete actions (rows,), checked; ValueError unless they are whole numbers of known actions."""
     numbers = np.asarray(actions)
     if numbers.dtype.kind not in "iu" or numbers.shape != (rows,):
         raise ValueError(f"actions must be {rows} whole numbers, got {numbers.dtype} of shape {numbers.shape}")

@@ -35,7 +35,7 @@ def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
 
 
 class Attention(nn.Module):
-    """The pooling before the layers of the kind "attention": `soccer_env.agents.attention` has the equations."""
+    """The pooling of other players in networks of kind "attention"; `soccer_env.agents.attention` has the equations."""
 
     def __init__(self, layout: Layout, width: int, activation: str) -> None:
         super().__init__()
@@ -60,13 +60,13 @@ class Attention(nn.Module):
         return torch.cat(pooled, dim=1)
 
     def tensors(self) -> list[torch.Tensor]:
-        """Return the tensors of `attention.TENSORS`."""
+        """Return the parameters, in the order of `attention.TENSORS`."""
         pairs: Any = zip(self.encoders, self.queries, strict=True)
         return [part for encoder, query in pairs for part in (encoder.weight, encoder.bias, query.weight)]
 
 
 class ActorAndCritic(nn.Module):
-    """Two networks side by side; of features (B, n + s) the actor gets the first n, with `signs` mirrored too."""
+    """Two networks: of features (B, n + s) the actor gets the first n, with `signs` also their mirror image."""
 
     signs: torch.Tensor | None
 
@@ -88,7 +88,7 @@ class ActorAndCritic(nn.Module):
         return self.forward_actor(features), self.forward_critic(features)
 
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
-        """Return the last hidden layer (B, h); with a mirror (2 B, h), the mirrored rows behind."""
+        """Return the actor's last hidden layer (B, h); with a mirror (2 B, h), the mirrored observations last."""
         own = features[:, : self.inputs]
         own = own if self.signs is None else torch.cat([own, own * self.signs])
         latent: torch.Tensor = self.policy_net(self.attention(own) if self.attention else own)
@@ -101,7 +101,7 @@ class ActorAndCritic(nn.Module):
 
 
 class MirrorHead(nn.Module):
-    """The last layer: the mean of the actions of rows, and of their mirror images mirrored back."""
+    """The last layer of an actor with a mirror: the mean of its action and of the mirror image's, mirrored back."""
 
     signs: torch.Tensor
 
@@ -197,7 +197,7 @@ def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch
 
 
 def begin_with(network: SoccerPolicy, policy: Policy) -> None:
-    """Give a network the actor of a policy of the same shape; its noise and its critic stay as they are."""
+    """Copy the actor of a policy of the same shape into a network; the noise and the critic of the network stay."""
     given = (policy.weights, policy.biases, policy.attention)
     with torch.no_grad():
         for parts, arrays in zip(actor_tensors(network), given, strict=True):
@@ -206,7 +206,7 @@ def begin_with(network: SoccerPolicy, policy: Policy) -> None:
 
 
 def blank_policy(settings: TrainSettings, league: League) -> Policy:
-    """Return a policy of the shape that a run trains, all zeros: it stands still."""
+    """Return a policy of the shape that a run trains, with all weights 0: its robots stand still."""
     entries = entries_of(league, settings.observe)
     names = tuple(entry.name for entry in entries)
     actions = 4

@@ -37,7 +37,7 @@ EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other m
 
 
 class Board:
-    """Shows a run's progress, times the stages of a rollout and writes its line."""
+    """Show a run's progress, time the stages of each rollout and write its line of the log."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder) -> None:
         self.folder = folder
@@ -58,7 +58,7 @@ class Board:
             self._spent[stage] += time.perf_counter() - started
 
     def show(self, step: int) -> None:
-        """Move the bar to a step."""
+        """Move the progress bar to a number of steps."""
         if self._progress is None:
             self._progress = Progress("training", self._steps)
             self._progress.__enter__()
@@ -69,7 +69,7 @@ class Board:
         self, step: int, rollout: int, results: Sequence[Any], curriculum: Curriculum, noted: dict[str, Any],
         playing: float,
     ) -> None:  # fmt: skip
-        """Write the line of a rollout and its update, `noted` by stable-baselines3; matches took `playing` [s]."""
+        """Log a rollout and its update; `noted`: stable-baselines3's statistics; `playing` [s]: time of the matches."""
         spent, self._spent = self._spent, dict.fromkeys(STAGES, 0.0)
         seconds = {"matches": playing, "networks": spent.pop("rollout") - playing, **spent}
         points = {name: curriculum.standings[name].points for name in curriculum.names}
@@ -93,7 +93,7 @@ class Board:
             self._progress.note(f"points {shares}{self._words}")
 
     def open_logs(self, step: int) -> Any:
-        """Open the further logs; return the logger for stable-baselines3."""
+        """Open the optional logs; return the logger for stable-baselines3."""
         from soccer_env.train.ppo.reporting.loggers import Logs
 
         self._logs = Logs(self._settings, self.folder, step)
@@ -114,12 +114,12 @@ class Board:
 
 
 def rounded(value: Any) -> float | None:
-    """Return a number for the logs: None for a missing number, and for NaN, which JSON lacks."""
+    """Round a number for the logs; return None for a missing number and for NaN, which JSON lacks."""
     return round(float(value), 6) if value is not None and np.isfinite(value) else None
 
 
 def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
-    """Return the matches of a policy against an opponent of the evaluations."""
+    """Return the contest of a policy against an opponent of the evaluations."""
     players = max(settings.sizes)
     asked = EvaluateSettings(
         league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
@@ -181,7 +181,7 @@ def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> 
 
 
 def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:
-    """Return the number of decisions that the policy had learned from at each evaluation, advised ones included."""
+    """Return, for each evaluation, the number of decisions the policy had learned from, advised ones included."""
     advised = max(one.get("advised", 0) for one in evaluations)
     return [one["step"] + (advised if one["step"] else one.get("advised", 0)) for one in evaluations]
 

@@ -78,11 +78,11 @@ class RunFolder(ResultsFolder):
         self.add(EVALUATIONS, [record])
 
     def forget_evaluations_from(self, record: dict[str, Any]) -> None:
-        """Remove the evaluations from a coming one on."""
+        """Remove the logged evaluations that are not earlier than `record`, which is about to be logged."""
         self._keep(EVALUATIONS, [one for one in self.evaluations() if order(one) < order(record)])
 
     def _keep(self, name: str, kept: list[dict[str, Any]]) -> None:
-        """Reduce a log to some of its lines."""
+        """Rewrite a log with only the lines in `kept`, if it has more."""
         path = self.path / name
         if len(kept) < len(read_lines(path)):
             write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))
@@ -105,12 +105,12 @@ class RunFolder(ResultsFolder):
 
 
 def order(evaluation: dict[str, Any]) -> tuple[int, int]:
-    """Return the key by which the evaluations of a run are ordered in time."""
+    """Return a sort key that orders the evaluations of a run in time."""
     return evaluation["step"], evaluation.get("advised", 0)
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:
-    """Return a record with the entries of its parts as part_entry."""
+    """Flatten a record of nested tables: {"points": {"chaser": 1}} becomes {"points_chaser": 1}."""
     flat: dict[str, Any] = {}
     for name, value in record.items():
         if isinstance(value, dict):

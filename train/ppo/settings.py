@@ -36,7 +36,7 @@ FREE = (  # settings that may differ when a run is resumed
 
 @dataclass(frozen=True)
 class PlainSettings:
-    """The settings of a training run but for the weights of its rewards; the basic ones come first."""
+    """The settings of a training run, without the weights of its rewards; the basic settings come first."""
 
     league: str = "legged-2001"
     """League: a name of `soccer list leagues`, or MODULE:NAME of your own."""
@@ -65,7 +65,7 @@ class PlainSettings:
     name: str = "policy"
     """Name of the policy."""
     rewards: str = ""
-    """Rewards of your own, as MODULE:NAME, in place of the weights below; "" for those weights."""
+    """Rewards of your own, as MODULE:NAME; "" for the terms weighted by the options below."""
     matches: int = 128
     """Matches played side by side, shared among the team sizes."""
     minutes: float = 2.0
@@ -76,7 +76,7 @@ class PlainSettings:
     past: int = 0
     """Number of past selves among the opponents; the newest replaces the oldest."""
     past_every: int = 40
-    """Rollouts between two past selves."""
+    """Number of rollouts after which the present policy becomes a past self."""
     observe: Literal["belief", "percepts", "truth"] = "belief"
     """Source of the observations; truth is for policies that play with ideal senses."""
     senses: str = "sensors"
@@ -89,52 +89,52 @@ class PlainSettings:
     start: str = ""
     """Policy file of the same shape to start from instead of imitating the teacher; "" for none."""
     teacher_steps: int = 300_000
-    """Decisions of the teacher to record, over all team sizes and opponents."""
+    """Number of the teacher's decisions to record, over all team sizes and opponents together."""
     teacher_epochs: int = 12
-    """Passes over the recorded decisions."""
+    """Epochs of imitation: passes over the recorded decisions."""
     rounds: int = 0
-    """Rounds in which the actor plays and a teacher that knows the truth labels each decision, after a first round that
-    the teacher plays."""
+    """Rounds of imitation in which the actor plays and a teacher that knows the truth labels each decision; the teacher
+    itself plays the first round. 0 to imitate recorded matches of the teacher only."""
     teacher_until: float = 0.0
-    """Share of the steps over which an imitation loss fades out; 0 for no such loss."""
+    """Share of --steps over which a loss of imitation beside PPO fades out; 0 for no such loss."""
     critic_first: int = 3
-    """First rollouts, in which only the critic learns, so that an untrained critic does not spoil the imitation."""
+    """Number of first rollouts in which only the critic learns: an untrained critic would spoil the imitation."""
     kind: Literal["slots", "attention"] = "slots"
-    """Network for other players: one slot of inputs each, or attention, which ignores their order."""
+    """How the network takes in the other players: one slot of inputs each, or attention, which ignores their order."""
     hidden: str = "64,64"
-    """Sizes of the actor's hidden layers."""
+    """Sizes of the actor's hidden layers, separated by commas."""
     critic: str = "64,64"
-    """Sizes of the critic's hidden layers."""
+    """Sizes of the critic's hidden layers, separated by commas."""
     activation: Literal["tanh", "relu"] = "tanh"
     """Activation of hidden layers."""
     mirror: bool = True
-    """Average the actor with its left-right mirror image (observations of truth or belief)."""
+    """Average the actor with its left-right mirror image; needs --observe truth or belief."""
     central_critic: bool = True
     """Give the critic the whole truth of the match (`state()`) too; the actor never sees it."""
     learning_rate: float = 3e-4
     """Initial learning rate of Adam."""
     decay: bool = True
-    """Decay the learning rate linearly to a twentieth at --steps."""
+    """Decay the learning rate linearly, to a twentieth of its initial value at --steps."""
     gamma: float = 0.99
-    """Discount factor for one decision, also of the shaping."""
+    """Discount factor per decision, of the return and of the reward shaping."""
     gae_lambda: float = 0.95
     """Lambda of the generalised advantage estimate."""
     clip: float = 0.2
     """Clip range of PPO: how far the probability ratio may move from 1."""
     rollout: int = 64
-    """Decisions of each robot between two updates."""
+    """Length of a rollout: decisions of each robot between two updates."""
     batch: int = 4096
     """Approximate number of decisions in a gradient step; a rollout is cut into equal parts."""
     epochs: int = 4
-    """Passes over a rollout."""
+    """Epochs of an update: passes over a rollout."""
     entropy: float = 0.0
     """Weight of the entropy bonus."""
     noise: float = 0.4
     """Initial standard deviation of the actions."""
     evaluate_every: int = 500_000
-    """Steps between two evaluations of the policy without noise; the best policy is kept as best.safetensors."""
+    """Steps between two evaluations, which play without noise; the best policy is kept as best.safetensors."""
     evaluate_matches: int = 40
-    """Matches against each opponent of an evaluation, even."""
+    """Matches per opponent in an evaluation; an even number."""
     evaluate_minutes: float = 4.0
     """Minutes of play in a match of an evaluation."""
     evaluate_against: str = "chaser@0.5,chaser"
@@ -145,7 +145,7 @@ class PlainSettings:
     device: Literal["auto", "cpu", "cuda"] = "auto"
     """Device that trains the networks; auto uses a GPU if there is one."""
     log: str = ""
-    """Further logs, separated by commas: csv, tensorboard, wandb, as stable-baselines3 writes them."""
+    """Optional logs in the format of stable-baselines3, separated by commas: csv, tensorboard, wandb."""
     keep: str = ""
     """Replays of best.safetensors to keep, separated by commas: best, worst, goals (clips)."""
     keep_pages: bool = False
@@ -211,36 +211,36 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def played(self) -> League:
-        """Return the league with the rules that are played by."""
+        """Return the league with the rules of the run."""
         league = find_league(self.league)
         return replace(league, rules=rule_set(league.rules, self.rules))
 
     @property
     def paid(self) -> Rewards:
-        """Return the rewards: a user's own, or those of the weights."""
+        """Return the rewards of the run: a user's own, or the terms with the weights of the settings."""
         own = {name: getattr(self, name) for name in NAMES}
         return find_rewards(self.rewards) if self.rewards else Rewards(**own)
 
     @property
     def named(self) -> list[str]:
-        """Return the settings that may be MODULE:NAME."""
+        """Return the values of all settings that may have the form MODULE:NAME."""
         scenes = names_in(self.scenes)
         return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
 
     @property
     def scene(self) -> Scene:
-        """Return how episodes begin."""
+        """Return the scene, or mixture of scenes, in which episodes begin."""
         return mixture(self.scenes)
 
     @property
     def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
-        """Return the share of each kind of matches, and its senses as an argument of `Match`."""
+        """Return (share of the matches, `senses` of Match) for the senses of the run and for ideal senses."""
         kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
         return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
 
     @property
     def own_senses(self) -> dict[str, Any]:
-        """Return the fields of `Policy` for the senses in training."""
+        """Return the fields of `Policy` that record the senses and the pose of the training."""
         own = split_senses(self.senses)[0]
         return senses_of_run({"senses": own, "ideal_share": self.ideal_share, "pose": self.pose})
 
@@ -261,7 +261,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def logs(self) -> tuple[str, ...]:
-        """Return the kinds of further logs; ValueError for an unknown one."""
+        """Return the names of the optional logs; ValueError for an unknown name."""
         asked = different("log", self.log) if self.log else ()
         for kind in asked:
             if kind not in LOGS:
@@ -283,10 +283,10 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
 
 def command_of(settings: TrainSettings) -> str:
-    """Return the command with these settings."""
+    """Return the command line of `soccer train` with these settings."""
     return command_with("train", settings)
 
 
 def senses_of(senses: str) -> dict[str, str]:
-    """Return "ideal" or "home=ideal,away=sensors" as an argument of `Match`."""
+    """Convert a text such as "ideal" or "home=ideal,away=sensors" to the argument `senses` of `Match`."""
     return dict(zip(("home", "away"), split_senses(senses), strict=True))

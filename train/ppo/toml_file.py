@@ -21,7 +21,7 @@ BUNDLED = Path(agents.__file__).parent / "policies"  # in a checkout and where t
 
 
 def settings_of(config: Path | None) -> TrainSettings:
-    """Return the settings of a TOML file, or the defaults; ValueError names the file and what is wrong.
+    """Return the settings of a TOML file, or the defaults; ValueError names the file and the mistake.
 
     A bare name such as legged-2001 is that of a bundled file, unless there is a file of that name.
     """
@@ -43,7 +43,7 @@ def settings_of(config: Path | None) -> TrainSettings:
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """Return the settings of a TOML file; ValueError for one that cannot be read and for names that do not exist."""
+    """Return the contents of a TOML file; ValueError if it cannot be read or names an unknown setting."""
     try:
         found = tomllib.loads(read_plain(path, MAX_FILE).decode("utf-8"))
     except (OSError, ValueError, RecursionError) as error:  # what is no TOML or no UTF-8 is a ValueError

@@ -66,7 +66,7 @@ class Training:
             self.keep_replays()
 
     def timed(self, stage: str) -> AbstractContextManager[None]:
-        """Return a context that adds its time to a stage of the rollout's line in the log."""
+        """Return a context manager that adds the time of its block to a stage in the rollout's line of the log."""
         return self.board.timed(stage)
 
     def show_step(self) -> None:
@@ -78,7 +78,7 @@ class Training:
         self.rollouts += 1
 
     def policy(self) -> Policy:
-        """Return the present policy."""
+        """Return the actor as it is now, as a policy."""
         settings = self.settings
         return policy_from(
             self.learner.network, name=settings.name, league=self.learner.league, observe=settings.observe,
@@ -175,7 +175,7 @@ class Training:
         return saved is not None
 
     def _restore(self, saved: dict[str, Any]) -> None:
-        """Restore the state of `save_checkpoint`."""
+        """Restore the state that `save_checkpoint` wrote."""
         try:
             self.curriculum.restore(saved["curriculum"])  # first: saved matches refer to their opponents
             self.learner.restore(saved, self.matches.load(saved["matches"]))

@@ -59,7 +59,7 @@ class SoccerVecEnv(VecEnv):
     _given: dict[str, Any]
 
     def __new__(cls, league: Any = "legged-2001", **settings: Any) -> SoccerVecEnv:
-        """Keep the settings for copies."""
+        """Create an environment that remembers its settings, so that copies can be made."""
         made = super().__new__(cls)
         made._given = {"league": league, **settings}
         return made
@@ -116,7 +116,7 @@ class SoccerVecEnv(VecEnv):
     # The interface of stable-baselines3
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
-        """Take the seed of the next reset."""
+        """Set the seed of the next reset."""
         self._seed = self._seed if seed is None else seed
         return [self._seed] * self.num_envs
 
@@ -132,7 +132,7 @@ class SoccerVecEnv(VecEnv):
             return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Take the actions (rows, 4 or 7) of the next step, or discrete ones (rows,); ValueError names a wrong row."""
+        """Set the actions of the next step: (rows, 4 or 7), or discrete ones (rows,); ValueError names a wrong row."""
         self._actions[:] = taken(actions, self._actions, self.matches)
         self._asked = True
 
@@ -155,7 +155,7 @@ class SoccerVecEnv(VecEnv):
     def _note(
         self, results: dict[int, list[Result]], rewards: np.ndarray, dones: np.ndarray, infos: Any, started: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
-        """Note a step that all blocks have played; return the values of `step_wait`."""
+        """Update returns, lengths and infos after a step of all blocks; return the values of `step_wait`."""
         for index in range(len(self.matches)):
             self.results += results[index]
         self._returns += rewards
@@ -169,7 +169,7 @@ class SoccerVecEnv(VecEnv):
         return observations, rewards, dones, infos
 
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
-        """Play one step of a block of matches, into their rows; return the results of ended episodes."""
+        """Play a step of a block of matches; fill its rows of rewards and dones; return results of ended episodes."""
         results: list[Result] = []
         match, learners = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
@@ -210,14 +210,14 @@ class SoccerVecEnv(VecEnv):
         return results
 
     def _standing(self, match: Match) -> np.ndarray:
-        """Return actions (M, R) or (M, R, 4 or 7) of robots that stand, their heads tracking the ball by themselves."""
+        """Return actions (M, R) or (M, R, 4 or 7) with which robots stand and their heads track the ball."""
         actions = np.zeros((match.count, len(match.agents), *self._actions.shape[1:]), self._actions.dtype)
         if actions.shape[2:] == (len(FULL),):
             actions[..., FULL.index("head")] = -1.0
         return actions
 
     def _observations(self) -> np.ndarray:
-        """Return the observations (rows, n) of all learners, in an array of their own."""
+        """Return the observations (rows, n) of all learners, in a new array."""
         parts = []
         for match, learners in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :learners]
@@ -227,12 +227,12 @@ class SoccerVecEnv(VecEnv):
         return np.concatenate(parts)
 
     def take_results(self) -> list[Result]:
-        """Return the results of episodes since the last call."""
+        """Return the results of the episodes that ended since the last call."""
         taken, self.results = self.results, []
         return taken
 
     def take_seconds(self) -> float:
-        """Return the time [s] of the steps since the last call."""
+        """Return the time [s] that steps have taken since the last call."""
         taken, self.seconds = self.seconds, 0.0
         return taken
 
@@ -243,7 +243,7 @@ class SoccerVecEnv(VecEnv):
     # Methods of VecEnv for environments that are separate objects; here they are rows
 
     def close(self) -> None:
-        """End the threads."""
+        """End the threads that play the matches."""
         self._workers.shutdown()
         for match in self.matches:
             match.close()
@@ -275,7 +275,7 @@ class SoccerVecEnv(VecEnv):
     # Saving
 
     def save(self) -> dict[str, Any]:
-        """Return everything that the environment's future depends on, as plain values, and rebuild the matches."""
+        """Return the full state of the environment, as plain values, and rebuild the matches from it."""
         return {
             "matches": [match.save() for match in self.matches],
             "returns": self._returns.tolist(),
@@ -283,7 +283,7 @@ class SoccerVecEnv(VecEnv):
         }
 
     def load(self, saved: dict[str, Any]) -> np.ndarray:
-        """Restore what `save` returned; return the observations. ValueError for a save of other settings."""
+        """Restore the state `saved` by `save`; return the observations. ValueError for a save of other settings."""
         with undone(self.matches, self.opponents, "load"):
             for match, bits in zip(self.matches, saved["matches"], strict=True):
                 match.load(bits)
@@ -292,7 +292,7 @@ class SoccerVecEnv(VecEnv):
             return self._observations()
 
     def __reduce__(self) -> Made:
-        """Copy by settings and `save`: what pickle, cloudpickle and copy.deepcopy make has the same future."""
+        """Copy by settings and `save`: copies by pickle, cloudpickle and copy.deepcopy play on identically."""
         return by_save(self, type(self), {**self._given, "seed": self._seed})
 
 

@@ -1,4 +1,4 @@
-"""Curves, counts as bars, intervals beside what was asked for, and tables of numbers with coloured cells."""
+"""Curves, counts as bars, intervals beside the required range, and tables of numbers with coloured cells."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ DEEPEST = 0.62  # [1] of a colour in the cell of the largest number: what is wri
 
 @plot
 def draw_curves(figure: Mapping[str, Any]) -> Any:
-    """Draw curves: `title`, `x_label`, `y_label` with units, `curves`, `rules` (heights of dashed lines).
+    """Plot curves: `title`, `x_label`, `y_label` with units, `curves`, `rules` (heights of dashed lines).
 
     A curve has `name`, `x`, `y`, and `low` and `high`, which may be empty; None is a gap. `rule` says what the rules
     are; `arrows` (x, y, along_x, along_y) make it a picture of a field. Returned: the picture's bytes.
@@ -58,7 +58,7 @@ def draw_curves(figure: Mapping[str, Any]) -> Any:
 
 
 def draw_curve(axes: Any, curve: Mapping[str, Any], colour: str, marker: str, line: Any) -> None:
-    """Draw one curve; every other of many points goes without a marker."""
+    """Plot one curve with its interval; of many points only some get a marker."""
     x, y = numbers(curve["x"]), numbers(curve["y"])
     each = max(1, len(x) // 24)
     axes.plot(x, y, color=colour, marker=marker, linestyle=line, markevery=each, label=curve["name"])
@@ -76,7 +76,7 @@ def draw_curve(axes: Any, curve: Mapping[str, Any], colour: str, marker: str, li
 
 
 def numbers(values: Sequence[float | None]) -> list[float]:
-    """Return numbers to draw, NaN for missing ones."""
+    """Return the numbers to plot, with NaN for None."""
     return [float("nan") if value is None else value for value in values]
 
 
@@ -85,7 +85,7 @@ def draw_bars(
     title: str, x_label: str, y_label: str, groups: Sequence[tuple[str, Sequence[float], Sequence[float]]],
     mark: tuple[str, float, float, float] | None = None,
 ) -> Any:  # fmt: skip
-    """Draw bars: groups of (name, places, counts); `mark` is (words, value, low, high) of an estimate over them."""
+    """Plot counts as bars: groups (name, x of bars, counts); `mark`: an estimate above, (words, value, low, high)."""
     drawn, axes = canvas()
     top = max((count for _, _, counts in groups for count in counts), default=1.0)
     styles = zip(groups, COLOURS, HATCHES, strict=False)
@@ -110,7 +110,7 @@ def draw_bars(
 
 @dataclass(frozen=True)
 class Row:
-    """An estimate with its interval, and the required range; an open side is infinite."""
+    """An estimate with its interval, and the range required of it; an open side of either is infinite."""
 
     name: str
     text: str  # the numbers, with unit
@@ -123,7 +123,7 @@ class Row:
 
 @plot
 def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") -> Any:
-    """Draw rows; the band of a row is the required range (named `asked`), the bar the measured interval."""
+    """Plot a row for each estimate: a band for the required range (label `asked`), a bar for the measured interval."""
     drawn, axes = canvas(ROW * len(rows) + 0.85, WIDTH)
     drawn.set_layout_engine("none")
     axes.set_position((0.0, 0.0, 1.0, 1.0))
@@ -166,7 +166,7 @@ def draw_heat_table(
     title: str, rows: Sequence[str], columns: Sequence[str], values: Sequence[Sequence[float | None]],
     x_label: str = "", y_label: str = "", form_of_number: str = "{:+.2f}",
 ) -> Any:  # fmt: skip
-    """Draw `values[row][column]`, None for an empty cell: blue above 0, orange and hatched below, deeper for more."""
+    """Draw a table of `values[row][column]`, None: empty; blue above 0, orange and hatched below, darker for larger."""
     long = max(map(len, columns), default=1) * LETTER > (WIDTH - 1.5) / max(len(columns), 1)
     head = 0.5 + (max(map(len, columns), default=1) * LETTER * 0.75 if long else 0.25)
     drawn, axes = canvas(CELL * len(rows) + head + (0.7 if x_label else 0.3), WIDTH)
@@ -188,7 +188,7 @@ def draw_heat_table(
 
 
 def draw_cell(axes: Any, row: int, column: int, value: float, largest: float, form_of_number: str) -> None:
-    """Draw one cell with its number."""
+    """Draw one cell, coloured by its number relative to `largest`, with the number in it."""
     depth = DEEPEST * min(abs(value) / largest, 1.0) if isfinite(value) else 0.0
     above = not value < 0.0
     colour = COLOURS[0 if above else 1]

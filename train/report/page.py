@@ -47,7 +47,7 @@ class ReportPage:
         self._table(head, [(texts, f"<td>{' '.join(link(*one) for one in those)}</td>") for texts, those in rows])
 
     def _table(self, head: Sequence[str], rows: list[tuple[Sequence[str], str]], kind: str = "") -> None:
-        """Add a table of texts; each row ends with some markup."""
+        """Add a table; each row is its texts, and markup for further cells at its end."""
         kinds = [alignment([texts[at] for texts, _ in rows if at < len(texts)]) for at in range(len(head))]
         heads = "".join(f'<th scope="col"{one}>{inline(name)}</th>' for name, one in zip(head, kinds, strict=True))
         body = "".join(
@@ -67,11 +67,11 @@ class ReportPage:
         )
 
     def command(self, text: str) -> None:
-        """Add a command."""
+        """Add a command as a block of code."""
         self._parts.append(f"<pre>{html.escape(text)}</pre>")
 
     def fold(self, summary: str) -> None:
-        """Begin a folded part; `unfold` ends it."""
+        """Begin a part that the reader can unfold; `unfold` ends it."""
         self._parts.append(f"<details><summary>{inline(summary)}</summary>")
 
     def unfold(self) -> None:
@@ -79,7 +79,7 @@ class ReportPage:
         self._parts.append("</details>")
 
     def html(self) -> str:
-        """Return the page."""
+        """Return the page as HTML."""
         names = "".join(f'<a href="#section{n}">{inline(name)}</a>' for n, name in enumerate(self._sections, 1))
         filled = {
             "TITLE": html.escape(self._title),
@@ -96,23 +96,23 @@ class ReportPage:
 
 
 def inline(text: str) -> str:
-    """Return a text as markup that shows it; text between `backticks` is code."""
+    """Escape a text for HTML; text between `backticks` becomes code."""
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(text))
 
 
 def alignment(texts: Sequence[str]) -> str:
-    """Return the class of a column's cells: that of numbers if most of its texts are such."""
+    """Return the HTML class of a column's cells: that of numbers if most of its texts are numbers, else ""."""
     told = [bool(NUMBER.fullmatch(text)) for text in texts if text]
     return ' class="number"' if told and 2 * sum(told) > len(told) else ""
 
 
 def link(words: str, file: str) -> str:
-    """Return a link to a file beside the page."""
+    """Return an HTML link to a file beside the page."""
     return f'<a href="{html.escape(quote(file))}">{inline(words)}</a>'
 
 
 def style() -> str:
-    """Return the style of a page: the replay's colours, those of curves, and the report's own."""
+    """Return the CSS of a page: the colours of the browser replay, the colours of curves, and report.css."""
     light, dark = (
         rule.group() for rule in list(ROOT.finditer(files(browser).joinpath("look.css").read_text("utf-8")))[:2]
     )
@@ -127,5 +127,5 @@ def style() -> str:
 
 
 def part(name: str) -> str:
-    """Return the text of a file of this folder."""
+    """Return the text of the file `name` beside this module."""
     return files(__package__).joinpath(name).read_text(encoding="utf-8")

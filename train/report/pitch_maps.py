@@ -39,13 +39,13 @@ class Maps:
     shots: dict[str, list[tuple[str, float, float]]]  # outcome, x [m], y [m]
 
     def sides(self) -> list[tuple[str, str]]:
-        """Return the sides and their teams."""
+        """Return (side, name of its team) for "for" and "against"."""
         return [("for", self.teams[0]), ("against", self.teams[1])]
 
 
 @plot
 def draw_presence(maps: Maps) -> Any:
-    """Draw the presence of robots and ball over the pitch."""
+    """Draw heat maps: the presence of each team's robots and of the ball over the pitch."""
     drawn, axes = canvas(HEIGHTS[3], columns=3)
     fill_presence(drawn, axes, maps)
     return drawn
@@ -53,7 +53,7 @@ def draw_presence(maps: Maps) -> Any:
 
 @plot
 def draw_network(maps: Maps) -> Any:
-    """Draw mean places and completed passes."""
+    """Draw pass networks: the players of each team at their mean places, and their completed passes."""
     drawn, axes = canvas(HEIGHTS[2], columns=2)
     fill_network(drawn, axes, maps)
     return drawn
@@ -61,7 +61,7 @@ def draw_network(maps: Maps) -> Any:
 
 @plot
 def draw_shots(maps: Maps) -> Any:
-    """Draw the shots and their outcomes."""
+    """Draw shot maps: the shots of each team and their outcomes."""
     drawn, axes = canvas(HEIGHTS[2] + 0.2, columns=2)
     fill_shots(drawn, axes, maps)
     return drawn
@@ -87,7 +87,7 @@ def draw_maps(maps: Maps, form: str) -> bytes:
 
 
 def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw the share of the time in which a robot of each team, and the ball, was in each cell."""
+    """Draw, for each team's robots and for the ball, the share of the time spent in each cell."""
     from matplotlib.patches import Patch
 
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):
@@ -99,7 +99,7 @@ def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
 
 
 def draw_tiles(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
-    """Draw the cells of each level as one path, which keeps a page small."""
+    """Draw the cells of a heat map, all cells of one level as one path, which keeps a page small."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
 
@@ -118,12 +118,12 @@ def draw_tiles(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
 
 
 def shade(depth: float) -> str:
-    """Return a colour at a depth [1]."""
+    """Return the colour of the heat maps with the opacity `depth` [1]."""
     return f"{COLOURS[0]}{round(255 * depth):02x}"
 
 
 def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw players at their mean places, and arrows from player to player, the wider the more passes."""
+    """Draw players at their mean places, and arrows from passer to receiver, wider for more passes."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         players, passes = maps.players[side], maps.passes[side]
         draw_pitch(one, maps.pitch, f"{cut(team)}: {counted(int(passes.sum()), 'pass', 'es')}")
@@ -208,17 +208,17 @@ def draw_pitch(axes: Any, pitch: dict[str, float], title: str) -> None:
 
 
 def cut(name: str) -> str:
-    """Return a name that fits over a pitch."""
+    """Return a team's name, cut to fit over a pitch."""
     return name if len(name) <= LONGEST else name[: LONGEST - 1] + "…"
 
 
 def counted(number: int, thing: str, plural: str = "s") -> str:
-    """Return a number of things in words."""
+    """Return a number and its noun, in the plural unless the number is 1: "2 passes"."""
     return f"{number} {thing}{'' if number == 1 else plural}"
 
 
 def spread(places: np.ndarray, distance: float) -> np.ndarray:
-    """Return places (N, 2) moved apart to a distance, across the pitch rather than along it; repeatable."""
+    """Move places (N, 2) at least `distance` apart, across the pitch rather than along it; without random numbers."""
     moved = np.array(places, np.float64).reshape(-1, 2)
     if len(moved) < 2:
         return moved

@@ -50,12 +50,12 @@ def can_draw() -> bool:
 
 
 def looks() -> Iterator[Look]:
-    """Yield colour, marker and line of the curves of a picture in turn."""
+    """Yield the colour, the marker and the line style of each further curve of a picture."""
     return itertools.cycle(zip(COLOURS, MARKERS, LINES, strict=True))
 
 
 def canvas(height: float = HEIGHT, width: float = WIDTH, rows: int = 1, columns: int = 1, **shared: Any) -> Any:
-    """Return a figure [inch] and its axes, one or an array (rows, columns), without pyplot's global state."""
+    """Return a new figure [inch] and its axes, one or an array (rows, columns), without pyplot's global state."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), layout="constrained")
@@ -63,7 +63,7 @@ def canvas(height: float = HEIGHT, width: float = WIDTH, rows: int = 1, columns:
 
 
 def label(axes: Any, title: str, x_label: str, y_label: str) -> None:
-    """Give axes their title and their quantities with units; a title beyond the picture's width gets more lines."""
+    """Set the title and the axis labels (quantity and unit); a title wider than the picture is wrapped."""
     from textwrap import fill
 
     axes.set_title(fill(title, 76), wrap=False)
@@ -72,14 +72,14 @@ def label(axes: Any, title: str, x_label: str, y_label: str) -> None:
 
 
 def count_along(axis: Any) -> None:
-    """Let an axis count in whole numbers."""
+    """Put the ticks of an axis at whole numbers."""
     from matplotlib.ticker import MaxNLocator
 
     axis.set_major_locator(MaxNLocator(integer=True))
 
 
 def add_legend(figure: Any, axes: Any) -> None:
-    """Put the legend below the axes, where it hides no curve; the figure grows by it."""
+    """Put the legend below the axes, where it hides no curve; the figure grows by the height of the legend."""
     handles, names = axes.get_legend_handles_labels()
     if not handles:
         return
@@ -112,7 +112,7 @@ def plot(make: Callable[P, Any]) -> Callable[..., bytes]:
 
 
 def for_page(svg: bytes, name: str) -> str:
-    """Return an SVG as a part of a page: its colours are the page's, and its ids begin with `name`."""
+    """Change an SVG for use in a page: colours become the page's variables, and ids begin with `name`."""
     text = svg.decode()
     text = re.sub(r'(?<= d=")[^"]+', lambda found: shortened(found[0]), text[text.index("<svg") :])
     text = re.sub(r'(<rect [^>]*) fill="(#\w{6})"', r'\1 style="fill: \2"', text)  # where variables hold
@@ -128,6 +128,6 @@ def for_page(svg: bytes, name: str) -> str:
 
 
 def shortened(path: str) -> str:
-    """Return an SVG's path to a hundredth of a point, no letter for lines that follow lines: that halves a page."""
+    """Shorten an SVG path: hundredths of a point, no repeated letter for lines. This halves the size of a page."""
     text = " ".join(re.sub(r"(\.\d\d)\d+", r"\1", path).split())
     return re.sub(r"[ML] \S+ \S+(?: L \S+ \S+)+", lambda lines: lines[0].replace(" L ", " "), text)

@@ -27,7 +27,7 @@ FOLLOWS = ("", "robot", "ball")
 
 
 class Deck:
-    """The state that the keys set; `rate`: shots of the tape per second of play, `agents`: the robots to pick from."""
+    """The state that the keys set; `rate`: shots of the tape per second of play; `agents`: robots that keys select."""
 
     def __init__(
         self,
@@ -46,7 +46,7 @@ class Deck:
         self.paused = self.helps = False
 
     def press(self, key: str) -> None:
-        """Carry out a key; keys without a meaning do nothing."""
+        """Carry out the action of a key; keys without an action do nothing."""
         if key == "space":
             self.paused = not self.paused
         elif key in (",", "."):
@@ -77,12 +77,12 @@ class Deck:
 
     @property
     def skip(self) -> int:
-        """Return the shots from one frame to the next: at most SMOOTH frames a second are shown."""
+        """Return the number of shots from one frame to the next, such that at most SMOOTH frames a second are shown."""
         return max(1, ceil(self.rate * self.speed / SMOOTH))
 
     @property
     def fps(self) -> float:
-        """Return the frames to show a second [1/s]."""
+        """Return the frame rate of the window [1/s]."""
         return IDLE if self.paused else self.rate * self.speed / self.skip
 
     def words(self) -> str:

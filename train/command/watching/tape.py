@@ -11,7 +11,7 @@ KEPT = 6000  # shots in memory, some 16 kB each
 
 
 class Tape:
-    """Shots, one for every `stride` control steps; the tape rewinds over the KEPT last ones."""
+    """The shots of a match, one for every `stride` control steps; the tape can rewind over the last KEPT shots."""
 
     def __init__(self, shots: Iterable[Shot], stride: int = 1) -> None:
         self._coming = iter(shots)
@@ -21,14 +21,14 @@ class Tape:
         self.ended = False
 
     def go(self, shots: int) -> None:
-        """Move by a number of shots, back if negative, up to either end."""
+        """Move by a number of shots, backwards if negative, no further than either end."""
         self.at = max(0, self.at + shots)
         while self.at >= len(self.shots) and not self.ended:
             self._take()
         self.at = min(self.at, len(self.shots) - 1)
 
     def _take(self) -> None:
-        """Take the next shot; drop the oldest shots above KEPT."""
+        """Append the next shot to the tape; drop the oldest shots beyond KEPT."""
         latest = None
         for shot in islice(self._coming, self._stride):
             latest = shot

@@ -44,7 +44,7 @@ def watch(settings: WatchSettings) -> None:
 
 
 def show(deck: Deck, cast: Cast, picture: Closeup, window: Window, teams: tuple[str, str], stays: bool) -> None:
-    """Show a tape until the user closes the window, or until its end unless the window `stays`."""
+    """Show a tape until the user closes the window; unless it `stays`, it also closes at the end of the tape."""
     try:
         while True:
             window.fps = deck.fps

@@ -1,4 +1,4 @@
-"""Which matches are worth keeping: the best and the worst of the first team, and all with goals."""
+"""Choose the matches whose replays are kept: the best and the worst for the first team, and all with goals."""
 
 from __future__ import annotations
 
@@ -36,16 +36,16 @@ class Keep:
 
     @property
     def each(self) -> list[str]:
-        """Return the kinds, each once, as KINDS orders them."""
+        """Return the kinds in the order of KINDS, each once."""
         words = [word.strip() for word in self.kinds.split(",") if word.strip()]
         return [kind for kind in KINDS if kind in words] + [word for word in words if word not in KINDS]
 
     def joined(self, before: Keep) -> Keep:
-        """Return the union of this and an earlier choice."""
+        """Return a choice of all replays that this choice or an earlier one keeps."""
         return Keep(",".join(kind for kind in KINDS if kind in {*self.each, *before.each}), self.pages or before.pages)
 
     def chosen(self, lines: Sequence[MatchLine]) -> list[tuple[str, MatchLine]]:
-        """Return the matches to keep, each with its kind."""
+        """Return the matches whose replays are kept, each as (kind, line)."""
         chosen: list[tuple[str, MatchLine]] = []
         for kind in self.each if lines else ():
             if kind == GOALS:

@@ -29,7 +29,7 @@ BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows before (at least) and after a 
 
 @dataclass(frozen=True)
 class Kept:
-    """A kept replay, goals from the first team's side."""
+    """A kept replay; goals are counted from the first team's side."""
 
     kind: str  # of `choice.KINDS`
     file: str  # relative to the run's folder
@@ -98,7 +98,7 @@ def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
 
 
 def is_sound(kept: Kept) -> bool:
-    """Tell whether an entry of a list has fields of the right types, and names files of its folder."""
+    """Tell whether an entry of kept.json has fields of the right types and names only files in the folder `replays`."""
     values = ((getattr(kept, field.name), getattr(EXAMPLE, field.name)) for field in fields(Kept))
     if not all(isinstance(value, (type(example), int)) for value, example in values):
         return False
@@ -111,7 +111,7 @@ EXAMPLE = Kept("", "", 0, 0, 0, "", "", 0, 0, 0.0, 0.0, 0, "", "")
 
 
 def parted(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
-    """Return the replays that pass a test, and the rest."""
+    """Divide replays into those that pass a test and the rest."""
     both: tuple[list[Kept], list[Kept]] = ([], [])
     for one in kept:
         both[0 if test(one) else 1].append(one)
@@ -119,7 +119,7 @@ def parted(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kep
 
 
 def is_of(kept: Kept, kind: str, line: MatchLine) -> bool:
-    """Tell whether a replay shows a match as its line tells it."""
+    """Tell whether a replay is of this kind and shows the match of a line, with the line's final state."""
     return (kept.kind, kept.match, kept.state) == (kind, line.match, line.state)
 
 
@@ -137,7 +137,7 @@ def remove(folder: Path, kept: Kept) -> None:
 
 
 def play_missing(contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path, before: str) -> list[Kept]:
-    """Play the missing matches, each once for all its kinds, and write their replays."""
+    """Play the matches of missing replays, each match once for all its kinds, and write the replays."""
     lines = {line.match: line for _, line in missing}
     kept: list[Kept] = []
     with Progress("replays to keep", float(sum(line.steps for line in lines.values()))) as bar:
@@ -179,7 +179,7 @@ def with_page(folder: Path, kept: Kept) -> Kept:
 
 @dataclass(frozen=True)
 class Again:
-    """A replayed match; `goals`: the first control step of each clip, and the clip."""
+    """A match played once more; `goals`: a clip of each goal, with its first control step."""
 
     whole: Replay
     goals: list[tuple[int, Replay]]

@@ -23,7 +23,7 @@ def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
 
 
 def row_of(kept: Kept) -> list[str]:
-    """Return the cells of a replay's row."""
+    """Return the texts of a replay's row in the table."""
     what, score = WORDS.get(kept.kind, kept.kind).format(kept.number), f"{kept.goals_for} : {kept.goals_against}"
     minutes, seconds = divmod(round(kept.start), 60)
     times = [f"{minutes}:{seconds:02d}", f"{kept.seconds:.0f} s", f"{kept.rate / 1e3:.0f} kB"]
@@ -36,7 +36,7 @@ def links_of(kept: Kept) -> list[tuple[str, str]]:
 
 
 def summary(kept: Sequence[Kept]) -> str:
-    """Return the number, length and size of replays in words."""
+    """Return the number, total length and total size of replays in words."""
     size, minutes = sum(one.bytes for one in kept), sum(one.seconds for one in kept) / 60.0
     rate = size / 1e3 / max(minutes, 1e-9)
     return f"{len(kept)} replays, {minutes:.1f} minutes of play, {size / 1e6:.2f} MB: {rate:.0f} kB a minute."

@@ -32,7 +32,7 @@ def make_pictures(settings: PictureSettings) -> None:
 
 
 def many_matches() -> np.ndarray:
-    """Return a picture of twelve matches of one batch, (H, W, 3) uint8."""
+    """Return one picture, (H, W, 3) uint8, of twelve matches of a batch."""
     match = Match(matches=12, seed=1, controllers={"home": "chaser", "away": "chaser"}, home=1, away=1)
     for _ in range(160):
         match.step()

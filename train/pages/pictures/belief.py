@@ -38,7 +38,7 @@ def belief_picture(settings: PictureSettings) -> np.ndarray:
 
 
 def entries(match: Match, row: int) -> list[Entry]:
-    """Return the legend's entries for the belief of a robot."""
+    """Return the entries of the legend under the picture of a robot's belief."""
     robot = match.robots[0, row]
     name = f"{('red', 'blue')[int(robot['team'])]} {int(robot['number'])}"
     return [
@@ -78,14 +78,14 @@ def team_direction(match: Match, row: int) -> float:
 
 
 def into_field(pose: np.void, direction: float) -> Pose:
-    """Return a pose of the team frame in the field frame."""
+    """Convert a pose from the team frame to the field frame; `direction`: heading [rad] in which the team attacks."""
     x, y = float(pose["x"]), float(pose["y"])
     field_x, field_y = out_of_frame(x, y, cos(direction), sin(direction))
     return field_x, field_y, float(pose["heading"]) + direction
 
 
 def place(own: Pose, thing: np.void) -> tuple[float, float]:
-    """Return the place in the field frame of a thing in the frame of a robot at pose `own`."""
+    """Convert the place of `thing` from the frame of a robot at pose `own` to the field frame."""
     x, y, heading = own
     at: tuple[float, float] = point_of_frame(x, y, float(thing["x"]), float(thing["y"]), cos(heading), sin(heading))
     return at
@@ -103,7 +103,7 @@ def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
 
 
 def particles(match: Match, row: int, size: float) -> list[Overlay]:
-    """Return the particles of a robot's pose as dots."""
+    """Return the particles of a robot's pose, drawn as dots."""
     senses = match.batch.senses
     if senses is None:
         return []
@@ -122,7 +122,7 @@ def outline(league: League, pose: Pose, colour: Colour, width: float) -> list[Ov
 
 
 def believed_player(match: Match, row: int, own: Pose, track: np.void, size: float) -> list[Overlay]:
-    """Return a player at its believed place, if this is on the pitch.
+    """Return the drawing of a player at its believed place; an empty list if this place is off the pitch.
 
     A player seen longer ago than JUST_SEEN gets a label with its age, and a line to its true place.
     """
@@ -141,9 +141,9 @@ def believed_player(match: Match, row: int, own: Pose, track: np.void, size: flo
 
 
 def nearest_player(match: Match, row: int, team: int, where: tuple[float, float]) -> tuple[float, float]:
-    """Return the place of the team's player, except the robot itself, nearest to `where`.
+    """Return the true place of the player of `team`, other than the robot itself, that is nearest to `where`.
 
-    A track does not name its player: the nearest is taken.
+    A track does not name its player: the nearest player is assumed to be the one.
     """
     robots = match.robots[0]
     others = [r for r in range(len(robots)) if r != row and robots["team"][r] == team and robots["active"][r]]

@@ -40,12 +40,12 @@ def frames_picture(settings: PictureSettings) -> np.ndarray:
 
 
 def axes_of_pitch(size: float) -> list[Overlay]:
-    """Return the axes of the field frame and of the away team's frame, both at the centre spot."""
+    """Return the drawn axes of the field frame and of the away team's frame, both at the centre spot."""
     return [*axes(0.0, 0.0, 0.0, WHITE, size), *axes(0.0, 0.0, pi, TEAMS_LIGHT[1], size)]
 
 
 def axes_of_robot(size: float) -> list[Overlay]:
-    """Return the axes of the robot frame, and the heading as an arc from the direction of the field's x."""
+    """Return the drawn axes of the robot frame, and its heading as an arc from the direction of the field's x axis."""
     x, y, heading = ROBOT
     along = Polyline([(x, y), (x + 1.15 * AXIS, y)], WHITE, 1.5 * size)
     beside = (x + 0.36 * cos(0.4 * heading), y + 0.36 * sin(0.4 * heading))
@@ -54,7 +54,7 @@ def axes_of_robot(size: float) -> list[Overlay]:
 
 
 def polar_place(size: float) -> list[Overlay]:
-    """Return the line from the robot to the ball, and the bearing as an arc."""
+    """Return the drawn line from the robot to the ball (the distance), and the bearing as an arc."""
     x, y, heading = ROBOT
     direction = atan2(BALL[1] - y, BALL[0] - x)
     half_way = 0.62 * hypot(BALL[0] - x, BALL[1] - y)
@@ -80,6 +80,6 @@ def axes(x: float, y: float, direction: float, colour: Colour, size: float) -> l
 
 
 def arc(x: float, y: float, start: float, end: float, radius: float, colour: Colour, size: float) -> Polyline:
-    """Return an arc of a circle."""
+    """Return an arc of a circle about (x, y), from angle `start` to `end` [rad]."""
     angles = np.linspace(start, end, 24)
     return Polyline(np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=-1), colour, 2.5 * size)

@@ -14,7 +14,7 @@ ROW = 0.042  # of the width
 
 
 class Entry(NamedTuple):
-    """A sign and its meaning."""
+    """An entry of a legend: a sign, as in the picture, and its meaning."""
 
     sign: str  # "ring", "box", "axes", "polar", "dots" or "area"
     colour: Colour

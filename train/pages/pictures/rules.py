@@ -20,7 +20,7 @@ Staged = tuple[Match, np.ndarray]  # one match, and the actions (1, R, 4) of its
 
 
 class Ruling(NamedTuple):
-    """A staged situation of a rule, and the expected decision."""
+    """A situation staged to break one rule, and the referee's decision expected in it."""
 
     rule: str  # its name on the picture
     switches: tuple[str, ...]  # the rules of `soccer list rules` that it shows
@@ -43,10 +43,10 @@ def stage_rule(
     rules: str = "league",
     **records: float,
 ) -> Staged:
-    """Return a match in play, with half of its robots on each side, and its actions.
+    """Return a match in play, half of its robots in each team, and the actions to step it with.
 
     `ball` [m, m]; `robots`: pose by row, the others at their `places`; `ahead`: forward action in -1 to 1 by row,
-    `running`: they have this speed from the start; `records`: values of fields of the match.
+    `running`: robots with an action start at that speed; `records`: values of fields of the match record.
     """
     match = Match(league, home=len(places) // 2, away=len(places) // 2, seed=1, rules=rules)
     staging.set_phase(match, Phase.PLAY)
@@ -64,7 +64,7 @@ def stage_rule(
 
 
 def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Play a staged situation until the whistle; return the match after it and its records just before.
+    """Play a staged situation until the whistle; return the match after the whistle, and its records just before.
 
     ValueError if nobody whistles.
     """
@@ -78,7 +78,7 @@ def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray
 
 
 def has_happened(ruling: Ruling, match: Match) -> bool:
-    """Tell whether the last step brought the expected decision."""
+    """Tell whether the referee made the expected decision in the last step."""
     if ruling.row < 0:
         return bool(match.events[ruling.event][0] > 0)
     events = match.robot_events[0, ruling.row]
@@ -86,7 +86,7 @@ def has_happened(ruling: Ruling, match: Match) -> bool:
 
 
 def ruling_frame(ruling: Ruling, width: int) -> np.ndarray:
-    """Return the frame of a ruling, (H, W, 3) uint8, with its name and decision, without score and clock."""
+    """Return the drawing of a ruling, (H, W, 3) uint8, with the rule's name and the decision; no score, no clock."""
     match, before = play_to_whistle(ruling)
     matches, balls, robots = (match.matches, match.balls, match.robots) if ruling.after else before
     wide, high, size = match.league.pitch.length / 2, match.league.pitch.width / 2, LETTERS * width

@@ -1,4 +1,4 @@
-"""The rules of the legged league, each staged once.
+"""The rules of the legged league: for each, a function that stages the match in which the referee applies the rule.
 
 Rows 0 to 2 are home, red, attacking +x; rows 0 and 3 are goalkeepers.
 """
@@ -22,22 +22,22 @@ staged = partial(stage_rule, LEAGUE, PLACES)
 
 
 def pushing() -> Staged:
-    """Return a robot that walks into a standing opponent, away from the ball."""
+    """Stage a robot that walks into a standing opponent, away from the ball."""
     return staged((-0.6, -0.3), {2: (0.0, 0.3, 0.0), 4: (NOSES, 0.3, pi)}, {2: 1.0})
 
 
 def charge() -> Staged:
-    """Return two robots that walk into each other, while mates are nearer to the ball."""
+    """Stage two robots that walk into each other, while mates are nearer to the ball."""
     return staged((0.0, -0.5), {1: (-0.3, -0.5, 0.0), 2: (0.0, 0.4, 0.0), 4: (NOSES, 0.4, pi)}, {2: 1.0, 4: 1.0})
 
 
 def keeper_push() -> Staged:
-    """Return an attacker that walks into the goalkeeper."""
+    """Stage an attacker that walks into the goalkeeper."""
     return staged((1.2, 0.4), {2: (1.0, 0.1, 0.0), 3: (1.0 + NOSES, 0.1, pi)}, {2: 1.0})
 
 
 def annulled_goal() -> Staged:
-    """Return a goal by a mate while the goalkeeper is pushed."""
+    """Stage a goal by a mate while the goalkeeper is pushed."""
     match, actions = staged((0.9, -0.15), {2: (1.0, 0.15, 0.0), 3: (1.0 + NOSES, 0.15, pi)}, {2: 1.0})
     staging.put_ball(match, 0.9, -0.15, 0.75)
     match.robots["keeper_pushing"][0, 2] = 0.4
@@ -46,30 +46,30 @@ def annulled_goal() -> Staged:
 
 
 def corner() -> Staged:
-    """Return a ball that a robot covers in a corner."""
+    """Stage a ball that a robot covers in a corner."""
     x, y = 0.5 * LEAGUE.pitch.length - LEAGUE.ball.radius - 0.001, EDGE
     away = POCKET / 2.0**0.5
     return staged((x, y), {2: (x - away, y - away, 0.25 * pi), 4: (1.1, 0.55, 0.5)}, {2: 0.6})
 
 
 def board() -> Staged:
-    """Return a goalkeeper that presses the ball against the board of its goal line."""
+    """Stage a goalkeeper that presses the ball against the board of its goal line."""
     x = LEAGUE.ball.radius + 0.001 - 0.5 * LEAGUE.pitch.length
     return staged((x, 0.4), {0: (x + POCKET, 0.4, pi)}, {0: 0.6})
 
 
 def defender() -> Staged:
-    """Return a field player that stays in its own area."""
+    """Stage a field player that stays in its own area."""
     return staged((0.3, 0.0), {2: (-1.15, 0.3, 0.0)}, {})
 
 
 def in_goal() -> Staged:
-    """Return an attacker that stays in the opponents' goal."""
+    """Stage an attacker that stays in the opponents' goal."""
     return staged((0.0, 0.3), {2: (1.58, -0.1, 0.0)}, {})
 
 
 def kick_off_shot() -> Staged:
-    """Return a goal straight from the kick-off."""
+    """Stage a goal straight from the kick-off."""
     match, actions = staged((0.5, -0.2), {}, {}, kick_off_shot=0)
     staging.put_ball(match, 0.5, -0.2, 1.2)
     staging.begin(match)
@@ -77,7 +77,7 @@ def kick_off_shot() -> Staged:
 
 
 def back() -> Staged:
-    """Return a robot whose penalty is over, with the ball on the other side."""
+    """Stage a robot whose penalty is over, with the ball on the other side."""
     match, actions = staged((0.2, -0.5), {}, {})
     staging.send_off(match, [2])
     match.robots["penalty"][0, 2] = 1.0
@@ -85,33 +85,33 @@ def back() -> Staged:
 
 
 def scrum() -> Staged:
-    """Return two robots that have fought for the ball for half a minute."""
+    """Stage two robots that have fought for the ball for half a minute."""
     match, actions = staged((-0.3, 0.2), {2: (-0.3 - POCKET, 0.2, 0.0), 4: (POCKET - 0.29, 0.2, pi)}, {})
     match.matches["local_x"], match.matches["local_y"], match.matches["local_clock"] = -0.3, 0.2, 29.0
     return match, actions
 
 
 def idle() -> Staged:
-    """Return a ball that nobody has touched for half a minute."""
+    """Stage a ball that nobody has touched for half a minute."""
     return staged((-0.4, 0.0), {}, {}, idle_clock=29.0)
 
 
 def stuck_ball() -> Staged:
-    """Return two robots that keep a ball at a board."""
+    """Stage two robots that keep a ball at a board."""
     match, actions = staged((0.3, EDGE), {2: (0.3 - POCKET, EDGE - 0.03, 0.0), 4: (0.3 + POCKET, EDGE - 0.03, pi)}, {})
     match.matches["still_clock"] = 14.0
     return match, actions
 
 
 def locked() -> Staged:
-    """Return two opponents that have blocked each other for nearly 15 s, in red's half."""
+    """Stage two opponents that have blocked each other for nearly 15 s, in red's half."""
     match, actions = staged((-0.9, 0.0), {2: (-0.5, 0.4, 0.0), 4: (NOSES - 0.502, 0.4, pi)}, {})
     match.robots["locked"][0, [2, 4]] = 14.5
     return match, actions
 
 
 def lying() -> Staged:
-    """Return a fallen robot, in a league where getting up takes longer than the rules allow."""
+    """Stage a fallen robot, in a league where getting up takes longer than the rules allow."""
     league = replace(LEAGUE, drive=replace(LEAGUE.drive, fall_time=6.0))
     match, actions = stage_rule(league, PLACES, (0.3, -0.2), {2: (0.5, 0.3, 0.4)}, {})
     match.robots["fallen"][0, 2] = league.drive.fall_time
@@ -119,7 +119,7 @@ def lying() -> Staged:
 
 
 def pardon() -> Staged:
-    """Return a goal while a robot serves a penalty."""
+    """Stage a goal while a robot serves a penalty."""
     match, actions = staged((1.2, 0.2), {3: (1.25, -0.2, pi)}, {})
     staging.send_off(match, [2])
     match.robots["penalty"][0, 2] = 20.0
@@ -129,7 +129,7 @@ def pardon() -> Staged:
 
 
 def carrying() -> Staged:
-    """Return a robot that has walked ahead with the ball for nearly 50 cm, under the rule of 2008."""
+    """Stage a robot that has walked ahead with the ball for nearly 50 cm, under the rule of 2008."""
     match, actions = staged((POCKET, 0.2), {2: (0.0, 0.2, 0.0)}, {2: 0.5}, running=True, rules="league:carrying=True")
     match.robots["carry_x"][0, 2], match.robots["carry_y"][0, 2] = -0.49, 0.2
     match.robots["has_ball"][0, 2] = 1
@@ -137,7 +137,7 @@ def carrying() -> Staged:
 
 
 def camping() -> Staged:
-    """Return an attacker that waits before the opponents' goal."""
+    """Stage an attacker that waits before the opponents' goal."""
     return staged((-0.3, 0.0), {2: (1.1, -0.35, 0.0)}, {}, rules="league:illegal_attacker=True")
 
 

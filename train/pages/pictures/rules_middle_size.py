@@ -1,4 +1,4 @@
-"""The rules of the middle size, each staged once.
+"""The rules of the middle size: for each, a function that stages the match in which the referee applies the rule.
 
 Rows 0 to 2 are home, red, attacking +x; rows 0 and 3 are goalkeepers.
 """
@@ -22,7 +22,7 @@ staged = partial(stage_rule, LEAGUE, PLACES, running=True)
 
 
 def restart(phase: Phase, x: float, y: float, robots: dict[int, tuple[float, float, float]]) -> Staged:
-    """Return a restart of home, the ball at its spot."""
+    """Stage a restart of home, the ball at its spot."""
     return staged((x, y), robots, {}, phase=phase, restart_team=HOME, restart_x=x, restart_y=y)
 
 
@@ -34,7 +34,7 @@ def second_touch() -> Staged:
 
 
 def straight_in() -> Staged:
-    """Return a ball that rolls into the goal straight from a corner kick."""
+    """Stage a ball that rolls into the goal straight from a corner kick."""
     match, actions = staged((5.7, 0.6), {1: (5.0, 2.5, -1.0), 3: (5.5, -0.6, pi)}, {}, taker=1, indirect=1)
     staging.put_ball(match, 5.7, 0.6, 3.0)
     staging.begin(match)
@@ -42,34 +42,34 @@ def straight_in() -> Staged:
 
 
 def too_near() -> Staged:
-    """Return an opponent that stays too near to a free kick."""
+    """Stage an opponent that stays too near to a free kick."""
     return restart(Phase.FREE_KICK, 0.0, 0.0, {2: (-0.4, 0.0, 0.0), 4: (0.6, 0.0, pi)})
 
 
 def too_early() -> Staged:
-    """Return an opponent that touches the ball before it is in play."""
+    """Stage an opponent that touches the ball before it is in play."""
     match, actions = restart(Phase.FREE_KICK, 0.0, 0.0, {2: (-0.6, 0.0, 0.0), 4: (0.5, 0.0, pi)})
     actions[0, 4, 0] = 1.0
     return match, actions
 
 
 def charging() -> Staged:
-    """Return a robot that keeps driving into a standing opponent, away from the ball."""
+    """Stage a robot that keeps driving into a standing opponent, away from the ball."""
     return staged((-1.0, -2.0), {2: (0.0, 1.0, 0.0), 4: (BEHIND, 1.0, 0.0)}, {2: 0.2})
 
 
 def hard_charge(y: float = 1.0, rules: str = "league") -> Staged:
-    """Return a robot that runs into a standing opponent, away from the ball."""
+    """Stage a robot that runs into a standing opponent, away from the ball."""
     return staged((-1.0, -2.0), {2: (-0.6, y, 0.0), 4: (BEHIND, y, 0.0)}, {2: 1.0}, rules=rules)
 
 
 def keeper_charge() -> Staged:
-    """Return an attacker that drives into the goalkeeper in its goal area."""
+    """Stage an attacker that drives into the goalkeeper in its goal area."""
     return staged((5.4, 0.6), {2: (5.6 - BEHIND - 0.1, 0.0, 0.0), 3: (5.6, 0.0, 0.0)}, {2: 0.4})
 
 
 def handling() -> Staged:
-    """Return a robot that drives backwards with the ball."""
+    """Stage a robot that drives backwards with the ball."""
     match, actions = staged((FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: -0.2})
     match.robots["backed"][0, 2] = 0.499
     match.robots["has_ball"][0, 2] = 1
@@ -77,43 +77,43 @@ def handling() -> Staged:
 
 
 def own_goal_area() -> Staged:
-    """Return a field player that stays in its own goal area."""
+    """Stage a field player that stays in its own goal area."""
     return staged((0.0, 0.0), {2: (-5.75, 1.0, 0.0)}, {})
 
 
 def attacker_in_area() -> Staged:
-    """Return an attacker that stays in the opponents' goal area."""
+    """Stage an attacker that stays in the opponents' goal area."""
     return staged((0.0, 0.0), {2: (5.75, -1.0, 0.0)}, {})
 
 
 def two_in_area() -> Staged:
-    """Return two field players in their own penalty area."""
+    """Stage two field players in their own penalty area."""
     return staged((-3.0, 0.0), {1: (-4.9, 0.5, 0.0), 2: (-5.1, -1.2, 0.0)}, {})
 
 
 def dribbling() -> Staged:
-    """Return a robot that has dribbled the ball nearly 3 m, under the rule of later years."""
+    """Stage a robot that has dribbled the ball nearly 3 m, under the rule of later years."""
     match, actions = staged((FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: 0.5}, rules="league:dribble_limit=True")
     match.robots["dribbled"][0, 2] = 2.9
     return match, actions
 
 
 def second_card() -> Staged:
-    """Return a robot with a yellow card that runs into another."""
+    """Stage a robot with a yellow card that runs into another."""
     match, actions = hard_charge()
     match.robots["yellow"][0, 2] = 1
     return match, actions
 
 
 def penalty() -> Staged:
-    """Return a drawn match at its end."""
+    """Stage a drawn match at its end."""
     match = Match("middle-size-2006", home=3, away=3, seed=1, minutes=1.0, rules="league:shoot_out=True")
     match.matches["half"], match.matches["clock"] = 1, 29.9
     return match, np.zeros((1, 6, 4))
 
 
 def over_line(x: float, y: float, vx: float, vy: float, team: int) -> Staged:
-    """Return a ball that rolls over a line, touched last by a team."""
+    """Stage a ball that rolls over a line, touched last by a team."""
     match, actions = staged((x, y), {}, {}, last_touch_team=team)
     staging.put_ball(match, x, y, vx, vy)
     staging.begin(match)
@@ -121,14 +121,14 @@ def over_line(x: float, y: float, vx: float, vy: float, team: int) -> Staged:
 
 
 def stuck_ball() -> Staged:
-    """Return two robots that keep the ball between them."""
+    """Stage two robots that keep the ball between them."""
     match, actions = staged((0.5, 1.0), {2: (0.5 - FRONT, 1.0, 0.0), 4: (0.5 + FRONT, 1.0, pi)}, {})
     match.matches["still_clock"] = 9.0
     return match, actions
 
 
 def straight_into_own() -> Staged:
-    """Return a ball that rolls into the taker's own goal straight from a goal kick."""
+    """Stage a ball that rolls into the taker's own goal straight from a goal kick."""
     match, actions = staged((-5.7, -0.7), {0: (-5.3, 0.6, 0.0)}, {}, taker=0, indirect=1)
     staging.put_ball(match, -5.7, -0.7, -3.0)
     staging.begin(match)
@@ -136,7 +136,7 @@ def straight_into_own() -> Staged:
 
 
 def timed_card() -> Staged:
-    """Return a second card under the rule that two yellow cards cost 90 s."""
+    """Stage a second card under the rule that two yellow cards cost 90 s."""
     match, actions = hard_charge(-1.0, "league:timed_cards=True")
     match.robots["yellow"][0, 2] = 1
     return match, actions

@@ -26,7 +26,7 @@ class PictureSettings:
     belief_robot: int = 2
     """Row of the robot whose belief is drawn."""
     ruling_width: int = 360
-    """Width of a frame in the sheets of rules [pixels]."""
+    """Width of one rule's frame in the sheets of rules [pixels]."""
     still_width: int = 1280
     """Width of the pictures that are not films [pixels]."""
 
@@ -40,7 +40,7 @@ class Moment(NamedTuple):
 
 
 def drill(scene: str, home: str, seed: int, start: float, league: str = "legged-2001", **shown: Any) -> Moment:
-    """Return the picture of a drill at a time [s], with the trail of the ball."""
+    """Return the gallery's entry for a picture of a drill at a time [s], with the trail of the ball."""
     recorded = {"league": league, "scene": scene, "home": home, "seed": seed}
     return Moment(f"{scene}.png", recorded, {"start": start, "width": WIDTH, "trail": True, "robot": "home_0", **shown})
 

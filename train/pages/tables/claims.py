@@ -23,5 +23,5 @@ def measure_sensors() -> dict[str, Any]:
 
 
 def sensors_table(table: dict[str, Any]) -> str:
-    """Return the errors of the sensors in Markdown."""
+    """Return the table of the sensors' errors in Markdown."""
     return f"{table['note'].strip()}\n\nCommand: `{table['command']}`, n = {table['n']}."

@@ -7,7 +7,7 @@ Cells = Mapping[tuple[str, str], str]  # by the names of row and column
 
 
 def crosstable(corner: str, cells: Cells) -> str:
-    """Return cells as a table, with rows and columns in order of first appearance, and "-" for missing cells."""
+    """Return the table of `cells`, by (row, column): both in order of first appearance, with "-" for missing cells."""
     rows = dict.fromkeys(row for row, _ in cells)
     columns = dict.fromkeys(column for _, column in cells)
     lines = [f"| {corner} | {' | '.join(columns)} |", "|" + "---|" * (len(columns) + 1)]
@@ -17,6 +17,6 @@ def crosstable(corner: str, cells: Cells) -> str:
 
 
 def goals_of(row: Mapping[str, Any]) -> str:
-    """Return the goal difference per match of an evaluation, with its interval."""
+    """Return the goal difference a match of an evaluation, with its interval, in words."""
     goals = row["goal_difference"]
     return f"{goals['mean']:+.2f} ({goals['low']:+.2f} to {goals['high']:+.2f})"

@@ -1,4 +1,4 @@
-"""The table of teams and drills: the share of success of each team with sensors."""
+"""The table of teams and drills: each team's share of successful runs, with sensors."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -38,7 +38,7 @@ def measure_drills() -> dict[str, Any]:
 
 
 def drills_table(table: dict[str, Any]) -> str:
-    """Return the shares of success [%] in Markdown: a table a league, a row a drill, a column a team."""
+    """Return the shares of success [%] in Markdown: a table per league, with a row per drill and a column per team."""
     rows = table["rows"]
     parts = [
         crosstable(
@@ -53,7 +53,7 @@ def drills_table(table: dict[str, Any]) -> str:
 
 
 def share_of(row: dict[str, Any]) -> str:
-    """Return the share of success of a team [%]."""
+    """Return the share of successful runs of a team in a drill [%]."""
     return f"{100 * row['successes'] / row['runs']:.0f}"
 
 

@@ -28,7 +28,7 @@ class Headline(NamedTuple):
 
 
 def headlines(data: dict[str, Any]) -> Iterator[Headline]:
-    """Yield the rows whose figures tables.json holds."""
+    """Yield the rows of the headlines whose measurements are in `data`, the contents of tables.json."""
     for table, home, away, minutes, words in MATCHES:
         for row in data.get(table, {"rows": []})["rows"]:
             played = (row["home"], row["away"], row["minutes"], row["senses"], row.get("players", PLAYERS))
@@ -47,7 +47,7 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
 
 
 def goals(row: dict[str, Any]) -> str:
-    """Return goal difference and points of an evaluation, with intervals."""
+    """Return the goal difference of an evaluation, with its interval, and its share of points, in words."""
     difference, points = row["goal_difference"], row["points"]
     return (
         f"{difference['mean']:+.2f} goals a match ({difference['low']:+.2f} to {difference['high']:+.2f}), "

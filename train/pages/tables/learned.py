@@ -28,7 +28,7 @@ WHISTLED = "whistles a match in the matches against `chaser`, it : them"
 
 
 def learned_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of the learned team, the long one against the chaser first."""
+    """Yield the settings of the learned team's evaluations, first the long one against the chaser."""
     yield learned_row("chaser", 3, minutes=LONG)
     for players in (3, 2, 1):
         yield from (learned_row(away, players) for away in (*TEAMS, "random"))
@@ -43,13 +43,13 @@ def learned_row(
     away: str, players: int | str, *, league: str = LEAGUE, senses: str = "sensors", minutes: float = MINUTES,
     rules: str = "league",
 ) -> EvaluateSettings:  # fmt: skip
-    """Return the evaluation behind one row."""
+    """Return the settings of the evaluation behind one row."""
     settings = row_settings(league, TEAM, away, senses, MATCHES, minutes, players, HELD_OUT)
     return replace(settings, rules=rules)
 
 
 def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, Any]]:
-    """Play evaluations and return their rows, with the rules, the whistles and the kinds of goals."""
+    """Play evaluations and return their rows, with the rules, the whistles and the number of clean goals."""
     rows = []
     for settings in evaluations:
         result = evaluate(settings)
@@ -58,7 +58,7 @@ def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, A
 
 
 def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the whistles against both teams, and the clean and all goals of the learned team."""
+    """Return the numbers of whistles against each team, and of clean goals and of all goals of the learned team."""
     whistles = [
         sum(one.total for name, one in statistics.items() if name.startswith(WHISTLES) and name.endswith(side))
         for side in ("for", "against")
@@ -107,7 +107,7 @@ STAGES = {
 
 
 def reference_settings(out: Path, rollouts: int = ROLLOUTS) -> Any:
-    """Return the settings of the reference run: 3 v 3 against sacks-2001, every control step a decision."""
+    """Return the settings of the reference run: 3 v 3 against sacks-2001, a decision at every control step."""
     from soccer_env.train.ppo.settings import TrainSettings
 
     rollout, matches = 32, 256
@@ -145,7 +145,7 @@ def measure_training(rollouts: int = ROLLOUTS) -> dict[str, Any]:
 
 
 def training_table(table: dict[str, Any]) -> str:
-    """Return the time of each stage of training in Markdown."""
+    """Return the table of the times of the stages of training in Markdown."""
     whole = sum(table["stages"].values())
     lines = ["| stage | time a decision | share |", "|---|---|---|"]
     for name, words in STAGES.items():

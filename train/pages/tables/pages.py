@@ -108,7 +108,7 @@ def about() -> dict[str, str]:
 
 
 def machine() -> str:
-    """Return the kind of machine, on which the last bits of play depend."""
+    """Return the kind of machine, because the last bits of play depend on it."""
     return f"{platform.system()} {platform.machine()}"
 
 
@@ -129,7 +129,7 @@ def with_footer(text: str, table: dict[str, Any]) -> str:
 
 
 def footer(facts: dict[str, str]) -> str:
-    """Return the line under a table."""
+    """Return the line under a table: date, commit, machine and versions of the measurement."""
     return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
 
 
@@ -151,7 +151,7 @@ def page_text(page: str) -> str:
 
 
 def check(data: dict[str, Any], quick: bool = False) -> list[str]:
-    """Return a sentence for each part of a table that no longer agrees; `quick` leaves out the speed."""
+    """Measure a small part of each table again; return a sentence for each difference. `quick`: without the speed."""
     problems = []
     for page in dict.fromkeys(PAGES.values()):
         if with_tables(page_text(page), page, data) != page_text(page):
@@ -169,7 +169,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
 
 
 def take_states(data: dict[str, Any]) -> list[str]:
-    """Update the final states of first pairs in the data; return the rows whose scores differ."""
+    """Play the first pair of each row again; update its final states in `data`; return a sentence per changed score."""
     problems = []
     for row in (row for name in PLAYED for row in data.get(name, {"rows": []})["rows"]):
         again = first_pair(row)
@@ -181,7 +181,7 @@ def take_states(data: dict[str, Any]) -> list[str]:
 
 
 def slower_rows(table: dict[str, Any]) -> list[str]:
-    """Measure quickly; return the ratios to the bare physics that have grown beyond the allowed factor."""
+    """Measure the speed quickly; return a sentence for each ratio to the bare physics that has grown beyond SLOWER."""
     before = {
         row["name"]: row["value"] for row in table["rows"] if " over " in row["name"] and "threads" not in row["name"]
     }

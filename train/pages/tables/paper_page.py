@@ -50,9 +50,9 @@ class PaperPage:
         return read_stored(self.folder)
 
     def take(self, run: Path) -> dict[str, dict[str, Any]]:
-        """Return the paper's claims in the folder of a run of `soccer reproduce`; ValueError without any.
+        """Take over the paper's claims from the folder of a run of `soccer reproduce`; ValueError if it holds none.
 
-        The figures of the page are copied; figures of claims that the run lacks stay as they are.
+        The pictures for the page are copied; pictures of claims that the run lacks stay as they are.
         """
         about = read_settings(run / SETTINGS).get("about", {})
         names = [field.name for field in fields(ClaimResult)]
@@ -99,7 +99,7 @@ class PaperPage:
 
 
 def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
-    """Return the entry of claims.json for a claim's result, with the date and commit of its run."""
+    """Return the entry of claims.json for the result of a claim, with the date and commit of the run."""
     return {
         **{name: getattr(result, name) for name in KEPT},
         "findings": [short(one) for one in result.findings],
@@ -109,7 +109,7 @@ def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
 
 
 def short(finding: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the entry of claims.json for the finding of a criterion."""
+    """Return a finding (the result of one criterion) as claims.json holds it."""
     kept = {name: finding[name] for name in ("criterion", "verdict", "n")}
     return kept | {"shown": with_interval(dict(finding))}
 
@@ -129,7 +129,7 @@ def claims_table(measured: Measured, claims: Sequence[str]) -> str:
 
 
 def cells_of(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
-    """Return the cells of a claim: the number that decides it, the verdict, and the meaning of the number."""
+    """Return the cells of a claim: the number that decides the claim, the verdict, and the meaning of that number."""
     result = as_result(claim, row)
     finding = next(one for one in result.findings if one["criterion"] == result.criterion)
     verdict = f"**{result.marked}**" if result.verdict == NOT else result.marked
@@ -137,7 +137,7 @@ def cells_of(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
 
 
 def in_signs(bound: str) -> str:
-    """Return a bound in brackets and signs: " [≥80]" for "at least 80"; "" without a bound."""
+    """Return a bound with signs for words, in brackets: " [≥80]" for "at least 80"; "" without a bound."""
     for words, sign in SIGNS.items():
         bound = bound.replace(words, sign)
     return f" [{bound}]" if bound else ""

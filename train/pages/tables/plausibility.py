@@ -29,7 +29,7 @@ PAIRINGS = (  # league, home, away, players a side
 
 @dataclass(frozen=True)
 class Published:
-    """A published range of real matches, and its source."""
+    """A published range of a statistic in real matches, and its source."""
 
     low: float
     high: float
@@ -81,7 +81,7 @@ SHOWN: dict[str, tuple[str, tuple[str, ...]]] = {  # name -> words, and the stat
 
 
 def plausibility_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of the pairings."""
+    """Yield the settings of the evaluations, one for each pairing of teams."""
     for league, home, away, players in PAIRINGS:
         yield row_settings(league, home, away, "sensors", MATCHES, MINUTES, players, SEED)
 
@@ -96,7 +96,7 @@ def measure_plausibility() -> dict[str, Any]:
 
 
 def play_of(result: EvaluationResult) -> dict[str, list[Any]]:
-    """Return value, low, high and unit of each statistic of the table, of both teams together."""
+    """Return value, low, high and unit of each statistic of the table, for both teams together."""
     lines = [line.statistics for line in result.lines]
     better = "goals_for" if result.goals_for >= result.goals_against else "goals_against"
     added = {name: columns_of(names) or [better] for name, (_, names) in SHOWN.items()}
@@ -110,7 +110,7 @@ def play_of(result: EvaluationResult) -> dict[str, list[Any]]:
 
 
 def columns_of(names: tuple[str, ...]) -> list[str]:
-    """Return the names of a match's numbers to add up for some statistics, of both teams."""
+    """Return the names of the numbers in a match's line that are summed for some statistics, over both teams."""
     statistics = map(figure_of, names)
     return [
         f"{x.name}_{side}" if x.team else x.name for x in statistics for side in (figures.SIDES if x.team else ("",))
@@ -118,17 +118,17 @@ def columns_of(names: tuple[str, ...]) -> list[str]:
 
 
 def figure_of(name: str) -> figures.Statistic:
-    """Return the statistic that a number of a match belongs to."""
+    """Return the Statistic of a number in a match's line: "kicks" for "kicks_for"."""
     return next(x for x in figures.FIGURES if name in (x.name, f"{x.name}_for", f"{x.name}_against"))
 
 
 def whole_of(name: str) -> str:
-    """Return the whole that a number of a match is a share of, or counted in."""
+    """Return the name of the quantity that a number in a match's line is divided by."""
     return figure_of(name).whole
 
 
 def verdict(league: str, name: str, low: float | None, high: float | None) -> str:
-    """Return whether a measured interval meets the published range, "" without one."""
+    """Return "inside" if a measured interval meets the published range, else "outside"; "" without such a range."""
     known = PUBLISHED.get((league, name))
     if known is None:
         return ""

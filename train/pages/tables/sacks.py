@@ -46,7 +46,7 @@ def is_number(value: Any) -> bool:
 
 
 def unit_of(note: str) -> str:
-    """Return the unit at the head of a setting's note, as "[m"."""
+    """Return the unit with which the note of a setting begins, with its bracket: "[m" for "[m] ..."."""
     return note.partition("] ")[0] if note.startswith("[") else ""
 
 

@@ -39,7 +39,7 @@ MEASURED = ("points", "goal difference a match")  # columns of `measured`
 
 
 def scripted_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of the chaser."""
+    """Yield the settings of the evaluations of the chaser."""
     for league in LEAGUES:
         for senses, opponents in OPPONENTS.items():
             for away in opponents:
@@ -47,7 +47,7 @@ def scripted_rows() -> Iterator[EvaluateSettings]:
 
 
 def sacks_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of sacks-2001: against the chaser, against itself without a part, and its variants."""
+    """Yield the evaluations of sacks-2001: against the chaser, itself without one mechanism, and its variants."""
     opponents = ("chaser", *(f"sacks-2001:{off}" for off in WITHOUT))
     pairs = [("sacks-2001", away, 2 * SACKS_MATCHES) for away in opponents]
     pairs += [(home, "chaser", SACKS_MATCHES) for home in SACKS]
@@ -57,7 +57,7 @@ def sacks_rows() -> Iterator[EvaluateSettings]:
 
 
 def heinemann_rows() -> Iterator[EvaluateSettings]:
-    """Yield the evaluations of the middle-size teams of 2006, by sensors: against the chaser, and without a part."""
+    """Yield the evaluations of the teams of 2006 with sensors: against the chaser, and without one mechanism."""
     for players, home, away, matches in HEINEMANN:
         yield row_settings("middle-size-2006", home, away, "sensors", matches, HEINEMANN_MINUTES, players)
 
@@ -66,7 +66,7 @@ def row_settings(
     league: str, home: str, away: str, senses: str, matches: int, minutes: float | None = None,
     players: int | str = PLAYERS, seed: int = SEED,
 ) -> EvaluateSettings:  # fmt: skip
-    """Return the evaluation behind one row."""
+    """Return the settings of the evaluation behind one row."""
     return EvaluateSettings(
         league=league, home=home, away=away, senses=senses, matches=matches, minutes=minutes, players=players,
         seed=seed, threads=2,
@@ -96,7 +96,7 @@ def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, An
 
 
 def replay_row(row: dict[str, Any]) -> list[str]:
-    """Play the first pair of a row again; return a sentence if it differs."""
+    """Play the first pair of a row again; return a sentence if its scores or final states differ."""
     again = first_pair(row)
     if again == row["first_pair"]:
         return []
@@ -131,7 +131,7 @@ def scripted_table(table: dict[str, Any]) -> str:
 
 
 def result_of(row: dict[str, Any]) -> str:
-    """Return the goal difference with its interval and the share of points of a row."""
+    """Return the goal difference of a row with its interval, and its share of points, in words."""
     return f"{goals_of(row)}, {100 * row['points']['mean']:.0f} %"
 
 
@@ -162,6 +162,6 @@ def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
 
 
 def measured(row: dict[str, Any]) -> str:
-    """Return points and goal difference of a row."""
+    """Return the two last cells of a row: share of points and goal difference, with intervals."""
     points = row["points"]
     return f"{100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) | {goals_of(row)}"

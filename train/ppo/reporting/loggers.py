@@ -31,7 +31,7 @@ def check_packages(kinds: Sequence[str]) -> None:
 
 
 class Logs:
-    """The further logs of a run; stable-baselines3 records into `logger`."""
+    """The optional logs of a run; stable-baselines3 records into `logger`."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder, step: int) -> None:
         kinds = settings.logs
@@ -67,7 +67,7 @@ class Logs:
 
 
 def begin_wandb(settings: TrainSettings, folder: Path) -> Callable[[], None]:
-    """Start or resume a run of Weights & Biases; return its end. WANDB_MODE=offline needs no network."""
+    """Start or resume a run of Weights & Biases; return the function to end it. WANDB_MODE=offline needs no network."""
     import wandb
 
     folder.mkdir(exist_ok=True)

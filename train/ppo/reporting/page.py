@@ -67,7 +67,7 @@ def add_evaluations(page: ReportPage, settings: TrainSettings, evaluations: Line
 
 
 def opponents_table(evaluations: Lines) -> bytes:
-    """Draw goal differences by opponent and evaluation; of many evaluations a selection that includes the last."""
+    """Draw a table of goal differences by opponent and evaluation; of many evaluations a selection, with the last."""
     every = -(-len(evaluations) // MOST_COLUMNS)
     shown = list(range(len(evaluations) - 1, -1, -every))[::-1]
     decisions = decisions_of(evaluations)
@@ -80,7 +80,7 @@ def opponents_table(evaluations: Lines) -> bytes:
 
 
 def courses(lines: Lines) -> Iterator[dict[str, Any]]:
-    """Yield the curves of a log, as `draw_curves` takes them."""
+    """Yield the arguments of `draw_curves` for each quantity of a run's log."""
     lines = lines[:: max(1, len(lines) // POINTS)]
     unit, words = scale(max(line["step"] for line in lines))
     for title, quantity, names in COURSES:

@@ -26,7 +26,7 @@ class Adviser:
     """A team that watches another match and returns its own commands for the home robots."""
 
     def __init__(self, teacher: Any, senses: Literal["ideal", "sensors"], **settings: Any) -> None:
-        """`senses`: "ideal" to advise by the truth, "sensors" by the beliefs of the match's own robots."""
+        """Set up the adviser; `senses`: "ideal" to advise by the truth, "sensors" by the watched robots' beliefs."""
         self.match = Match(controllers={"home": teacher, "away": "still"}, senses=senses, **settings)
         self.by_beliefs = senses == "sensors"
 
@@ -42,7 +42,7 @@ class Adviser:
 
 
 def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int], repeat: int, **settings: Any) -> Rows:
-    """Return observations (n, entries) and advice (n, 4) at the decisions of `player`, who plays home.
+    """Let `player` play home; return the observations (n, entries) of its decisions, and the teacher's advice (n, 4).
 
     Whole episodes are played, once each; robots that are out, and matches that have ended, are left out.
     """
@@ -67,7 +67,7 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
 
 
 def advice_of(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: int) -> np.ndarray:
-    """Play the control steps of a decision; return the advice (M, home, 4) at its beginning, and for a kick in it."""
+    """Play the control steps of a decision; return the advice (M, home, 4): the first walk, and the strongest kick."""
     kick = np.full(known.shape, NO_KICK)
     for step in range(repeat):
         by_truth, by_beliefs = (adviser.commands(match) for adviser in advisers)
@@ -80,7 +80,7 @@ def advice_of(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: 
 
 
 def advice_error(actions: torch.Tensor, asked: torch.Tensor) -> torch.Tensor:
-    """Return the error of actions (n, 4) against advice: for a walk mostly by size, for a kick by the square."""
+    """Return the loss of actions (n, 4) against advice: Huber for walks, weighted square for kicks."""
     walk = torch.nn.functional.huber_loss(actions[:, :3], asked[:, :3], delta=BEND)
     weights = torch.where(asked[:, 3] > 0.0, KICK_WEIGHT, 1.0)
     return WALK_WEIGHT * walk + (weights * (actions[:, 3] - asked[:, 3]) ** 2).mean()

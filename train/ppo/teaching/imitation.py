@@ -26,7 +26,7 @@ HOLD_PARTS, HOLD_PART = 8, 4096
 def record(
     teacher: Any, opponents: Any, players: tuple[int, int], decisions: int, repeat: int, **settings: Any
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return observations (n, entries) and actions (n, 4) of a teacher's home robots; settings are those of `Match`."""
+    """Return observations (n, entries) and actions (n, 4) of a teacher's home robots; `settings` go to `Match`."""
     home, away = players
     match = Match(
         home=home, away=away, controllers={"home": teacher, "away": opponents}, autoreset="same_step", **settings
@@ -50,7 +50,7 @@ def record(
 
 
 def mean_square(actions: torch.Tensor, asked: torch.Tensor) -> torch.Tensor:
-    """Return the mean square error of actions (n, 4)."""
+    """Return the mean square error of actions (n, 4) against the teacher's actions `asked`."""
     return ((actions - asked) ** 2).mean()
 
 
@@ -82,13 +82,13 @@ def fit(
 
 
 def holding(settings: TrainSettings, step: int) -> float:
-    """Return the weight of the imitation loss after a number of steps: from 1 down to 0."""
+    """Return the weight of the imitation loss after `step` steps: it falls linearly from 1 to 0."""
     last = settings.teacher_until * settings.steps
     return max(1.0 - step / last, 0.0) if settings.teacher and last > 0.0 else 0.0
 
 
 def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
-    """Fit the actor a little to the recorded decisions, so that it does not forget rare actions such as kicks.
+    """Take a few gradient steps towards the recorded decisions, so that the actor keeps rare actions such as kicks.
 
     The optimiser is made anew each time, so that checkpoints need not keep it.
     """
@@ -103,7 +103,7 @@ def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
 
 
 def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
-    """Shuffle the entries that hold the robot's last command over all rows.
+    """Permute the entries for the robot's last command over all rows, in place, so that they carry no information.
 
     A teacher decides at every control step, so its last command nearly determines the next, and a pupil that sees it
     learns to repeat it [the copycat problem: de Haan, Jayaraman, Levine 2019].

@@ -17,7 +17,7 @@ NETWORK = "network/"
 
 
 class KeptRounds:
-    """The rows of each round and the network after the last one, in a run's folder until the teaching is over."""
+    """The recorded rows of each round and the network after it, kept in a run's folder until the teaching is over."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder / ROUNDS
@@ -27,7 +27,7 @@ class KeptRounds:
         return self.folder / f"round-{number:03d}.npz"
 
     def keep(self, number: int, rows: Rows, network: torch.nn.Module) -> None:
-        """Write a round, whole or not at all. OSError leaves the rounds before it."""
+        """Write the rows of a round and the network after it, whole or not at all. OSError leaves earlier rounds."""
         weights = {NETWORK + name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
         buffer = io.BytesIO()
         np.savez(buffer, **dict(zip(ROWS, rows, strict=True)), **weights)  # type: ignore[arg-type]  # of arrays by name
@@ -35,7 +35,7 @@ class KeptRounds:
         write_whole(self.path(number), buffer.getvalue())
 
     def restore(self, network: torch.nn.Module) -> list[Rows]:
-        """Return the rows of the rounds so far, and give the network the weights after the last; ValueError if torn."""
+        """Return the rows of all kept rounds; load the last round's weights into `network`; ValueError if damaged."""
         kept: list[Rows] = []
         weights: dict[str, Any] = {}
         while (path := self.path(len(kept))).exists():

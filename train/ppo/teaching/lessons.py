@@ -23,12 +23,12 @@ LAST_EPOCHS = 2  # times as many epochs after the last round
 
 
 def cases_of(settings: TrainSettings) -> list[Any]:
-    """Return the match settings in which a teacher is recorded: players, opponent, and senses with their share."""
+    """Return the match settings in which a teacher is recorded: (team sizes, opponent, (share, senses)) of each."""
     return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
 
 
 def shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
-    """Yield for each match setting the opponent, the team sizes, a robot's decisions an episode, and the settings."""
+    """Yield, for each match setting: opponent, team sizes, decisions of a robot to record, and settings of `Match`."""
     cases = cases_of(settings)
     decisions = max(1, round(60.0 * settings.minutes * settings.played.control_rate / settings.action_repeat))
     for index, (players, opponent, (weight, senses)) in enumerate(cases):
@@ -54,14 +54,14 @@ def lessons(
 
 
 def together(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
-    """Return the rows of all parts, their own last commands shuffled."""
+    """Join the rows of all parts; permute the entries for robots' own last commands (`forget_own_commands`)."""
     observations = np.concatenate([part[0] for part in parts])
     forget_own_commands(observations, entries, settings.seed)
     return observations, np.concatenate([part[1] for part in parts])
 
 
 class Lessons:
-    """The lessons of a run's actor from its teacher: before the rewards, and beside them for a while."""
+    """The lessons of a run's actor from its teacher: before PPO, and for a while between its updates."""
 
     def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
         self.settings, self.network = settings, network
@@ -76,7 +76,7 @@ class Lessons:
         return self._rows
 
     def teach(self) -> Iterator[int]:
-        """Initialise the actor from a policy file or from its teacher, if the settings name one.
+        """Initialise the actor from a policy file or by its teacher, if the settings name either.
 
         Yields the number of advised decisions after each round, and once without rounds; the caller's work at a yield,
         such as an evaluation, is repeated if the run is interrupted before the round is kept.
@@ -99,7 +99,7 @@ class Lessons:
             fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
 
     def _take_advice(self) -> Iterator[int]:
-        """Let the actor play rounds, the first one its teacher unless it has a start, and fit it to all advice."""
+        """Play rounds, the first by the teacher unless a start is given; fit the actor to the advice of all rounds."""
         settings = self.settings
         cases = len(cases_of(settings))
         rounds = self.kept.restore(self.network)
@@ -121,7 +121,7 @@ class Lessons:
         return np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
 
     def _fit_advice(self, rounds: list[Rows], progress: Progress) -> None:
-        """Fit the actor to the advice of all rounds, longer after the last one."""
+        """Fit the actor to the advice of all rounds so far, for more epochs after the last round."""
         settings, number = self.settings, len(rounds)
         epochs = settings.teacher_epochs * (LAST_EPOCHS if number == settings.rounds else 1)
         cases = len(cases_of(settings))
@@ -145,7 +145,7 @@ class Lessons:
         )
 
     def go_on(self, step: int, rollout: int) -> None:
-        """Hold the actor to the teacher after an update."""
+        """Fit the actor a little to the teacher after an update of PPO, while the imitation loss has a weight."""
         settings, strength = self.settings, holding(self.settings, step)
         if rollout >= settings.critic_first and strength > 0.0:
             hold(self.network, self.rows, strength, settings.seed + rollout)
