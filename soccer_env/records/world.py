@@ -2,8 +2,8 @@
 
 Code that takes a World sees the truth. Neither belief/ nor a team ever gets one.
 
-Bundles go into kernels as plain tuples, which numba recognises half a microsecond faster each, and get their names
-there: `world = World(*world)` costs nothing.
+Bundles go into kernels as plain tuples, each of which numba recognises half a microsecond faster, and become named
+tuples there: `world = World(*world)` costs nothing.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class World(NamedTuple):
 
     @classmethod
     def empty(cls, matches: int, robots: int) -> World:
-        """Return zeroed records."""
+        """Return a World of zeroed records for M matches of R robots."""
         return cls(
             np.zeros(matches, MATCH),
             np.zeros(matches, BALL),
