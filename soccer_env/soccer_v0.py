@@ -97,7 +97,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
     ) -> tuple[dict[str, np.ndarray], Infos]:
         """Begin an episode; return observations and infos by agent.
 
-        A seed restarts the random streams of the match; without, the match goes on to its next episode. The option
+        A seed restarts the random streams of the match; without one the match goes on to its next episode. The option
         "match_seed" is one of a Match's `seeds`: this env then plays that match. The option "opponents" is a team, its
         name or a Lineup that plays against the learners from now on; `match` is then another object. ValueError, and
         the running episode goes on, for anything else.

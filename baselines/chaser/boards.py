@@ -51,7 +51,7 @@ def side_gap(y, k):
 
 @compiled
 def ways_of_sweep(x, y, k):
-    """Return the directions [rad], team frame, of the approach to a ball in a corner, and of the sweep with the ball."""
+    """Return two directions [rad], team frame: of the approach to a ball in a corner, of the sweep with the ball."""
     side = side_of(y)
     if x > 0.0:
         slant = SLANT + (SQUARE - SLANT) * clip(side_gap(y, k) / CORNER, 0.0, 1.0)

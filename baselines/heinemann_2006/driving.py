@@ -1,4 +1,4 @@
-"""Drive along a plan, made anew at every decision, within what the base can do.  [Heinemann 2006, 2, 3]  MH01, MH14
+"""Drive along a plan, made anew at every decision, within the base's limits.  [Heinemann 2006, 2, 3]  MH01, MH14
 
     "With the continuous replanning this approach generates very efficient and smooth paths"    [Heinemann 2006, 3]
 

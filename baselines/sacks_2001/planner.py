@@ -113,7 +113,7 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
 
 @compiled
 def wait_for_ball(situation, memory, sight, k, play, has_ball):
-    """Return the behaviour of a player that leaves the ball to others, or APPROACH if it goes for the ball."""
+    """Return the behaviour of a player that leaves the ball to other players, or APPROACH if it goes for the ball."""
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
         return GUARD
     if free_ring(situation, k) > 0.0:

@@ -185,7 +185,7 @@ def estimate(particles, own, total, best, w):
 
 @compiled
 def resample(particles, total, kept, noise):
-    """Keep `kept` particles, each as often as its weight deserves (systematic resampling); the others get weight 0.
+    """Resample `kept` particles in proportion to their weights (systematic resampling); the others get weight 0.
 
     In place: a kept particle stays in its row and its copies fill the rows of dropped ones. The weights sum to `total`;
     kept particles get the weight 1.

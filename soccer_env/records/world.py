@@ -16,7 +16,7 @@ from soccer_env.types import BALL, EVENTS, MATCH, ROBOT, ROBOT_EVENTS
 
 
 class World(NamedTuple):
-    """The records of M matches of R robots each, and what happened to them in the last control step."""
+    """The records of M matches of R robots each, and their events in the last control step."""
 
     matches: np.ndarray  # (M,) MATCH
     balls: np.ndarray  # (M,) BALL

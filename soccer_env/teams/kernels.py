@@ -29,7 +29,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
     act(belief, tracks, memory, noise, command, k, settings, scratch): one player's belief, (slots,) tracks, memory and
     random streams, the command to fill in, the league's constants, the team's settings (its only record, or that of the
     league's kind of base if there is one for each, in the order of `DRIVE_KINDS`), and a record of dtype `scratch` to
-    work in, which still holds what the player before wrote there.
+    work in, which still holds the values of the player before.
     """
 
     @compiled

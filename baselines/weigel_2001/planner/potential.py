@@ -43,7 +43,7 @@ def border_size(place, half, settings):
 
 @compiled
 def scalar_potential(x, y, t, goal, obstacles, settings):
-    """Return the sum of the sizes of all forces at a place."""
+    """Return the sum of the sizes of all forces at a place ("scalar")."""
     total = settings.attraction * length(goal.x - x, goal.y - y)
     for i in range(len(obstacles)):
         o = obstacles[i]
@@ -77,7 +77,7 @@ def repulsive_force(x, y, t, obstacles, settings):
 
 @compiled
 def attractive_force(x, y, goal, settings):
-    """Return the force of the way's goal, proportional to its distance, as a vector."""
+    """Return the attractive force of the way's goal as a vector, proportional to the goal's distance."""
     return settings.attraction * (goal.x - x), settings.attraction * (goal.y - y)
 
 

@@ -9,8 +9,8 @@ An unlikely player gets a slot, too: a ghost may push a real player out of the m
 
 Unlike the paper's slots, which are never empty, one here may be: it counts as the most uncertain player,
 `empty_distance` and `empty_angle` away from A. So A goes to an empty slot unless it is near a player in memory: within
-about 0.3 m of one seen in the last frame (0.9 m in nearly the same direction), within about 0.65 m, as far as it can
-have walked, of one seen 5 s ago.
+about 0.3 m of a player seen in the last frame (0.9 m in nearly the same direction), or within about 0.65 m, as far as
+it can have walked, of a player seen 5 s ago.
 
 `w`: settings of the memory.
 """

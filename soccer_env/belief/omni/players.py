@@ -171,7 +171,7 @@ def add_player(tracks, filters, x, y, teammate, first, last, age, s):
 
 @compiled
 def fade_players(tracks, filters, k, w):
-    """Fade players that were not seen, forget those unseen for long, and fill in distance and bearing."""
+    """Lower the confidence in unseen players, forget players unseen for long, and fill in distance and bearing."""
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and filters[slot].seen != 1:

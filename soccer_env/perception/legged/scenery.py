@@ -79,7 +79,7 @@ def keep_largest(sketch, index):
 def draw_patches(sketch, match, side, k, s):
     """Draw the patches of the ball's colour that stand off the field in this match, behind the boards.
 
-    They stand in pairs, one opposite the other: what one team sees at a place, the other sees at its own.
+    Patches stand in opposite pairs, so that each team sees the same pattern from its own side.
     """
     key = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1)) ^ PATCH_KEY
     for pair in range(int(s.patches) // 2):

@@ -2,7 +2,7 @@
 
     exposure -> pending, for `camera_delay` frames -> percept, with its age; what the body feels is current
 
-A robot that was just placed gets its first pictures without delay: those on their way show its old place.
+A robot that was just placed gets its first pictures without delay: pictures on their way show its old place.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """

@@ -29,7 +29,7 @@ FOOT = 0.0  # [m] height of what is read where it touches the ground
 
 @compiled
 def to_pixel(place):
-    """Return the whole pixel nearest to a place in the image [px], the same on both sides of its centre."""
+    """Round a place in the image [px] to the nearest whole pixel, symmetrically about the centre."""
     return 1.0 * floor(place + 0.5) if place >= 0.0 else -1.0 * floor(0.5 - place)
 
 

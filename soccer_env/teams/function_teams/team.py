@@ -47,7 +47,7 @@ class FunctionTeam:
     fingerprint: str
 
     def __repr__(self) -> str:
-        """Return the name, what the team observes, and all settings that differ from their defaults."""
+        """Return the team's name, its kind of observations, and all settings that differ from their defaults."""
         given: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
         given |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
         given |= {"memory": str(self.memory)} if self.memory is not None else {}
