@@ -14,7 +14,7 @@ from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player
 
 
 def team(strength: float = 1.0) -> CompiledTeam:
-    """Return a team whose players walk on and on."""
+    """Return a team whose players walk straight ahead without end; `strength` scales their speed."""
     return CompiledTeam("walker", WALKER, NO_MEMORY, np.array([(strength,)], STRENGTH), blind=True)
 
 

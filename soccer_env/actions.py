@@ -1,6 +1,6 @@
-"""Actions of a learner: box (4 numbers), full (7, with the head) and discrete.
+"""Actions of a learner: box (4 numbers), full (7 numbers, with the head) and discrete (an index).
 
-All numbers lie in [-1, 1] of the league's limits; finite numbers outside are clipped, anything else is refused.
+Numbers in [-1, 1] are shares of the league's limits; finite numbers outside are clipped, other values refused.
 """
 
 from dataclasses import dataclass
@@ -53,7 +53,7 @@ class ActionKind:
 
     @property
     def size(self) -> int:
-        """Return how many numbers an action has (a discrete one is expanded to four)."""
+        """Return how many numbers an action has (a discrete action is expanded to four)."""
         return len(FULL) if self.name == "full" else len(BOX)
 
     def space(self) -> Any:
@@ -65,7 +65,7 @@ class ActionKind:
         return spaces.Box(-1.0, 1.0, (self.size,), np.float32)
 
     def numbers(self, action: Any, agent: str) -> np.ndarray:
-        """Return an agent's action as (size,) float64 numbers; ValueError names the agent and the value."""
+        """Convert an agent's action to (size,) float64 numbers; ValueError names the agent and the value."""
         if self.name == "discrete":
             row: np.ndarray = DISCRETE_TABLE[discrete_index(action, agent)]
             return row
@@ -81,7 +81,7 @@ class ActionKind:
 
 
 def discrete_index(action: Any, agent: str) -> int:
-    """Return a discrete action as an index; ValueError names the agent and the value."""
+    """Convert an agent's discrete action to an index; ValueError names the agent and the value."""
     number = np.asarray(action)
     if number.shape not in ((), (1,)) or number.dtype.kind not in "iu":
         raise ValueError(f"action of {agent} must be one integer, got {action!r}")
@@ -92,9 +92,9 @@ def discrete_index(action: Any, agent: str) -> int:
 
 
 def numbers_for(kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int) -> np.ndarray:
-    """Return the actions of M matches as (M, R, 4 or 7) float64; ValueError names the first agent at fault.
+    """Convert the actions of M matches to (M, R, 4 or 7) float64; ValueError names the first agent with a wrong action.
 
-    Rows that teams play (`learns` (R,) is 0) may hold anything.
+    Rows of robots that teams play (`learns` (R,) is 0) may hold anything.
     """
     if kind.name == "discrete":
         return expand_discrete(actions, agents, matches)
@@ -115,7 +115,7 @@ def numbers_for(kind: ActionKind, actions: Any, agents: list[str], learns: np.nd
 
 
 def expand_discrete(actions: Any, agents: list[str], matches: int) -> np.ndarray:
-    """Return discrete actions (M, R) as numbers (M, R, 4)."""
+    """Convert discrete actions (M, R) to numbers (M, R, 4)."""
     shape = (matches, len(agents))
     numbers = np.asarray(actions)
     if numbers.shape != shape:
@@ -130,7 +130,7 @@ def expand_discrete(actions: Any, agents: list[str], matches: int) -> np.ndarray
 
 @compiled
 def all_finite(numbers):
-    """Tell whether all numbers (M, R, n) are finite; for one match in half the time that numpy takes."""
+    """Tell whether all numbers (M, R, n) are finite; twice as fast as numpy for one match."""
     total = 0.0
     for number in numbers.flat:
         total += 0.0 * number

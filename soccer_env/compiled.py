@@ -67,7 +67,7 @@ def _compiled_records(count, dtype):  # type: ignore[no-untyped-def]  # numba co
 
 
 class _Depth(threading.local):
-    """Count the compiled functions on this thread's stack."""
+    """The number of compiled functions on this thread's stack."""
 
     value = 0
 
@@ -76,7 +76,7 @@ _depth = _Depth()
 
 
 def _as_python(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Wrap `function` so that records have attributes and integers wrap around silently, as in compiled code."""
+    """Wrap `function` so that records have attributes and integers overflow silently, as in compiled code."""
 
     @functools.wraps(function)
     def call(*arguments: Any, **named: Any) -> Any:

@@ -13,7 +13,7 @@ TURN = 2.0 * pi
 
 @compiled
 def wrap(angle):
-    """Return the angle [rad] in (-pi, pi]."""
+    """Return the equivalent of an angle [rad] in (-pi, pi]."""
     if -pi < angle <= pi:
         return angle
     return pi - (pi - angle - TURN * floor((pi - angle) / TURN))
@@ -21,7 +21,7 @@ def wrap(angle):
 
 @compiled
 def clip(value, low, high):
-    """Return the value held between low and high."""
+    """Return the value limited to between low and high."""
     return low if value < low else (high if value > high else value)
 
 
@@ -41,26 +41,26 @@ def toward(value, goal, step):
 
 @compiled
 def into_frame(x, y, cosine, sine):
-    """Return a vector's parts ahead and left of a frame whose heading has this cosine and sine."""
+    """Convert a vector x, y to its components ahead and left in a frame whose heading has this cosine and sine."""
     return cosine * x + sine * y, cosine * y - sine * x
 
 
 @compiled
 def out_of_frame(ahead, left, cosine, sine):
-    """Return x and y of a vector that lies ahead and left in a frame whose heading has this cosine and sine."""
+    """Convert components ahead and left in a frame whose heading has this cosine and sine to a vector x, y."""
     return cosine * ahead - sine * left, sine * ahead + cosine * left
 
 
 @compiled
 def point_of_frame(x, y, ahead, left, cosine, sine):
-    """Return the point ahead and left of x, y in a frame whose heading has this cosine and sine.
+    """Return x and y of the point ahead and left of the frame at x, y whose heading has this cosine and sine.
 
-    The sum begins with x, y and so differs in the last bit from `out_of_frame` added to x, y.
+    The sums begin with x and y, so that the results differ in the last bit from `out_of_frame` added to x, y.
     """
     return x + cosine * ahead - sine * left, y + sine * ahead + cosine * left
 
 
 @compiled
 def direction_of(match, team):
-    """Return +1 if the team attacks +x now, -1 if it attacks -x: the team frame has its own goal behind."""
+    """Return +1 if the team attacks +x in this half, -1 if -x: the factor from field frame to team frame."""
     return match.home_direction if team == HOME else -match.home_direction

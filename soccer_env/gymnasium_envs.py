@@ -19,7 +19,7 @@ from soccer_env.match.arguments import LearnerSetup, MatchSetup, SoloArguments, 
 
 
 def choose_learner(arguments: LearnerSetup) -> tuple[str, dict[str, Any]]:
-    """Return the learner, home's last robot unless `agent` names another, and the settings of its match."""
+    """Return the learner (home's last robot unless `agent` names another) and the settings of its match."""
     from soccer_env.match.settings import make_settings
 
     checked, controllers = make_settings(arguments), arguments.controllers
@@ -100,15 +100,15 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
 
     @property
     def opponent_names(self) -> list[str]:
-        """Return the names of all opponents so far, which "opponent" in flat infos indexes; 0 is a learner."""
+        """Return the names of all opponents so far; "opponent" in flat infos is an index into them, 0 for a learner."""
         return self._parallel.opponent_names
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy needs a reset."""
+        """Pickle the env by its settings: a copy needs a reset."""
         return by_settings(SoloSoccer, part_of(self.arguments, SoloArguments))
 
     def render(self) -> Any:
-        """Return a frame or show it, see `ParallelSoccer.render`."""
+        """Return a picture of the match or show it in a window, see `ParallelSoccer.render`."""
         return self._parallel.render()
 
     def close(self) -> None:

@@ -22,7 +22,7 @@ TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
 
 @compiled
 def mix(value):
-    """Return the 64 mixed bits of a 64-bit counter."""
+    """Return 64 pseudorandom bits: the mixing function of SplitMix64 on a 64-bit counter."""
     value = (value ^ (value >> np.uint64(30))) * MIX_1
     value = (value ^ (value >> np.uint64(27))) * MIX_2
     return value ^ (value >> np.uint64(31))
@@ -30,7 +30,7 @@ def mix(value):
 
 @compiled
 def uniform(noise, stream):
-    """Draw from [0, 1) out of stream `stream` of the (NOISE_STREAMS,) states `noise`."""
+    """Draw a number from [0, 1) with stream `stream` of the states `noise` (NOISE_STREAMS,)."""
     noise[stream] = noise[stream] + GOLDEN
     return np.float64(mix(noise[stream]) >> np.uint64(11)) * TO_UNIT
 
@@ -44,9 +44,9 @@ def normal(noise, stream):
 
 @compiled
 def start_streams(noise, seed, episode, owner):
-    """Start all streams of a record from a seed, the episode's number and its owner.
+    """Start all streams of a record from a seed, the episode's number and the record's owner.
 
-    The owner is 0 for the match and 1 + 2 number + team for a robot: the same robot in teams of any size.
+    The owner is 0 for the match and 1 + 2 number + team for a robot, independent of the size of teams.
     """
     key = mix(np.uint64(seed) + GOLDEN * np.uint64(episode + 1))
     key = mix(key ^ (GOLDEN * np.uint64(owner + 1)))
@@ -55,7 +55,7 @@ def start_streams(noise, seed, episode, owner):
 
 
 def check_seeds(seeds: Any, matches: int) -> np.ndarray:
-    """Return the seeds of M matches as (M,) uint64; ValueError for anything else."""
+    """Check the seeds of M matches and return them as (M,) uint64; ValueError for anything else."""
     given = np.asarray(seeds, object)  # Python's own: numpy makes floats of a list of large and small ones
     whole = all(isinstance(seed, (int, np.integer)) and not isinstance(seed, bool) for seed in given.ravel())
     if given.shape != (matches,) or not whole or not all(0 <= seed < 1 << 64 for seed in given):
@@ -66,7 +66,7 @@ def check_seeds(seeds: Any, matches: int) -> np.ndarray:
 def seeds_for(seed: int | None, matches: int) -> np.ndarray:
     """Return the (matches,) uint64 seeds that follow from one seed; the first n do not depend on `matches`.
 
-    None draws from the system. ValueError if the seed is not a whole number of 0 or more.
+    `seed` None: take entropy from the system. ValueError if the seed is not a whole number of 0 or more.
     """
     if seed is not None and (isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0):
         raise ValueError(f"seed must be a whole number of 0 or more, got {seed!r}")

@@ -53,7 +53,7 @@ FLOATS = "fd"  # dtype characters of float32 and float64
 
 
 class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
-    """A match (M = 1, autoreset "off") as PettingZoo's ParallelEnv; `parallel_env` makes match and env together."""
+    """A PettingZoo ParallelEnv of one match (M = 1, autoreset "off"); `parallel_env` makes match and env together."""
 
     metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
 
@@ -97,7 +97,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
     ) -> tuple[dict[str, np.ndarray], Infos]:
         """Begin an episode; return observations and infos by agent.
 
-        A seed restarts the random streams of the match; without, the match goes on to its next episode. The option
+        A seed restarts the random streams of the match; without one the match goes on to its next episode. The option
         "match_seed" is one of a Match's `seeds`: this env then plays that match. The option "opponents" is a team, its
         name or a Lineup that plays against the learners from now on; `match` is then another object. ValueError, and
         the running episode goes on, for anything else.
@@ -113,7 +113,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return self._observations(), self._infos()
 
     def _turn_to(self, match: Match) -> None:
-        """Play a match whose episode has just begun."""
+        """Switch the env to a match whose episode has just begun."""
         if match is not self.match:
             self.match.close()
             self.match = match
@@ -218,20 +218,20 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return numbers
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the whole truth as one vector in [-1, 1], from a side, see `Match.state`."""
+        """Return the whole truth as one vector in [-1, 1], from the view of a side, see `Match.state`."""
         state: np.ndarray = self.match.state(side)[0]
         return state
 
     @property
     def state_names(self) -> list[str]:
-        """Return the names of the numbers of `state()`."""
+        """Return the names of the entries of `state()`."""
         return self.match.state_names
 
     @property
     def opponent_names(self) -> list[str]:
-        """Return the names of all opponents so far, which "opponent" in flat infos indexes: 0 is a learner.
+        """Return the names of all opponents so far; "opponent" in flat infos is an index into them, 0 for a learner.
 
-        Teams follow, the teams of a Lineup in order; opponents of later resets are appended.
+        Then come the teams, those of a Lineup in order; opponents of later resets are appended.
         """
         return self._met.names
 
@@ -260,7 +260,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         self.screen.close()
 
     def __reduce__(self) -> Made:
-        """Copy by settings: the copy needs a reset."""
+        """Pickle the env by its settings: a copy needs a reset."""
         settings = {**part_of(self.match.arguments, MatchArguments), "render_mode": self.render_mode}
         return by_settings(_env_of, {**settings, "infos": self.info_kind, "overlays": self.screen.overlays})
 
@@ -271,7 +271,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
 
 
 def _env_of(*, render_mode: str | None, infos: InfoKind, overlays: Any, **settings: Any) -> ParallelSoccer:
-    """Return the pickled env."""
+    """Make the env again from its pickled settings."""
     return ParallelSoccer(Match(**settings), render_mode, infos, overlays)
 
 

@@ -57,7 +57,7 @@ class Phase(IntEnum):
 
 
 class Foul(IntEnum):
-    """What a referee whistles for; see `referee/fouls`."""
+    """The fouls that a referee calls; see `referee/fouls`."""
 
     NONE = 0
     PUSHING = 1
@@ -79,7 +79,7 @@ class Foul(IntEnum):
 
 
 class MatchStream(IntEnum):
-    """Named noise streams of a match record: a new one takes a free number and never shifts the others."""
+    """Named noise streams of a match record: a new stream takes a free number and never shifts the others."""
 
     SCENE = 2  # where drills put ball and robots
     KICK_OFF = 3  # who kicks off first

@@ -61,9 +61,9 @@ def attack(command, sight, memory, k, play):
 
 @compiled
 def choose_aim(sight, k, play):
-    """Return the unit vector along which to play the ball: at the goal if a shot is open, else round the opponents.
+    """Return the unit vector along which to play the ball: at the goal if the shot is free, else round the opponents.
 
-    On wheels the ball is played clear of the own goal where it is near, never across its mouth.
+    A robot on wheels plays a ball near its own goal clear, never across the goal's mouth.
     """
     if k.walled == 0 and length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
         return way_clear(sight, k)
@@ -87,7 +87,7 @@ def wants_to_shoot(sight, memory, k, play):
 
 @compiled
 def comes_to_me(sight, k):
-    """Tell whether the ball rolls to a player that can step aside, and would bounce off it."""
+    """Tell whether the ball rolls towards a player that can move sideways and would bounce off the player."""
     speed = length(sight.ball_vx, sight.ball_vy)
     if k.drive_sideways <= 0.0 or k.walled == 1 or speed < RECEIVED:
         return False
@@ -100,7 +100,7 @@ def comes_to_me(sight, k):
 
 @compiled
 def receive(command, sight, k, play):
-    """Face a ball that comes, step into its way, and give way to it so that it does not bounce off."""
+    """Receive a rolling ball: face it, move sideways into its path, and back off so that it does not bounce off."""
     speed = length(sight.ball_vx, sight.ball_vy)
     ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
@@ -117,9 +117,10 @@ def receive(command, sight, k, play):
 
 @compiled
 def approach(command, sight, memory, k, play, ux, uy, most):
-    """Go to where the ball can be met: straight in from behind it, round it from its other side.
+    """Go to the point where the player can meet the ball: straight at it from behind, else round it first.
 
-    A base that steps aside is slower than `most` [m/s] there, and careful; above `MEET` it drives into the ball.
+    `most`: allowed speed on contact [m/s]; up to `MEET` an omnidirectional base slows down for the contact, above
+    `MEET` it drives into the ball.
     """
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = rolls_to(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
@@ -141,7 +142,7 @@ def approach(command, sight, memory, k, play, ux, uy, most):
 
 @compiled
 def run_in(command, sight, k, play, x, y, ux, uy, most):
-    """Run at a ball from behind it: a base that can step aside faces where the ball is to go."""
+    """Run at a ball from behind it; a base that can move sideways faces the direction (ux, uy) of play."""
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
@@ -153,9 +154,9 @@ def run_in(command, sight, k, play, x, y, ux, uy, most):
 
 @compiled
 def meet(command, sight, k, x, y):
-    """Run along (x, y) into the ball, only so much faster than it rolls that it hardly bounces off.
+    """Run along (x, y) into the ball, with a limited closing speed so that the ball hardly bounces off.
 
-    The limit is on the speed towards each other: a player that tackles a ball carried past runs along with it.
+    Only the relative speed is limited: a player that tackles a ball carried past runs along with the ball.
     """
     away = max(length(x, y), 1e-6)
     x, y = x / away, y / away
@@ -173,7 +174,7 @@ def meet(command, sight, k, x, y):
 
 @compiled
 def reachable(x, y, k):
-    """Return the point [m] nearest to a ball that a robot rubbing along the boards can reach with a paw."""
+    """Return the point [m] nearest to a ball at (x, y) that a paw can reach while the robot rubs along the boards."""
     if k.walled == 0:
         return x, y
     room = k.body_tip_y + k.body_tip_radius
@@ -185,7 +186,7 @@ def reachable(x, y, k):
 
 @compiled
 def lies_before_own_goal(x, y, k, far):
-    """Tell whether a ball lies in the mouth of the own goal between boards, or less than `far` [m] before it."""
+    """Tell whether a ball lies in the own goal's mouth, or less than `far` [m] before it, on a pitch with boards."""
     return k.walled == 1 and x < far - 0.5 * k.pitch_length and abs(y) < 0.5 * k.pitch_goal_width
 
 
@@ -193,8 +194,8 @@ def lies_before_own_goal(x, y, k, far):
 def clear_of_boards(x, y, ux, uy, sight, k):
     """Return the direction in which to push a ball, turned so that there is room for a robot behind it.
 
-    Out of a corner there is no such room: run along one board, and turn along the other with the ball. Out of the mouth
-    of the own goal it is pushed along the line, on to the side on which it lies, or away from a player aside of it.
+    A corner leaves no such room: the player runs along one board and turns along the other with the ball. A ball in the
+    mouth of the own goal is pushed along the goal line, to the side on which it lies, or away from a player beside it.
     """
     if k.walled == 0:
         return ux, uy
@@ -212,7 +213,7 @@ def clear_of_boards(x, y, ux, uy, sight, k):
 
 @compiled
 def go_round(command, sight, memory, k, play, x, y, ux, uy):
-    """Go round the ball at (x, y) to its back, at a distance at which it is not touched."""
+    """Go round the ball at (x, y) to the point behind it, at a distance that avoids touching the ball."""
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     radius = sight.touch + play.clearance
@@ -228,7 +229,7 @@ def go_round(command, sight, memory, k, play, x, y, ux, uy):
 
 @compiled
 def pass_ball(command, sight, k, play):
-    """Limit the speed towards the rolling ball to what the player can brake within the gap."""
+    """Limit the closing speed to the ball so that the player can still brake within the gap."""
     away = max(sight.distance, 1e-6)
     ux, uy = into_frame((sight.ball_x - sight.x) / away, (sight.ball_y - sight.y) / away, sight.cosine, sight.sine)
     rolls_x, rolls_y = into_frame(sight.ball_vx, sight.ball_vy, sight.cosine, sight.sine)
@@ -241,7 +242,7 @@ def pass_ball(command, sight, k, play):
 
 @compiled
 def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
-    """Return on which side to go round a ball, +1 counter-clockwise: inside near a board, else the shorter way."""
+    """Return the sense in which to go round a ball, +1 counter-clockwise: clear of a near board, else the shorter."""
     way = side_of(away_y * ux - away_x * uy)
     if k.walled == 1 and angle > 1.6:
         room = radius + k.body_tip_y + k.body_tip_radius
@@ -257,9 +258,9 @@ def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
 
 @compiled
 def side_inside(away_x, away_y, ux, uy, inner_x, inner_y):
-    """Return on which side to go round a ball to its back so as never to come between it and a board.
+    """Return the sense in which to go round a ball, +1 or -1, that never takes the player between ball and board.
 
-    (away_x, away_y): the player seen from the ball [m]; (ux, uy): unit vector of the way on which the ball is to go;
+    (away_x, away_y): the player relative to the ball [m]; (ux, uy): unit vector along which the ball will be played;
     (inner_x, inner_y): unit vector away from the board.
     """
     now = atan2(inner_x * away_y - inner_y * away_x, inner_x * away_x + inner_y * away_y)
@@ -269,7 +270,7 @@ def side_inside(away_x, away_y, ux, uy, inner_x, inner_y):
 
 @compiled
 def free_from_corner(command, sight, memory, k, play):
-    """Get the ball out of a corner; step back from it first after a try that failed."""
+    """Get the ball out of a corner; after a failed attempt, step back from the ball first."""
     if memory.wriggle > 0.0:
         command.forward = -sight.pace
     else:
@@ -278,6 +279,6 @@ def free_from_corner(command, sight, memory, k, play):
 
 @compiled
 def wriggle(command, sight, memory, k, play):
-    """Work a stuck ball out: turn at it with all force towards the remembered side."""
+    """Free a stuck ball: push against it and turn at full rate towards the remembered side."""
     push(command, sight, k, play.wriggle_ahead, 0.0, k.drive_forward)
     command.turn = memory.wriggle_side * sight.pace

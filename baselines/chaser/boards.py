@@ -1,4 +1,4 @@
-"""How the chaser gets a ball out of a corner: come at it aslant, then turn with it along one of the boards.
+"""How the chaser gets a ball out of a corner: approach it at an angle, then turn with it along one of the boards.
 
     +-----------o+      A robot that faces the corner, rather the touchline than the end, presses the ball into it.
     |          / |      It turns inwards and walks on all the while: its outer paw rolls the ball along the end board
@@ -39,19 +39,19 @@ def lies_in_trouble(x, y, k):
 
 @compiled
 def end_gap(x, k):
-    """Return the room between a ball and the nearer end board [m]."""
+    """Return the gap between a ball and the nearer end board [m]."""
     return 0.5 * k.pitch_length - k.ball_radius - abs(x)
 
 
 @compiled
 def side_gap(y, k):
-    """Return the room between a ball and the board of the nearer touchline [m]."""
+    """Return the gap between a ball and the board of the nearer touchline [m]."""
     return 0.5 * k.pitch_width - k.ball_radius - abs(y)
 
 
 @compiled
 def ways_of_sweep(x, y, k):
-    """Return the direction in which to come at such a ball, and in which to sweep it [rad], team frame."""
+    """Return two directions [rad], team frame: of the approach to a ball in a corner, of the sweep with the ball."""
     side = side_of(y)
     if x > 0.0:
         slant = SLANT + (SQUARE - SLANT) * clip(side_gap(y, k) / CORNER, 0.0, 1.0)
@@ -61,7 +61,7 @@ def ways_of_sweep(x, y, k):
 
 @compiled
 def go_into_corner(command, sight, memory, k, play):
-    """Go to the ball along its way: to that line first, a step before the ball, then on; touching it, sweep."""
+    """Approach a ball in a corner: go to its line of approach, then along the line; begin the sweep on contact."""
     way, out = ways_of_sweep(sight.ball_x, sight.ball_y, k)
     ux, uy = cos(way), sin(way)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
@@ -79,7 +79,7 @@ def go_into_corner(command, sight, memory, k, play):
 
 @compiled
 def sweep(command, sight, memory, k):
-    """Turn with the ball towards the way out and walk on; then walk along the board."""
+    """Turn with the ball towards the direction of the sweep while walking, then walk along the board."""
     memory.sweep -= sight.elapsed
     memory.stuck = 0.0
     error = wrap(memory.sweep_way - sight.heading)

@@ -47,7 +47,7 @@ def look_up(belief, command, memory, k, play):
 
 @compiled
 def may_look_away(belief):
-    """Tell whether the ball is so far away that a player may leave it unseen for a moment."""
+    """Tell whether the ball is far enough away for the player to look elsewhere for a moment."""
     return belief.ball.distance > (KEEPER_ROOM if belief.situation.keeper == 1 else ROOM)
 
 
@@ -63,6 +63,6 @@ def sweep_horizon(command, memory, k, play):
 
 @compiled
 def point_head(command, k, pan, tilt):
-    """Send the head to a pan and tilt [rad] instead of where it looks by itself."""
+    """Command a pan and tilt [rad] of the head, which replace its automatic gaze."""
     command.head, command.pan = 1.0, clip(pan / k.head_pan_limit, -1.0, 1.0)
     command.tilt = share_of_tilt(tilt, k.head_tilt_low, k.head_tilt_high)

@@ -1,4 +1,4 @@
-"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear what lies near.
+"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear a ball near the goal.
 
 With a kicker it kicks the ball clear; without one, in the middle-size league, it clears by driving into the ball.
 
@@ -34,7 +34,7 @@ def keep_goal(command, sight, memory, k, play):
 
 @compiled
 def shot_crosses(sight, k, play, line):
-    """Tell whether the ball rolls over the keeper's line towards the goal, and where [m]."""
+    """Return whether the ball will cross the keeper's line towards the goal, and at which y [m]."""
     if sight.ball_vx > -play.shot_speed or sight.ball_x < line:
         return False, 0.0
     end_x, _ = rolls_to(sight, k, FOREVER)
@@ -47,8 +47,8 @@ def shot_crosses(sight, k, play, line):
 def guard(command, sight, k, play, line):
     """Stand on the line between the ball and the middle of the goal, a little way out.
 
-    On wheels it halves the angle between the posts instead: otherwise a ball from the side finds the near post open,
-    and a ball along the goal line passes behind the keeper.
+    A keeper on wheels stands on the bisector of the angle to both posts instead: otherwise a shot from the side finds
+    the near post open, and a ball along the goal line passes behind the keeper.
     """
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     away = max(length(x, y), 1e-6)
@@ -61,7 +61,7 @@ def guard(command, sight, k, play, line):
 
 @compiled
 def part_angle(sight, k, x):
-    """Return where [m] the line that halves the angle from the ball to both posts crosses a keeper's x [m]."""
+    """Return the y [m] at which the bisector of the angle from the ball to both posts crosses the keeper's x [m]."""
     ahead, half = -0.5 * k.pitch_length - sight.ball_x, 0.5 * k.pitch_goal_width
     left, right = length(ahead, half - sight.ball_y), length(ahead, -half - sight.ball_y)
     along = ahead / max(left, 1e-6) + ahead / max(right, 1e-6)
@@ -73,7 +73,7 @@ def part_angle(sight, k, x):
 
 @compiled
 def may_clear(sight, k, play):
-    """Tell whether the ball lies so near to the goal, and so far from a field player, that the keeper fetches it.
+    """Tell whether the keeper goes for the ball: it lies near the goal, and no field player is near it.
 
     The keeper clears a ball at its kicker from anywhere. In a penalty area that field players may not enter, every slow
     ball is the keeper's.
@@ -96,7 +96,8 @@ def may_clear(sight, k, play):
 def clear(command, sight, memory, k, play):
     """Play the ball away from the own goal, with a kick once the keeper faces that way.
 
-    On legs it goes round a ball at its feet on the side of its own goal: a robot that turns with the ball walks on.
+    A keeper on legs goes round a ball at its feet, on the side of its own goal, since turning with the ball would also
+    carry it forward.
     """
     ux, uy = way_clear(sight, k)
     if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):

@@ -19,14 +19,14 @@ HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assum
 
 @compiled
 def support(command, sight, memory, k, play, ring, keeps_out):
-    """Stand where the player's rank asks, and look at the ball; arguments as of `support_point`."""
+    """Stand at the place for the player's rank, and face the ball; arguments as in `support_point`."""
     x, y = support_point(sight, memory, k, play, ring, keeps_out)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 
 @compiled
 def support_point(sight, memory, k, play, ring, keeps_out):
-    """Return where to go [m, m] by the player's rank, `ring` [m] off the ball; `keeps_out`: not in the own area."""
+    """Return the place [m, m] for the player's rank, `ring` [m] from the ball; `keeps_out`: not in the own area."""
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
     back, aside = support_place(memory, play, ring)
@@ -48,7 +48,7 @@ def support_point(sight, memory, k, play, ring, keeps_out):
 
 @compiled
 def support_place(memory, play, ring):
-    """Return how far back from the ball towards the own goal, and how far to the left of that way, a rank stands [m].
+    """Return the distances [m] of a rank's place from the ball: back towards the own goal, and left of that direction.
 
                 3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it
     5                1   (0)           (mirrored while the   while the opponents take a restart; 1 covers the goal;

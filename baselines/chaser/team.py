@@ -9,7 +9,7 @@ Each player decides from its own belief and tracks. One ladder for each role:
     everybody    without a ball: turn round, then look from elsewhere                       searching.py
                  unsure where it is: look up from the ball for landmarks                    glancing.py
 
-Who attacks: the field player that believes itself nearest to the ball, counting the way round it. `strength` from 0 to
+Who attacks: the field player that believes itself nearest to the ball, counting the path round it. `strength` from 0 to
 1 scales the pace, how often a player decides, how straight it aims and how hard it kicks; at 1 nothing is drawn at
 random but the patience with a stuck ball, so that mirrored beliefs give mirrored commands.
 
@@ -128,7 +128,7 @@ FOLLOWS = SKILLS_FOLLOW | {  # what a number grows with in leagues of other fami
 
 
 def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
-    """Return the team; `changes` are NUMBERS by name, for every kind of base. ValueError for an unknown name.
+    """Return the team; `changes` replace NUMBERS by name, for every kind of base. ValueError for an unknown name.
 
     `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`.
     """
@@ -139,7 +139,7 @@ def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
 
 
 def fit(settings: np.ndarray, league: League) -> np.ndarray:
-    """Return the team's settings for a league."""
+    """Scale the team's settings to a league and return them."""
     return fitted(settings, league, FOLLOWS)
 
 
@@ -160,7 +160,7 @@ def chase(belief, tracks, memory, noise, command, k, play, sight):
 
 @compiled
 def decide(belief, command, sight, memory, noise, k, play):
-    """Play the role that the player has now."""
+    """Choose and play the player's role: goalkeeper, field player, or search for a lost ball."""
     situation = belief.situation
     keeps_out = may_not_enter(situation, k)
     if keeps_out and leave_area(command, sight, k, play, play.berth):
@@ -178,7 +178,7 @@ def decide(belief, command, sight, memory, noise, k, play):
 
 @compiled
 def play_in_field(situation, command, sight, memory, noise, k, play, keeps_out):
-    """Play as a field player that knows the ball; `keeps_out`: not in the own penalty area."""
+    """Play as a field player that knows the ball's place; `keeps_out`: it must stay out of its own penalty area."""
     choose_rank(sight, memory, play)
     note_set_piece(situation, sight, memory, k)
     watch_ball(sight, memory, noise, k, play)
@@ -187,7 +187,7 @@ def play_in_field(situation, command, sight, memory, noise, k, play, keeps_out):
 
 @compiled
 def play_role(situation, command, sight, memory, k, play, keeps_out):
-    """Play the role that restart and rank give."""
+    """Play as taker of a restart, attacker or supporter, by the restart and the player's rank."""
     if memory.set_piece != 0.0 and situation.phase != PLAY:
         if memory.set_piece > 0.0:
             take_restart(command, situation, sight, k, play)
@@ -207,7 +207,7 @@ def play_role(situation, command, sight, memory, k, play, keeps_out):
 
 @compiled
 def way_to_ball(sight, play, x, y, vx, vy):
-    """Return how far a player at (x, y) has to go to the back of the ball [m]; running there already counts."""
+    """Return a player's path length to behind the ball [m], less some for a player that already runs towards it."""
     ahead, left = sight.ball_x - x, sight.ball_y - y
     away = max(length(ahead, left), 1e-6)
     return away + play.wrong_side * max(-ahead / away, 0.0) - play.foresight * (vx * ahead + vy * left) / away
@@ -215,7 +215,7 @@ def way_to_ball(sight, play, x, y, vx, vy):
 
 @compiled
 def choose_rank(sight, memory, play):
-    """Count the field team-mates that are nearer to the ball; a change has to last before it counts."""
+    """Update the player's rank, the number of field team-mates nearer to the ball, once a change has lasted."""
     own = way_to_ball(sight, play, sight.x, sight.y, sight.vx, sight.vy)
     rank = 0
     for i in range(sight.others):
@@ -230,7 +230,7 @@ def choose_rank(sight, memory, play):
 
 @compiled
 def watch_ball(sight, memory, noise, k, play):
-    """Notice a ball that is stuck at the player's feet, and when to begin to work it out."""
+    """Time how long the ball is stuck at the player's feet, and begin to free it when the patience is over."""
     memory.wriggle = max(memory.wriggle - sight.elapsed, 0.0)
     if memory.patience == 0.0:
         memory.patience = play.patience * (0.7 + 0.6 * uniform(noise, TEAM))

@@ -1,4 +1,4 @@
-"""The attacker: drive behind the ball round the others, dribble, shoot at the open part of the goal.  MH04, MH14, MH22
+"""The attacker: drive behind the ball round other players, dribble, shoot where the goal is open.  MH04, MH14, MH22
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -58,7 +58,7 @@ def attack(command, memory, k, play, scratch):
 
 @compiled
 def pass_or_aim(sight, k, play, ux, uy):
-    """Return whether to pass, along which unit vector to play the ball, and how far the mate is [m].
+    """Return whether to pass, the unit vector along which to play the ball, and the distance to the mate [m].
 
     An open shot comes first; a pressed player also passes back.
     """
@@ -73,7 +73,7 @@ def pass_or_aim(sight, k, play, ux, uy):
 
 @compiled
 def dribbles_on(sight, k, play, ux, uy):
-    """Tell whether to bring the ball past the others: no shot along (ux, uy) is open, and the own goal is far."""
+    """Tell whether to dribble past other players: no shot along (ux, uy) is open, and the own goal is far."""
     if play.dribbles_round == 0 or length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
         return False
     reach = 0.5 * k.pitch_length - sight.ball_x < play.skills.shot_range
@@ -82,7 +82,7 @@ def dribbles_on(sight, k, play, ux, uy):
 
 @compiled
 def go_behind(command, memory, k, play, scratch, ux, uy):
-    """Drive to behind where the ball will be, seen along (ux, uy), and face it."""
+    """Drive to the point behind the ball's predicted place for a push along (ux, uy), and face the ball."""
     sight = scratch.sight
     seconds = meeting_time(sight, sight.x, sight.y, sight.vx, sight.vy, play.lead, k) if play.intercepts == 1 else 0.0
     x, y = rolls_to(sight, k, seconds)

@@ -1,11 +1,12 @@
-"""Dribble with the ball in the guide, inside what friction holds.  [Heinemann 2006, 1]  MH24
+"""Dribble with the ball in the guide, within the limits of friction.  [Heinemann 2006, 1]  MH24
 
     "our high-level control code was still good enough, to win the technical challenge by dribbling the ball around
     static obstacles"    [Heinemann 2006, 1]
 
-Nothing holds the ball but the guide's edge and the carpet's friction: a robot that brakes harder than the ball rolls
-out loses it ahead, one that bends its way faster than the edge bears loses it aside. So speed and turn together stay
-below a grip, v w <= g, and the base steps aside as it turns: it turns about the ball, not about itself.
+Only the guide's edge and the carpet's friction hold the ball: a robot that brakes harder than the ball decelerates
+loses it ahead, and a robot that curves more sharply than the edge can hold loses it sideways. So the product of speed
+and turn rate stays below a grip, v w <= g, and the base moves sideways as it turns: it turns about the ball, not about
+its own centre.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -23,7 +24,7 @@ LEAST = 0.15  # [m/s] ahead while it turns, so that the ball stays at the kicker
 
 @compiled
 def dribble(command, sight, memory, k, play, ux, uy):
-    """Bring the ball on along (ux, uy), turning with it as fast as the guide's grip lets."""
+    """Dribble along (ux, uy), turning with the ball as fast as the guide's grip allows."""
     error = wrap(atan2(uy, ux) - sight.heading)
     now = sight.now_cosine * sight.vx + sight.now_sine * sight.vy
     wanted = clip(error / play.skills.settle, -play.dribble_turn, play.dribble_turn) * sight.pace
@@ -40,7 +41,7 @@ def dribble(command, sight, memory, k, play, ux, uy):
 
 @compiled
 def way_round(k, play, scratch):
-    """Return the unit vector along which a plan to the opponents' goal leads the ball past the others.  MH24"""
+    """Return the unit vector along which a planned path to the opponents' goal leads the ball past players.  MH24"""
     sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
     note_crowd(scratch, k, play, False)
     for i in range(scratch.count):
@@ -55,11 +56,11 @@ def way_round(k, play, scratch):
 
 @compiled
 def grip_speed(play, turn):
-    """Return the speed [m/s] at which the guide still bears a turn [rad/s]: v w = grip, but never below `LEAST`."""
+    """Return the top speed [m/s] at which the guide holds the ball in a turn w [rad/s]: grip / |w|, `LEAST` or more."""
     return max(play.dribble_grip / max(abs(turn), 1e-3), LEAST)
 
 
 @compiled
 def grip_turn(play, speed):
-    """Return the turn [rad/s] that the guide still bears at a speed [m/s]: v w = grip, all of it at `LEAST`."""
+    """Return the top turn rate [rad/s] at which the guide holds the ball at a speed v [m/s]: grip / v above `LEAST`."""
     return play.dribble_turn if speed <= LEAST else min(play.dribble_turn, play.dribble_grip / speed)

@@ -1,11 +1,11 @@
-"""Drive along a plan, made anew at every decision, within what the base can do.  [Heinemann 2006, 2, 3]  MH01, MH14
+"""Drive along a plan, made anew at every decision, within the base's limits.  [Heinemann 2006, 2, 3]  MH01, MH14
 
     "With the continuous replanning this approach generates very efficient and smooth paths"    [Heinemann 2006, 3]
 
-The base steps aside, so that it is free to look anywhere: it turns while it drives. Velocity and turn share one
-acceleration: a base that turns by w at speed v must bend its way in its own frame by v w.
+The base can move sideways, so it can face any direction and turns while it drives. Velocity and turn share one
+acceleration: to keep a straight path while turning at w with speed v, a base needs the acceleration v w in its frame.
 
-Obstacles are the other robots, where they are believed to be and to go (MH06, MH15): the robot's own tracks, from its
+Obstacles are the other robots, with believed places and velocities (MH06, MH15): the robot's own tracks, from its
 camera and from its team-mates' reports by radio.
 
     "the position of the obstacles is no longer static for the whole planning process"    [Heinemann 2006, 3]
@@ -31,7 +31,7 @@ KEPT = 2  # decisions, this one and the next, for which the velocity asked for i
 
 @compiled
 def drive_to(command, memory, k, play, scratch, x, y, facing, final):
-    """Go to a point round the others and face a team-frame direction [rad] there; `final`: speed [m/s] on arrival."""
+    """Drive to a point round other robots, and face a team-frame direction [rad]; `final`: speed [m/s] on arrival."""
     sight = scratch.sight
     if play.planner == NO_PLANNER:
         go(command, sight, k, play.skills, x, y, facing, final)
@@ -47,7 +47,7 @@ def drive_to(command, memory, k, play, scratch, x, y, facing, final):
 
 @compiled
 def plan_to(k, play, scratch, x, y):
-    """Plan the way to a point in the league's pitch at the league's speed, by what is believed now.  MH14"""
+    """Plan the path to a point with the league's pitch and speed and the present beliefs; fill `scratch.plan`.  MH14"""
     sight = scratch.sight
     ways_of(scratch, k, play)
     side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
@@ -57,7 +57,7 @@ def plan_to(k, play, scratch, x, y):
 
 @compiled
 def ways_of(scratch, k, play):
-    """Fill in the planner's settings for the league's pitch, its robots and the pace of this one."""
+    """Fill in the planner's settings: the league's pitch and robot size, and this robot's pace."""
     ways = scratch.ways[0]
     scratch.ways[0] = play.ways[0]
     ways.pitch_length, ways.pitch_width = k.pitch_length, k.pitch_width
@@ -67,7 +67,7 @@ def ways_of(scratch, k, play):
 
 @compiled
 def follow(command, memory, k, play, scratch, facing, final):
-    """Drive along the plan: to a point ahead on it, no faster than its bends and its end let."""
+    """Drive towards a point ahead on the planned path, at a speed that the path's bends and its end allow."""
     sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
     now = length(sight.vx, sight.vy)
     ahead = play.look_ahead + play.look_ahead_time * now
@@ -87,7 +87,7 @@ def follow(command, memory, k, play, scratch, facing, final):
 
 @compiled
 def bend_between(x, y, then_x, then_y):
-    """Return the angle [rad], from 0 on, between two pieces of a path; 0 if one of them has no length."""
+    """Return the angle [rad], 0 or more, between two pieces of a path; 0 if either piece has no length."""
     if length(x, y) < 1e-6 or length(then_x, then_y) < 1e-6:
         return 0.0
     return abs(atan2(x * then_y - y * then_x, x * then_x + y * then_y))
@@ -95,13 +95,13 @@ def bend_between(x, y, then_x, then_y):
 
 @compiled
 def bend_speed(k, play, bend, far):
-    """Return the speed [m/s] at which a path that turns by an angle over a distance [m] takes its share: v^2 / r."""
+    """Return the speed [m/s] at which v^2 / r in a bend (`bend` [rad] in `far` [m]) uses its share of acceleration."""
     return sqrt(play.bending * k.drive_acceleration * far / max(bend, 1e-3))
 
 
 @compiled
 def drive_along(command, memory, k, play, sight, x, y, speed, facing):
-    """Bring the velocity asked for towards (x, y) (unit vector) at a speed [m/s], as fast as the base can.  MH01"""
+    """Bring the commanded velocity to `speed` [m/s] along the unit vector (x, y), within the acceleration.  MH01"""
     if memory.drove == 0:
         memory.drive_x, memory.drive_y = sight.vx, sight.vy
     vx, vy = speed * x - memory.drive_x, speed * y - memory.drive_y
@@ -119,13 +119,13 @@ def drive_along(command, memory, k, play, sight, x, y, speed, facing):
 
 @compiled
 def turn_limit(k, play, speed):
-    """Return how fast [rad/s] a base may turn at a speed [m/s] so that the bend in its own frame takes its share."""
+    """Return the largest turn rate w [rad/s] at a speed v [m/s]: v w uses its share of the base's acceleration."""
     return play.turning * k.drive_acceleration / max(speed, 1e-3)
 
 
 @compiled
 def note_crowd(scratch, k, play, fights):
-    """Fill the obstacles from the tracks; a player that fights for the ball plans no way round those who have it."""
+    """Fill the obstacles from the tracks; a player that fights for the ball leaves out the players at the ball."""
     sight, count = scratch.sight, 0
     for i in range(sight.others):
         at_ball = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < FOUGHT_FOR
@@ -141,7 +141,7 @@ def note_crowd(scratch, k, play, fights):
 
 @compiled
 def bounded(vx, vy, play):
-    """Return a believed velocity [m/s], no faster than robots drive: a mistaken pair of readings is faster.  MH25"""
+    """Return a believed velocity [m/s] limited to the top speed of robots, since wrong readings can give more.  MH25"""
     if play.velocity == 0:
         return 0.0, 0.0
     speed = length(vx, vy)

@@ -16,7 +16,7 @@ from soccer_env.types import COMMAND
 
 
 def plan(mind: Mind) -> np.ndarray:
-    """Return the path that the player would drive along now: it decides again, with a copy of its memory."""
+    """Return the path along which the player would drive now, from a new decision with a copy of its memory."""
     scratch, memory = np.zeros(1, SCRATCH), mind.memory.copy()
     memory["skill"]["wait"] = 0.0
     plan_again(mind.beliefs, mind.tracks, memory, mind.noise.copy(), mind.constants, settings_of(mind), scratch)
@@ -26,7 +26,7 @@ def plan(mind: Mind) -> np.ndarray:
 
 
 def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the descent of the potential at each point, with the other robots where they are now."""
+    """Return minus the gradient of the potential at each point, for the present places of the other robots."""
     scratch, slopes = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
     scratch["place"][0, 0] = tuple(target)
     descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
@@ -34,14 +34,14 @@ def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 
 def settings_of(mind: Mind) -> np.ndarray:
-    """Return the (1,) settings for the league's kind of base."""
+    """Return the player's settings for its league's kind of base, shape (1,)."""
     kind = int(mind.constants["drive_kind"][0])
     return mind.settings[kind : kind + 1]
 
 
 @compiled
 def plan_again(beliefs, tracks, memory, noise, constants, settings, scratch):
-    """Decide as the team does, in a scratch record that can be looked at afterwards."""
+    """Decide as the team does, in a scratch record that the caller reads afterwards."""
     command = np.zeros(1, COMMAND)
     act(beliefs[0], tracks[0], memory[0], noise[0], command[0], constants[0], settings[0], scratch[0])
 

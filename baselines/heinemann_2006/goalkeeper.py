@@ -1,4 +1,4 @@
-"""The goalkeeper: passive on the line ball to goal, or active into the ball's trajectory.  MH19, MH20, MH21
+"""The goalkeeper: passive on the line from ball to goal, or active in the ball's trajectory.  MH19, MH20, MH21
 
     "Typical keepers try to minimize the angles under which the ball can be shot into the goal avoiding the goal keeper.
     This can be reached if the keeper takes a defense position on the line d going through the ball and the middle of
@@ -44,7 +44,7 @@ def keep_goal(command, memory, k, play, scratch):
 
 @compiled
 def passive_place(ball_x, ball_y, k, play):
-    """Return where [m, m] the line from the ball to the middle of the goal meets the half circle or the keeper's line.
+    """Return the passive place [m, m]: where the line from ball to goal meets the half circle or the keeper's line.
 
     Never nearer to the goal line than the keeper's line, nor beyond the posts.  MH19
     """
@@ -59,7 +59,7 @@ def passive_place(ball_x, ball_y, k, play):
 
 @compiled
 def is_shot(sight, k, play):
-    """Tell whether the ball is believed to roll over the goal line between the posts, or little beside them.  MH20"""
+    """Tell whether the ball is believed to roll across the goal line between the posts or just beside them.  MH20"""
     speed = length(sight.ball_vx, sight.ball_vy)
     ahead = sight.ball_x + 0.5 * k.pitch_length
     if sight.ball_vx > -1e-3 or speed < play.shot_speed or ahead <= 0.0:
@@ -72,10 +72,10 @@ def is_shot(sight, k, play):
 
 @compiled
 def interception(sight, k, play):
-    """Return where [m, m] to move into the trajectory of a shot: perpendicular into it, the shortest way.  MH20, MH21
+    """Return the point [m, m] of a shot's trajectory to move to: its point nearest to the keeper.  MH20, MH21
 
-    If the ball would be there first, the keeper goes to the point of the trajectory before the goal line at which it is
-    earliest against the ball, by its reaction and its acceleration.
+    If the ball would be there first, return the point of the trajectory before the goal line at which the keeper has
+    the most time to spare, given its reaction time and acceleration.
     """
     speed = length(sight.ball_vx, sight.ball_vy)
     ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
@@ -97,15 +97,15 @@ def interception(sight, k, play):
 
 @compiled
 def foot(x, y, ux, uy, last):
-    """Return how far along a line (ux, uy) from 0 the foot of the perpendicular from (x, y) lies [m], 0 to `last`."""
+    """Return the distance [m], 0 to `last`, along the line (ux, uy) to the foot of the perpendicular from (x, y)."""
     return clip(x * ux + y * uy, 0.0, last)
 
 
 @compiled
 def spare_time(sight, ux, uy, speed, along, k, play):
-    """Return how much earlier than the ball the keeper is at a point of the trajectory [s]; below 0: later.  MH21
+    """Return by how much the keeper reaches a point of the trajectory before the ball [s]; below 0: after it.  MH21
 
-    The sight already holds for the moment at which the command takes effect; a longer reaction comes on top.
+    The sight already predicts the moment at which the command takes effect; a longer reaction time is added.
     """
     x, y = sight.ball_x + along * ux - sight.x, sight.ball_y + along * uy - sight.y
     away = max(length(x, y), 1e-6)
@@ -117,7 +117,7 @@ def spare_time(sight, ux, uy, speed, along, k, play):
 
 @compiled
 def move_to(command, memory, k, play, sight, x, y, facing):
-    """Go straight to a point, by the base's acceleration alone: nobody else is in the goal area."""
+    """Drive straight to a point, limited only by the base's acceleration: nobody else is in the goal area."""
     dx, dy = x - sight.x, y - sight.y
     away = length(dx, dy)
     if k.drive_kind == WHEELS_DIFFERENTIAL:

@@ -1,10 +1,10 @@
-"""Where and when a rolling ball is met.  [Heinemann 2006, 1, 4]  MH20, MH21, MH22
+"""Where and when a player can meet a rolling ball.  [Heinemann 2006, 1, 4]  MH20, MH21, MH22
 
     "we developed robot control algorithms that are incorporating the velocity of the objects for ball interception as
     goal keeper or pass receiver and for path planning"    [Heinemann 2006, 1]
 
-A ball that rolls loses a constant share of its speed in a second, `k.ball_rolling` [m/s2]; a base goes from rest with
-its acceleration up to its top speed, after a reaction.
+A rolling ball has a constant deceleration, `k.ball_rolling` [m/s2]; a base has a reaction time, then accelerates
+constantly up to its top speed.
 
 `k`: the league's constants.
 """
@@ -20,7 +20,7 @@ STEP = 0.1  # [s] between two moments at which a ball could be met, assumed
 
 @compiled
 def rolling_time(speed, far, k):
-    """Return the time [s] in which a ball of a speed [m/s] rolls a distance [m]; inf if it stops before.
+    """Return the time [s] that a ball with an initial speed [m/s] takes to roll a distance [m]; inf if it stops before.
 
     far = v t - a t^2 / 2, solved for the earlier t.
     """
@@ -32,11 +32,11 @@ def rolling_time(speed, far, k):
 
 @compiled
 def moving_time(far, speed, reaction, k):
-    """Return the time [s] in which a base at a speed [m/s] towards a place goes to it, after a reaction [s].  MH21
+    """Return the time [s] that a base takes to drive `far` [m], from a speed [m/s] and after a reaction time [s].  MH21
 
-    It does not brake there: sqrt(2 s / a) from rest up to the top speed v, and s / v + v / (2 a) beyond. A base that
-    moves is where a base that began at rest v^2 / (2 a) behind would be after v / a; so is, with time run back, a base
-    that moves away.
+    The base does not brake at the end. From rest: sqrt(2 s / a) up to the top speed v, and s / v + v / (2 a) beyond. An
+    initial speed u is treated as a start from rest u^2 / (2 a) farther back and u / a earlier; so is a speed away from
+    the place, u < 0.
     """
     if far <= 0.0:
         return 0.0
@@ -49,9 +49,9 @@ def moving_time(far, speed, reaction, k):
 
 @compiled
 def meeting_time(sight, x, y, vx, vy, most, k):
-    """Return when [s] a player at (x, y) at (vx, vy) can first be at the rolling ball, by steps of `STEP`.  MH22
+    """Return the earliest time [s] at which a player at (x, y), velocity (vx, vy), can reach the rolling ball.  MH22
 
-    At most `most` [s]. The ball is looked for where it will be by then, and the base goes straight there.
+    Times are tried in steps of `STEP`, up to `most` [s]; the base drives straight to the ball's predicted place.
     """
     t = 0.0
     while t < most:

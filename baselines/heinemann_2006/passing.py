@@ -1,10 +1,10 @@
-"""Pass to a team-mate, as hard as it can take the ball, and stand open for a pass.  MH04, MH22
+"""Pass to a team-mate, no harder than it can receive, and stand open for a pass.  MH04, MH22
 
     "the robot can control the kicking strength of this device in real-time, in order to pass the ball to a team-mate
     instead of kicking it at full strength"    [Heinemann 2006, 2]
 
-A pass goes to where the mate will be, arrives at a speed that a guide takes, and is worth what it brings towards the
-goal. Where mates are is what they say by radio, or what is seen of them.
+A pass goes to the mate's predicted place, arrives at a speed that a guide can receive, and is worth the distance that
+it gains towards the goal. The places of mates come from their reports by radio, or from the camera.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -52,7 +52,7 @@ def choose_pass(sight, k, play, pressed):
 
 @compiled
 def led_spot(sight, k, i):
-    """Return where [m, m] another player is by the time that a pass comes, on the pitch."""
+    """Return the predicted place [m, m] of another player when a pass arrives, held inside the pitch."""
     edge_x, edge_y = 0.5 * k.pitch_length - EDGE, 0.5 * k.pitch_width - EDGE
     x, y = sight.other_x[i] + LED * sight.other_vx[i], sight.other_y[i] + LED * sight.other_vy[i]
     return clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
@@ -60,7 +60,7 @@ def led_spot(sight, k, i):
 
 @compiled
 def goal_distance(k, x, y):
-    """Return how far [m] a place is from the middle of the opponents' goal."""
+    """Return the distance [m] from a place to the middle of the opponents' goal."""
     return length(0.5 * k.pitch_length - x, y)
 
 
@@ -75,7 +75,7 @@ def opponent_near(sight, x, y, near):
 
 @compiled
 def is_at_kicker(sight, play):
-    """Tell whether the ball lies where the kicker meets it now."""
+    """Tell whether the ball lies within reach of the kicker."""
     skills = play.skills
     near = sight.now_ahead <= sight.touch + skills.kick_gap
     return near and sight.now_ahead > 0.0 and abs(sight.now_left) <= skills.kick_aside
@@ -83,7 +83,7 @@ def is_at_kicker(sight, play):
 
 @compiled
 def pass_strength(k, play, far):
-    """Return the strength of a pass over a distance [m]: enough to arrive at `pass_arrival`, or all of it.  MH04"""
+    """Return the strength [1] of a pass over a distance [m]: enough to arrive at `pass_arrival`, at most 1.  MH04"""
     return strength_for(k, far, play.pass_arrival) if play.pass_strength == 1 else 1.0
 
 
@@ -102,7 +102,7 @@ def own_ball(sight):
 
 @compiled
 def open_place(sight, skill, k):
-    """Return where [m, m] a supporter stands open for a pass: ahead of the ball on its side, down a free lane."""
+    """Return the place [m, m] at which a supporter is open for a pass: ahead of the ball, on its side, lane free."""
     side = skill.side if skill.rank % 2 == 0 else -skill.side
     edge_x, edge_y = 0.5 * k.pitch_length - 2.0 * EDGE, 0.5 * k.pitch_width - EDGE
     best, best_x, best_y = -inf, sight.x, sight.y

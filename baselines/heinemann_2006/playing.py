@@ -1,7 +1,7 @@
-"""What a player of heinemann-2006 does: restarts first, then its role.  MH05, MH23
+"""How a player of heinemann-2006 acts: restarts first, then its role.  MH05, MH23
 
-A player that has stood for long away from its place and without the ball goes a quarter round the ball: plans end
-before a ring of robots, and a player that holds off an opponent waits for it to move; both may last.
+A player that has stood still for long, away from its place and without the ball, drives a quarter circle round the
+ball: a path may end at a ring of robots, or a player may wait for an opponent to move, and both may last.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -41,7 +41,7 @@ LEAST_RADIUS = 1.2  # [m] about the ball, assumed
 
 @compiled
 def decide(belief, command, memory, noise, k, play, scratch):
-    """Play the role that the player has now; look for a ball that it has not seen for a while."""
+    """Play the player's present role; search for the ball if the player has not seen it for a while."""
     sight, told = scratch.sight, scratch.told
     hear(belief.situation, told, memory, sight, play)
     memory.drove = max(memory.drove - 1, 0)
@@ -63,7 +63,7 @@ def decide(belief, command, memory, noise, k, play, scratch):
 
 @compiled
 def hear(situation, told, memory, sight, play):
-    """Fill in the match as the referee box has told it by radio, which takes a while.  MH05"""
+    """Fill in the state of the match as the referee box has sent it by radio, with the radio's delay.  MH05"""
     heard, said = memory.heard, memory.said
     memory.said_age = 0.0 if is_new(situation, said) else memory.said_age + sight.elapsed
     said.phase, said.placing = situation.phase, situation.placing
@@ -78,14 +78,14 @@ def hear(situation, told, memory, sight, play):
 
 @compiled
 def is_new(situation, said):
-    """Tell whether the referee has called anything since the latest call that is known."""
+    """Tell whether the referee has made a call since the last call that the player has heard."""
     same = situation.phase == said.phase and situation.placing == said.placing and situation.ours == said.ours
     return not same or situation.phase_clock < said.clock
 
 
 @compiled
 def play_role(situation, command, memory, k, play, scratch):
-    """Play in the field: what a restart asks, else what the role asks."""
+    """Play in the field: take part in a restart, else play the role."""
     sight, skill = scratch.sight, memory.skill
     if skill.set_piece != 0.0 and situation.phase != PLAY:
         if skill.set_piece > 0.0:
@@ -108,7 +108,7 @@ def play_role(situation, command, memory, k, play, scratch):
 
 @compiled
 def stand_ready(command, memory, k, play, scratch, ring):
-    """Stand where the role asks, at least `ring` [m] from the ball, and face the ball on the way there."""
+    """Drive to the role's place, at least `ring` [m] from the ball, facing the ball all the while."""
     sight = scratch.sight
     x, y = support_point(sight, memory.skill, k, play.skills, ring, False)
     if play.stands_open == 1 and ring == 0.0 and memory.skill.rank >= 2 and own_ball(sight):
@@ -119,7 +119,7 @@ def stand_ready(command, memory, k, play, scratch, ring):
 
 @compiled
 def note_standing(situation, memory, sight):
-    """Note for how long a field player has stood in play without the ball and away from its place."""
+    """Update the time for which a field player has stood still in play, without the ball and away from its place."""
     memory.detour = max(memory.detour - sight.elapsed, 0.0)
     waits = (memory.arrived == 1 and memory.skill.rank > 0) or sight.held == 1
     if waits or situation.phase != PLAY or length(sight.x - memory.stands_x, sight.y - memory.stands_y) > STAYS:

@@ -1,6 +1,7 @@
 """The numbers and switches of the middle-size team of 2006.  [Heinemann 2006, 2, 3, 4]
 
-The paper gives few numbers; what is "assumed" is ours. Every idea that it compares with and without is a switch.
+The paper gives few numbers; numbers marked "assumed" are ours. Every idea that the paper tests with and without is a
+switch.
 """
 
 from dataclasses import dataclass
@@ -108,7 +109,7 @@ TEAM_SETTINGS = np.dtype(
 
 
 def settings_of(settings: HeinemannSettings) -> np.ndarray:
-    """Return the record of compiled code for each kind of base, in the order of `DRIVE_KINDS`."""
+    """Return the settings records that compiled code reads, one for each of `DRIVE_KINDS`."""
     rows = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
     own = settings.record()
     for name in own.dtype.names or ():

@@ -19,17 +19,17 @@ EXPLAINS = "soccer_env.baselines.heinemann_2006.explaining:EXPLANATION"
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
+    """Return the team; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
     return made("heinemann-2006", {"strength": strength, **changes})
 
 
 def weigel(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the same team with the planner of Weigel et al., to which all others stand still.  MH17"""
+    """Return the team with the planner of Weigel et al., which treats other robots as standing still.  MH17"""
     return made("weigel-2001", {"strength": strength, "planner": "static", **changes})
 
 
 def made(name: str, changes: dict[str, Any]) -> CompiledTeam:
-    """Return the team of a name with some settings changed."""
+    """Return a team called `name`, with some settings changed."""
     settings = HeinemannSettings().changed(changes)
     return CompiledTeam(name, KERNEL, MEMORY, settings_of(settings), FAMILIES, settings, explains=EXPLAINS)
 
@@ -50,7 +50,7 @@ def act(belief, tracks, memory, noise, command, k, play, scratch):
 
 @compiled
 def wait_for_cycle(sight, skill, k, play):
-    """Decide once in a cycle, where that is longer than a control step.  MH03"""
+    """Set the wait until the next decision to one cycle, where a cycle is longer than a control step.  MH03"""
     if play.cycle > 1.5 * k.dt:
         skill.wait = max(skill.wait, play.cycle - 0.5 * k.dt)
         sight.elapsed = max(sight.elapsed, play.cycle)

@@ -9,10 +9,10 @@ Each player decides for itself, from its own belief and tracks, in the three par
 Files:
 
     team.py        the teams, and the kernel that decides for all players
-    explaining.py  what a player tells people who watch: behaviour, way, forces
+    explaining.py  what a player tells people who watch: behaviour, path, forces
     settings.py    every number and switch             memory.py      what a player remembers
     planner.py     chooses a behaviour and does it     actuators.py   what legs and head can do
-    ball_notes.py  what it notes of the ball           positions.py   who goes to the ball, where others stand
+    ball_notes.py  sightings and possession of the ball  positions.py   who goes to the ball, where others stand
     stuck.py       how it notices that it is stuck     recovery.py    how it gets free
     forces.py      the potential field                 steering.py    where a dribbler goes
     shooting.py    shots and passes                    goalkeeper.py  the goalkeeper

@@ -26,7 +26,7 @@ TOUCHING = 0.15  # [1] of the top speed ahead with which an orbiting robot keeps
 
 @compiled
 def walk_to_ball(command, sight, k, play, speed):
-    """Walk to where a rolling ball can be met, turning to it; `speed` [m/s]."""
+    """Walk to the point where a rolling ball can be met, turning to that point; `speed` [m/s]."""
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = rolls_to(sight, k, clip(gap / max(speed, 1e-3), LEAST_DELAY, play.lead))
     dx, dy = x - sight.x, y - sight.y
@@ -60,7 +60,7 @@ def rotate(command, sight, k, play, angle):
 
 @compiled
 def orbit(command, sight, k, play, angle, side):
-    """Walk round the ball, which stays at the chest, to turn by an angle [rad]; `side` +1 turns left.  MS26"""
+    """Walk round the ball, keeping it at the chest, to turn by an angle [rad]; `side` +1 turns left.  MS26"""
     rate = play.orbit_share * k.drive_sideways / sight.touch
     rate = min(rate, abs(angle) / play.settle)
     command.turn = side * sight.pace * min(rate / k.drive_turn, 1.0)
@@ -70,14 +70,14 @@ def orbit(command, sight, k, play, angle, side):
 
 @compiled
 def turn_with_ball(command, sight, k, play, angle):
-    """Turn by an angle [rad] on the spot, pressing on so that the ball stays: where there is no room to orbit."""
+    """Turn by an angle [rad] on the spot while pressing against the ball: the turn for places with no room to orbit."""
     turn_by(command, sight, k, play, angle)
     command.forward = sight.pace
 
 
 @compiled
 def step_with_ball(command, sight, k, play, off, speed, turn):
-    """Push the ball on, `off` [rad] from straight ahead at a speed [m/s], turning by `turn` [rad].  MS45"""
+    """Push the ball in a direction `off` [rad] from straight ahead at a speed [m/s], turning by `turn` [rad].  MS45"""
     ahead, left = speed * cos(off), speed * sin(off)
     command.forward = sight.pace * min(ahead / (k.drive_forward if ahead > 0.0 else k.drive_backward), 1.0)
     command.left = sight.pace * clip(left / max(k.drive_sideways, 1e-6), -1.0, 1.0)
@@ -86,7 +86,7 @@ def step_with_ball(command, sight, k, play, off, speed, turn):
 
 @compiled
 def point_head(command, k, pan, tilt):
-    """Send the head to a pan and tilt [rad] instead of where it looks by itself."""
+    """Command a pan and tilt [rad] of the head, which replace its automatic gaze."""
     if k.head_pan_limit <= 0.0:
         return
     command.head, command.pan = 1.0, pan / k.head_pan_limit
@@ -107,9 +107,9 @@ def look_ahead(command, k):
 
 @compiled
 def glance(command, memory, own, k, play, off, elapsed):
-    """Look up while dribbling, to one side of the way and the other in turn, and at the ball again.
+    """Look up from the ball for a moment while dribbling, to alternate sides of the path, then at the ball again.
 
-    Longer if the robot is not sure where it is.
+    The look lasts longer if the robot is unsure of its own pose.
     """
     memory.glance += elapsed
     longer = max(play.unsure_glance - play.glance_time, 0.0) if own.confidence < play.unsure else 0.0

@@ -1,4 +1,4 @@
-"""What a player notes of the ball before a decision: when it was seen for certain, and when between the paws.  MS27
+"""The times that a player notes before a decision: since a certain sighting of the ball, and since possession.  MS27
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -20,7 +20,7 @@ AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, a
 
 @compiled
 def note_sighting(belief, memory, k, play, elapsed):
-    """Note how long ago the ball was seen for certain: some times in a row, and not off the field.
+    """Update the time since the ball was certainly seen: in several frames in a row, and on the field.
 
     A glimpse may show anything orange, such as the patches behind the boards.
     """
@@ -34,7 +34,7 @@ def note_sighting(belief, memory, k, play, elapsed):
 
 @compiled
 def lies_outside(belief, k, play):
-    """Tell whether a robot that knows where it is believes the ball behind the boards, by more than ranges err."""
+    """Tell whether a robot sure of its pose believes the ball behind the boards, by more than the error of ranges."""
     own, ball = belief.own, belief.ball
     if own.confidence < play.unsure:
         return False
@@ -46,9 +46,9 @@ def lies_outside(belief, k, play):
 
 @compiled
 def note_possession(ball, memory, k, play, elapsed):
-    """Note how long ago the ball was seen between the paws: it is gone if looking down does not show it.  MS27
+    """Update the time since the ball was seen between the paws; a look down that does not show the ball ends it.  MS27
 
-    It is also gone after a kick: then the robot looks after the ball.
+    A kick ends the possession too: the robot then looks after the ball.
     """
     memory.had_ball += elapsed
     memory.down = memory.down + elapsed if memory.glances == 0 else 0.0

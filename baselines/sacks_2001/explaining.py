@@ -1,4 +1,4 @@
-"""What a player of sacks-2001 tells people who watch: its behaviour, its way, and the forces that act on it.
+"""What a player of sacks-2001 tells people who watch: its behaviour, its path, and the forces that act on it.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -18,7 +18,7 @@ WAY_SHOWN = 0.5  # [m] of the way of a dribble, which has a direction and no end
 
 
 def plan(mind: Mind) -> np.ndarray:
-    """Return the way to a ball that the player approaches, or the way of its dribble; it plans no other way."""
+    """Return the path of the player's approach to the ball or of its dribble; the player plans no other paths."""
     own, ball, memory = mind.beliefs["own"][0], mind.beliefs["ball"][0], mind.memory[0]
     place = np.array([own["x"], own["y"]])
     if memory["behaviour"] == APPROACH:
@@ -29,7 +29,7 @@ def plan(mind: Mind) -> np.ndarray:
 
 
 def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the total force on the robot at each point, with its present heading; the goal is the target."""
+    """Return the total force on the robot, with its present heading, at each point; the goal replaces `target`."""
     total = np.zeros((len(points), 2))
     beliefs, tracks = mind.beliefs.copy(), mind.tracks.copy()
     force_field(mind.beliefs, mind.tracks, beliefs, tracks, mind.constants, mind.settings, points, total)
@@ -38,7 +38,7 @@ def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 @compiled
 def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, settings, points, total):
-    """Fill in the force at each point, by the code that the team dribbles by."""
+    """Fill in the force at each point, with the code that steers the team's dribbling."""
     k, play, own, moved = constants[0], settings[0], beliefs[0].own, moved_beliefs[0]
     for i in range(len(points)):
         move_to(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
@@ -52,7 +52,7 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
 
 @compiled
 def move_to(belief, tracks, moved, moved_tracks, x, y):
-    """Move the believed own place to (x, y); players and the ranger's obstacle stay where they are."""
+    """Move the believed own place to (x, y) in `moved` and `moved_tracks`; other robots stay where they are."""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
     ahead, left = into_frame(x - belief.own.x, y - belief.own.y, cosine, sine)
     moved.own.x, moved.own.y = x, y

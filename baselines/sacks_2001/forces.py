@@ -1,8 +1,8 @@
 """Artificial potential fields: the forces of Khatib and Sacks's changes to them.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
 
 Robot and players are points (MS44); distances are as sensed: from the camera to a player's surface (MS42). Walls are
-not sensed: their distance is that of the own place. Vectors are in metres of the team frame, the goal ahead; forces
-have no unit.
+not sensed: their distance follows from the believed own place. Vectors are in metres of the team frame, +x towards the
+opponents' goal; forces have no unit.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -42,10 +42,11 @@ def repulsion(distance, gain, far, play):
 
 @compiled
 def as_sensed(x, y, k, play):
-    """Return the vector [m], robot frame, to a player whose middle is believed at x, y: as the sensors gave it.  MS42
+    """Convert a player's believed middle x, y to the vector that sensors measure [m], robot frame.  MS42
 
-    From the camera, head level, to the player's surface, half a body nearer than its middle (as in MS35): beliefs add
-    both to the readings. "middle" is from middle to middle, 25 cm more for a player straight ahead.
+    The vector goes from the camera, head level, to the player's surface, half a body nearer than its middle (as in
+    MS35): beliefs add both to the readings. The setting "middle" keeps the vector from middle to middle, 25 cm longer
+    for a player straight ahead.
     """
     if play.distance_from != SURFACE:
         return x, y
@@ -61,7 +62,7 @@ def as_sensed(x, y, k, play):
 def player_force(dx, dy, goal_x, goal_y, play):
     """Return the force of a player at (dx, dy) [m] as sensed, the goal at (goal_x, goal_y).  MS41, MS42
 
-    Times max(0, cos(angle to player - angle to goal)): players beside or behind the robot do not repel.
+    A factor max(0, cos(angle to player - angle to goal)): players beside or behind the robot do not repel.
     """
     away = max(length(dx, dy), NEAREST)
     size = repulsion(away, play.player_gain, play.player_range, play)

@@ -1,4 +1,4 @@
-"""The goalkeeper: meet a shot by the ball's angular velocity, clear what lies near, guard the line.  MS53
+"""The goalkeeper: meet a shot by the ball's angular velocity, clear a near ball, guard the goal.  MS53
 
 The paper has the goalkeeper block balls (3.2) and react to their speed (5). It does not say how it blocks: here by a
 sidestep or, in a league whose goalkeepers can, by lying down with its forelegs spread. Nor does it say what the
@@ -20,15 +20,15 @@ SLOW = 0.3  # [m/s] the goalkeeper goes to a slower ball, assumed
 
 @compiled
 def is_shot(ball, play):
-    """Tell whether the ball comes nearer like a shot."""
+    """Tell whether the ball approaches as fast as a shot."""
     return ball.radial < -play.keeper_alarm and ball.age <= 0.5
 
 
 @compiled
 def passes_by(ball):
-    """Return how far to the left of the robot [m] a ball will pass that goes straight on: d^2 w / speed.  MS53
+    """Return how far to the left of the robot [m] a ball that rolls straight on will pass: d^2 w / speed.  MS53
 
-    From radial and angular velocity alone, as the robot sees them.
+    The estimate needs only the radial and angular velocity relative to the robot.
     """
     across = ball.distance * ball.angular
     speed = max(length(ball.radial, across), 1e-3)
@@ -37,9 +37,9 @@ def passes_by(ball):
 
 @compiled
 def meet_shot(command, sight, ball, k, play):
-    """Step aside to where the ball will pass, and face it; block it if it passes near enough.  MS53
+    """Move sideways to the point where the ball will pass, facing the ball; block it if it passes near enough.  MS53
 
-    Without the angular velocity the goalkeeper goes by the bearing alone: it keeps the ball ahead.
+    Without angular velocity the goalkeeper uses the bearing alone and keeps the ball straight ahead.
     """
     aside = passes_by(ball) if play.angular_keeper == 1 else ball.distance * ball.bearing
     within = play.settle
@@ -55,10 +55,10 @@ def meet_shot(command, sight, ball, k, play):
 
 @compiled
 def will_block(ball, aside, k, play):
-    """Tell whether it is time to spread the forelegs for a ball that passes so far [m] to the left.  MS53
+    """Tell whether to spread the forelegs now for a ball that will pass `aside` [m] to the left.  MS53
 
-    The legs reach the ball, and it comes within half of the time for which they stay spread. Where reactions do not
-    depend on the ball's speed, all balls count as fast.
+    The legs must reach the ball, and the ball must arrive within half the time for which the legs stay spread. Where
+    reactions do not depend on the ball's speed, all balls count as fast.
     """
     if play.keeper_blocks == 0 or k.block_raise_time <= 0.0:
         return False
@@ -82,7 +82,7 @@ def guard(command, sight, k, play):
 
 @compiled
 def may_clear(sight, play, k):
-    """Tell whether the ball lies so near to the goal, and so slow, that the goalkeeper fetches it."""
+    """Tell whether the goalkeeper goes for the ball: it is slow and near the goal."""
     near = length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < play.keeper_zone
     speed = length(sight.ball_vx, sight.ball_vy)
     nearly_slow = play.keeper_speed == 1 and speed < 2.0 * SLOW and sight.distance < play.near
@@ -91,6 +91,6 @@ def may_clear(sight, play, k):
 
 @compiled
 def can_clear(situation, sight, k, play):
-    """Tell whether a goalkeeper that has the ball kicks it clear now, since it faces away from its goal."""
+    """Tell whether a goalkeeper with the ball kicks it clear now: the goalkeeper faces away from its goal."""
     ux, uy = way_clear(sight, k)
     return play.keeper_clears == 1 and situation.keeper == 1 and faces(sight, ux, uy, CLEAR_COSINE)

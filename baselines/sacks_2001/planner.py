@@ -1,4 +1,4 @@
-"""The planner: what a player of sacks-2001 does, from what it believes.  [Sacks 2001, 2, 4]  MS01
+"""The planner: choose a behaviour for a player of sacks-2001 from its beliefs.  [Sacks 2001, 2, 4]  MS01
 
 Once a control step it reads the XLSs (sight, belief, tracks) and chooses one behaviour, whose XLA (`actuators.py`)
 commands legs and head.
@@ -82,7 +82,7 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def keep_out(memory, command, sight, k, play):
-    """Walk out of the own penalty area, and leave a ball in it to the goalkeeper: the rules ask it, not the paper."""
+    """Walk out of the own penalty area and leave a ball in it to the goalkeeper, by the rules, not by the paper."""
     in_it = is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius)
     if not leave_area(command, sight, k, play, 0.0) and in_it and memory.behaviour == APPROACH:
         wait_at_area(command, sight, k, play)
@@ -113,7 +113,7 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
 
 @compiled
 def wait_for_ball(situation, memory, sight, k, play, has_ball):
-    """Return the behaviour of a player that leaves the ball to others, or APPROACH if it goes for the ball."""
+    """Return the behaviour of a player that leaves the ball to other players, or APPROACH if it goes for the ball."""
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
         return GUARD
     if free_ring(situation, k) > 0.0:
@@ -125,13 +125,13 @@ def wait_for_ball(situation, memory, sight, k, play, has_ball):
 
 @compiled
 def is_kicking(memory):
-    """Tell whether the leg winds up for a kick, which cannot be called back."""
+    """Tell whether the leg winds up for a kick, which the robot can no longer cancel."""
     return (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > 0.0
 
 
 @compiled
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
-    """Return an attacker's behaviour: approach and notice when it is stuck, or play the ball.  MS22, MS26"""
+    """Return an attacker's behaviour: approach the ball (or recover when stuck), or play the ball.  MS22, MS26"""
     if not has_ball or is_contested(belief, tracks, play):
         watch_approach(belief.ball, memory, k, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
@@ -158,7 +158,7 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
 
 @compiled
 def is_contested(belief, tracks, play):
-    """Tell whether an opponent stands so near ahead that it has the ball between the paws as well.  MS27"""
+    """Tell whether an opponent stands so near ahead that it may have the ball between its paws as well.  MS27"""
     obstacle = belief.obstacle
     if 0.0 < obstacle.distance < play.contested_range and abs(obstacle.bearing) < play.contested_angle:
         return True
@@ -172,7 +172,7 @@ def is_contested(belief, tracks, play):
 
 @compiled
 def aim(sight, memory, k, play):
-    """Return the direction [rad], team frame, in which the ball is to go in the end: into the goal."""
+    """Return the direction [rad], team frame, from the ball to its target in the goal, plus the aiming error."""
     ux, uy = choose_target(sight, k, play)
     return wrap(atan2(uy, ux) + memory.aim_error)
 
@@ -212,7 +212,7 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def has_time(belief, memory, k, play):
-    """Tell whether a player that is not sure where it is may look for landmarks now: the ball is not near."""
+    """Tell whether a player unsure of its pose has time to look for landmarks now: the ball is not near."""
     chosen = memory.behaviour
     if belief.own.confidence > play.unsure or is_near(belief.ball, k, play):
         return False
@@ -243,7 +243,7 @@ def play_ball(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
-    """Push the ball along the way of the potential field, decided upon every play.replan.  MS45"""
+    """Push the ball along the direction that the potential field gives, chosen anew every play.replan.  MS45"""
     memory.replan -= elapsed
     if memory.clock == 0.0 or memory.replan <= 0.0:
         choose_way(belief, tracks, memory, k, play)
@@ -276,7 +276,7 @@ def pass_ball(command, memory, sight, k, play):
 
 @compiled
 def look_for_ball(belief, memory, command, sight, k, play, elapsed):
-    """Turn all the way round on the spot; then go to the own place, and look again."""
+    """Turn a full circle on the spot to find the ball; then walk to the player's own place and look again."""
     if memory.turned < FULL_TURN:
         search(command, sight, memory, k, play, belief.ball.bearing, elapsed)
         return

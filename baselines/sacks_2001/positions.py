@@ -35,7 +35,7 @@ def choose_role(belief, memory, play, elapsed):
 
 @compiled
 def support(command, sight, memory, situation, k, play, ring):
-    """Stand behind the ball and aside of it, in pairs by number, at least `ring` [m] away, and look at it."""
+    """Stand behind the ball and to one side of it, in pairs by number, at least `ring` [m] away, and face the ball."""
     if memory.side == 0.0 or abs(sight.ball_y) > CHANGE_SIDE:
         memory.side = -side_of(sight.ball_y)
     if ring > 0.0 and memory.attacks == 1:
@@ -55,7 +55,7 @@ def support(command, sight, memory, situation, k, play, ring):
 
 @compiled
 def wait_for_restart(command, sight, k, play, ring):
-    """Stand `ring` [m] before the ball, between it and the own goal."""
+    """Stand `ring` [m] from the ball, between ball and own goal."""
     home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(home_x, home_y), 1e-6)
     x, y = sight.ball_x + ring * home_x / away, sight.ball_y + ring * home_y / away
@@ -64,7 +64,7 @@ def wait_for_restart(command, sight, k, play, ring):
 
 @compiled
 def go_home(command, sight, situation, k, play):
-    """Go to the own place and look up the field, to wait for a ball that was not found all round."""
+    """Go to the player's own place and face up the field, to wait for a ball that a full turn did not find."""
     half = 0.25 * k.pitch_width
     y = half if situation.number % 2 == 0 else -half
     x = -0.5 * k.pitch_length + EDGE * k.body_reach if situation.keeper == 1 else -0.15 * k.pitch_length

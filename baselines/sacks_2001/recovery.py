@@ -1,4 +1,4 @@
-"""How a stuck robot gets free: back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]  MS23 to MS25
+"""How a stuck robot gets free: step back, sidestep or rotate, approach again.  [Sacks 2001, 3.4]  MS23 to MS25
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -17,7 +17,7 @@ ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed
 
 @compiled
 def begin_recovery(memory, k, play):
-    """Step back.  MS23"""
+    """Begin the recovery with steps backwards: set the time for them and the clock.  MS23"""
     forget_approach(memory)
     memory.tries += 1
     memory.behaviour, memory.clock = BACK, 0.0
@@ -26,7 +26,7 @@ def begin_recovery(memory, k, play):
 
 @compiled
 def go_on_recovering(belief, tracks, memory, k, play, elapsed):
-    """Choose the next piece of the recovery when the present one is over; the last is to approach again.  MS23, MS25"""
+    """Choose the next behaviour of the recovery when the present one is over; the last is APPROACH.  MS23, MS25"""
     memory.left -= elapsed
     bearing = belief.ball.bearing
     if memory.behaviour == ROTATE and abs(bearing) < FACING:
@@ -49,10 +49,10 @@ def go_on_recovering(belief, tracks, memory, k, play, elapsed):
 
 @compiled
 def side_to_step(belief, tracks, k, play):
-    """Return +1 for left, -1 for right: so that the ball gets between the robot and the opponents' goal.  MS24
+    """Return the side to step to, +1 left, -1 right, that brings the ball between robot and opponents' goal.  MS24
 
-    The line from the goal through the ball runs on there. sacks-2001-future goes where fewer players stand, if the
-    sides differ.
+    On that side the line from the goal through the ball passes the robot. sacks-2001-future chooses the side with fewer
+    players, if the numbers differ.
     """
     own, ball = belief.own, belief.ball
     if play.free_side == 1:
@@ -69,7 +69,7 @@ def side_to_step(belief, tracks, k, play):
 
 @compiled
 def crowd_on_left(tracks, play):
-    """Return how many more players stand near on the left than on the right."""
+    """Return the number of near players on the left less the number on the right."""
     crowd = 0
     for slot in range(tracks.shape[0]):
         track = tracks[slot]

@@ -1,7 +1,7 @@
 """The numbers and switches of the legged team of 2001.  [Sacks 2001, 3.3, 3.4, 4.2, 4.3]
 
-The paper's constants are the defaults. "assumed" marks a guess of ours where the paper gives no value; every rule that
-the paper compares with and without is a switch  (MS52).
+The paper's constants are the defaults. "assumed" marks our guess where the paper gives no value; every rule that the
+paper tests with and without is a switch  (MS52).
 """
 
 from dataclasses import dataclass

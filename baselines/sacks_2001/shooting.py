@@ -21,7 +21,7 @@ WIDEST_PASS = 1.2  # [rad] beside straight ahead, assumed
 
 @compiled
 def choose_target(sight, k, play):
-    """Return the unit vector from the ball to the middle of the goal; with `choose_shots` to where the goal is open."""
+    """Return the unit vector from the ball to the middle of the goal; with `choose_shots`, to the goal's open part."""
     if play.choose_shots == 1:
         ux, uy, room = choose_shot(sight, k)
         if room > play.shot_room:
@@ -33,7 +33,7 @@ def choose_target(sight, k, play):
 
 @compiled
 def may_shoot(belief, tracks, sight, memory, k, play):
-    """Tell whether the robot is to shoot as soon as it faces the goal: nobody has to be dribbled round.  MS26"""
+    """Tell whether to shoot as soon as the robot faces the goal: it need not dribble round another player.  MS26"""
     if play.shoots == 0:
         return False
     if play.choose_shots == 1:
@@ -61,7 +61,7 @@ def is_open(sight, memory, k, play):
 
 @compiled
 def find_pass(sight, k, play):
-    """Return which of the others in sight to pass to, -1 for nobody: the team-mate farthest up the field in reach."""
+    """Return the index in `sight` of the team-mate to pass to, the farthest up the field within reach; -1 for none."""
     _, _, room = choose_shot(sight, k)
     if room > play.shot_room:
         return -1

@@ -26,7 +26,7 @@ def direction_to_goal(own, k):
 
 @compiled
 def choose_way(belief, tracks, memory, k, play):
-    """Choose the way of a dribble: memory.way [rad], team frame, and the side of the goal on which it lies."""
+    """Choose the direction of a dribble: memory.way [rad], team frame, and its side of the goal's direction."""
     own = belief.own
     goal_x, goal_y = direction_to_goal(own, k)
     pull_x, pull_y = goal_force(goal_x, goal_y, play)
@@ -41,7 +41,7 @@ def choose_way(belief, tracks, memory, k, play):
 
 @compiled
 def force_of_players(belief, tracks, goal_x, goal_y, k, play):
-    """Return the sum of the players' forces, team frame; the ranger's obstacle stands in for one of them.  MS49"""
+    """Return the sum of the players' forces, team frame; the ranger's obstacle replaces the matching player.  MS49"""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
     replaced = player_behind(belief.obstacle, tracks, k, play)
     push_x = push_y = 0.0
@@ -62,14 +62,14 @@ def force_of_players(belief, tracks, goal_x, goal_y, k, play):
 
 @compiled
 def obstacle_as_sensed(obstacle, k, play):
-    """Return the vector [m], robot frame, to the ranger's obstacle, of the length of the reading.  MS42, MS49"""
+    """Return the vector [m], robot frame, to the ranger's obstacle; its length is the ranger's reading.  MS42, MS49"""
     x, y = obstacle.distance * cos(obstacle.bearing), obstacle.distance * sin(obstacle.bearing)
     return as_sensed(x, y, k, play)
 
 
 @compiled
 def player_behind(obstacle, tracks, k, play):
-    """Return the slot of the player that the ranger's obstacle must be, the nearest in bearing, or -1.  MS49"""
+    """Return the track's slot of the player that the ranger's obstacle must be, the nearest in bearing, or -1.  MS49"""
     best, nearest = -1, SAME
     if play.infrared_obstacle == 1 and obstacle.distance > 0.0:
         to_x, to_y = obstacle_as_sensed(obstacle, k, play)
@@ -83,10 +83,10 @@ def player_behind(obstacle, tracks, k, play):
 
 @compiled
 def limited(pull_x, pull_y, push_x, push_y, side, play):
-    """Return the direction of the total force off the goal's [rad], left positive, at most play.goal_limit.  MS46
+    """Return the angle [rad] from the goal's direction to the total force, left positive, within play.goal_limit.  MS46
 
-    MS47: where the others push mostly away from the goal, by more than 135 degrees, the robot keeps its side (+1, -1, 0
-    none).
+    MS47: where the players' force points away from the goal, by more than 135 degrees, the robot keeps its side, `side`
+    (+1, -1, 0 for none).
     """
     off = angle_between(pull_x, pull_y, pull_x + push_x, pull_y + push_y)
     if play.clamp == 0 or abs(off) <= play.goal_limit:
@@ -105,7 +105,7 @@ def angle_between(ax, ay, bx, by):
 
 @compiled
 def kept_longer(memory, off, play):
-    """Return the angle off the goal; a change of side must be asked for play.patience times in a row.  4.3.3"""
+    """Return the angle off the goal's direction; it changes side only after play.patience requests in a row.  4.3.3"""
     if off == 0.0:
         return off
     side = side_of(off)
@@ -118,7 +118,7 @@ def kept_longer(memory, off, play):
 
 @compiled
 def better_side(belief, tracks, goal_x, goal_y, side, k, play):
-    """Return the side, +1 or -1, on which fewer and farther players stand; the present one unless clearly worse."""
+    """Return the side, +1 or -1, with fewer and farther players; the present side unless it is clearly worse."""
     left = right = 1e-6
     goal = atan2(goal_y, goal_x)
     for slot in range(tracks.shape[0]):
@@ -136,9 +136,9 @@ def better_side(belief, tracks, goal_x, goal_y, side, k, play):
 
 @compiled
 def off_ahead(belief, tracks, memory, k, play):
-    """Return the direction of the next step off straight ahead [rad], at most 45 degrees: the ball is there.  MS48
+    """Return the direction of the next step off straight ahead [rad], at most 45 degrees, so as to keep the ball.  MS48
 
-    55 if another player stands right ahead: with less the legs interlock.
+    The limit is 55 degrees if another player stands right ahead: with less, the legs interlock.
     """
     off = wrap(memory.way - belief.own.heading)
     if play.body_clamp == 0:
@@ -165,7 +165,7 @@ def is_blocked(belief, tracks, k, play):
 
 @compiled
 def is_right_ahead(x, y, play):
-    """Tell whether x, y [m], robot frame, is near, and little aside of straight ahead.  MS48"""
+    """Tell whether a point x, y [m], robot frame, is near and almost straight ahead.  MS48"""
     return length(x, y) < play.blocked_range and abs(atan2(y, x)) < play.blocked_angle
 
 

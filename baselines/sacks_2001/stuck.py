@@ -16,7 +16,7 @@ ROUNDING = 1e-9
 
 @compiled
 def watch_approach(ball, memory, k, play, elapsed):
-    """Move both counters by what the ball did in `elapsed` [s] of approach: net readings, time near the ball.
+    """Update both counters for `elapsed` [s] of approach: net readings without progress, and time near the ball.
 
     MS19: +1 if the radial velocity is near zero or positive, -1 if it is significantly less than zero, never below
     zero; between the two the counter rests. The bands do not widen with the error of a velocity. However large the
@@ -49,13 +49,13 @@ def is_stuck(ball, memory, k, play):
 
 @compiled
 def is_near(ball, k, play):
-    """Tell whether the ball is so near, by the steadier filtered estimate, that steps are shortened.  MS20"""
+    """Tell whether the ball, by the steadier filtered estimate, is near enough for shorter steps.  MS20"""
     return from_camera(ball.filtered_distance, ball.filtered_bearing, k) < play.near
 
 
 @compiled
 def from_camera(distance, bearing, k):
-    """Return the distance [m] over the ground from the camera, level ahead, to a ball seen from the body's middle.
+    """Convert a ball's distance from the body's middle to its ground distance [m] from the camera, head level, ahead.
 
     The paper's ranges are readings, which count from the camera.
     """
@@ -64,7 +64,7 @@ def from_camera(distance, bearing, k):
 
 @compiled
 def share_of_step(ball, k, play):
-    """Return the share [1] of a full step on the way to the ball: in proportion to its distance once it is near.
+    """Return the share [1] of a full step to take on the approach: proportional to the distance once the ball is near.
 
     "our robots take smaller steps when they get close to the ball to avoid inadvertently kicking it away, and thus the
     ball's relative velocity drops close to zero": 35 cm is where "its step size begins to decrease", `near_step` of a
@@ -76,7 +76,7 @@ def share_of_step(ball, k, play):
 
 @compiled
 def forget_approach(memory):
-    """Begin to count anew."""
+    """Set the counters of the approach to zero."""
     memory.stuck = 0
     memory.near = 0.0
     memory.reading = 0.0

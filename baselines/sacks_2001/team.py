@@ -22,19 +22,19 @@ FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_sid
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team; `changes` are settings by name, ValueError for one that does not exist or cannot be."""
+    """Return the team; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
     settings = SacksSettings().changed({"strength": strength, **changes})
     return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 
 
 def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team with what the paper leaves to the future: passes, better goalkeeper, sidesteps and decisions."""
+    """Return the team with the paper's future work: passes, better goalkeeper, sidesteps and decisions."""
     settings = SacksSettings().changed({"strength": strength, **FUTURE, **changes})
     return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 
 
 def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team with other numbers than the paper's, which play better here (its page says which)."""
+    """Return the team with numbers that play better here than the paper's (the team's page lists them)."""
     settings = SacksSettings().changed({"strength": strength, **TUNED, **changes})
     return CompiledTeam("sacks-2001-tuned", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 

@@ -36,10 +36,10 @@ class MemoryNumbers(NamedTuple):
 def believe_kernel(
     make_scratch: Callable[..., Any], believe_robot: Callable[..., None], talk: Callable[..., None]
 ) -> Callable[..., None]:
-    """Return the compiled loop over matches and robots of a kind.
+    """Compile and return the loop over matches and robots of one kind of robot.
 
     believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table) updates one robot;
-    make_scratch() returns the `scratch` arrays for it. Its robot's rows are passed one by one, since each array in a
+    make_scratch() returns the `scratch` arrays for it. The robot's rows are separate arguments, since each array in a
     bundle would cost another reference count at every call.
     talk(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows) runs once for the robots of a match.
     """
@@ -48,7 +48,7 @@ def believe_kernel(
     def believe_slice(percepts, minds, numbers, asleep, rows, first, last):
         """Update the beliefs of some robots of a slice of matches from their percepts (M, R).
 
-        Nothing happens in matches that are `asleep` (M,): those that ended before this step.
+        Matches that are `asleep` (M,), because they ended before this step, stay unchanged.
         """
         numbers = MemoryNumbers(*numbers)
         k = numbers.constants[0]

@@ -10,7 +10,7 @@ from soccer_env.geometry import into_frame
 
 @compiled
 def motion_of(odometry):
-    """Return the forward, left [m] and turn [rad] of a frame's odometry in double precision.
+    """Return a frame's odometry in double precision: forward and left [m], turn [rad].
 
     odometry: a record that holds them in single precision, a BODY_PERCEPT or a MOTION.
     """
@@ -19,9 +19,9 @@ def motion_of(odometry):
 
 @compiled
 def move_point(x, y, forward, left, turn):
-    """Return a still point of the ground in the robot frame after the robot's own motion.  MS15, MS36
+    """Convert a fixed point of the ground to the robot frame after the robot's own motion.  MS15, MS36
 
-    x, y: the point before [m]; forward, left: the displacement [m] in the axes of before; turn [rad], left positive.
-    Exact for any motion: only the first and the last pose of a rigid body count, not the way between.
+    x, y: the point in the old frame [m]; forward, left: the displacement [m] in the old axes; turn [rad], left
+    positive. Exact for any motion: only the first and the last pose of a rigid body count, not the path between.
     """
     return into_frame(x - forward, y - left, cos(turn), sin(turn))

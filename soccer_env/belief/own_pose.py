@@ -53,9 +53,9 @@ POSE_MEMORY = record(
 
 @compiled
 def is_crowded(tracks, k):
-    """Return 1 if another player is believed so near that the two may touch, else 0.
+    """Return 1 if another player is believed near enough to touch the robot, else 0.
 
-    No sensor feels that a robot is pushed or held (MS06), but it sees a player that stands there to do it.
+    No sensor feels that the robot is pushed or held (MS06), but the robot sees the player that may do so.
     """
     for i in range(tracks.shape[0]):
         track = tracks[i]
@@ -66,9 +66,9 @@ def is_crowded(tracks, k):
 
 @compiled
 def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
-    """Update the own pose from what the robot feels or is told; return whether its particles are due.
+    """Update the own pose from odometry or a given pose; return whether the particles are due for an update.
 
-    crowded: 1 while another player may be pushing or holding the robot, who cannot feel it.
+    crowded: 1 while another player may be pushing or holding the robot, which cannot feel that.
     """
     forward, left, turn = motion_of(body)
     own.forward, own.left, own.turn = forward / k.dt, left / k.dt, turn / k.dt
@@ -103,7 +103,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
 
 @compiled
 def add_motion(memory, forward, left, turn, crowded):
-    """Add a frame's odometry [m, m, rad], and how long others were near [s], since the particles were moved."""
+    """Add a frame's odometry [m, m, rad], and the time with a player near [s], to the sums of motion."""
     cosine, sine = cos(memory.turn), sin(memory.turn)
     ahead, aside = out_of_frame(forward, left, cosine, sine)
     memory.ahead += ahead
@@ -117,17 +117,17 @@ def add_motion(memory, forward, left, turn, crowded):
 
 @compiled
 def forget_motion(memory):
-    """Begin to add up the odometry anew."""
+    """Reset the sums of odometry."""
     memory.ahead = memory.left = memory.turn = memory.path = memory.turned = memory.crowded = 0.0
     memory.frames = 0
 
 
 @compiled
 def motion_since(memory, k, w):
-    """Return the motion since the particles were moved, as `move_particle` takes it, and begin anew.
+    """Return the motion since the particles were moved, in the form for `move_particle`, and reset the sums.
 
-    Its deviations grow with the way (feet and wheels slip), with time, and most of all while another player is near:
-    legs and wheels do not feel that the body is pushed, turned or held.
+    The motion's deviations grow with the distance (feet and wheels slip), with time, and most of all while another
+    player is near: legs and wheels do not feel that the body is pushed, turned or held.
     """
     cosine, sine = cos(memory.turn), sin(memory.turn)
     ahead, left = into_frame(memory.ahead, memory.left, cosine, sine)
@@ -141,13 +141,13 @@ def motion_since(memory, k, w):
 
 @compiled
 def field_of(k):
-    """Return half the length and width of where a robot can be [m]."""
+    """Return half the length and half the width [m] of the area where a robot can be: pitch and band."""
     return 0.5 * k.pitch_length + k.pitch_band_end, 0.5 * k.pitch_width + k.pitch_band_side
 
 
 @compiled
 def go_on_blind(own, memory, particles, noise, hand, k, w):
-    """Move the particles after PATIENCE although the robot sees nothing.
+    """Move the particles after PATIENCE updates without any measurement.
 
     The confidence is then the share of particles that are still near the pose.
     """
@@ -161,9 +161,10 @@ def go_on_blind(own, memory, particles, noise, hand, k, w):
 
 @compiled
 def conclude(own, memory, particles, seen, noise, w):
-    """Estimate the own pose from particles weighed by `seen` measurements, and resample; return whether some are free.
+    """Estimate the own pose from particles weighed by `seen` measurements; resample; return whether some are free.
 
-    The confidence is the cluster's share of the weight, lower for a wide cluster and for a bad fit.
+    Free particles have weight 0 and need new poses. The confidence is the share of weight in the heaviest cluster,
+    lower for a wide cluster and for a bad fit.
     """
     count = particles.shape[0]
     total, cost, best = weights_from_costs(particles)

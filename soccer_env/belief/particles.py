@@ -40,13 +40,13 @@ PARTICLE = record(
 
 @compiled
 def draw(noise):
-    """Draw from the triangular distribution of mean 0 and deviation 1: cheap, and never far out."""
+    """Draw from the triangular distribution of mean 0 and deviation 1: cheap, and without outliers."""
     return TRIANGLE * (uniform(noise, PARTICLES) + uniform(noise, PARTICLES) - 1.0)
 
 
 @compiled
 def bounded(square, most):
-    """Return a cost that begins as half the squared error [sd2] and ends at half of `most`: an outlier costs no more.
+    """Return the cost of a squared error [sd2]: half of it when small, at most half of `most` for an outlier.
 
     Half of e2 / (1 + e2 / most), the shape of the error of [Lauer, Lange, Riedmiller 2006].
     """
@@ -55,7 +55,7 @@ def bounded(square, most):
 
 @compiled
 def place_particles(particles, own, spread, turn_spread, noise, hand):
-    """Put all particles round the own pose, with deviations [m] and [rad]."""
+    """Draw all particles around the own pose, with deviations `spread` [m] and `turn_spread` [rad]."""
     for i in range(particles.shape[0]):
         particle = particles[i]
         particle.x = own.x + spread * draw(noise)
@@ -66,14 +66,14 @@ def place_particles(particles, own, spread, turn_spread, noise, hand):
 
 @compiled
 def scatter_particles(particles, half_length, half_width, noise, hand):
-    """Spread all particles evenly over the field: nothing is known."""
+    """Draw all particles uniformly over the field, since nothing is known."""
     for i in range(particles.shape[0]):
         scatter(particles[i], half_length, half_width, noise, hand)
 
 
 @compiled
 def scatter(particle, half_length, half_width, noise, hand):
-    """Put a particle anywhere on the field, facing anywhere."""
+    """Draw a particle's pose uniformly over the field and all headings."""
     particle.x = half_length * (2.0 * uniform(noise, PARTICLES) - 1.0)
     particle.y = hand * half_width * (2.0 * uniform(noise, PARTICLES) - 1.0)
     particle.heading = hand * pi * (2.0 * uniform(noise, PARTICLES) - 1.0)
@@ -84,8 +84,8 @@ def scatter(particle, half_length, half_width, noise, hand):
 def move_particle(particle, motion, half_length, half_width, noise, hand):
     """Move a particle by the robot's motion with noise; return its x, y, and the cosine and sine of its heading.
 
-    motion: ahead and left [m] in the axes at its end, turn [rad], the deviations of place [m] and heading [rad], and
-    the share of particles that stay behind: a robot that is held walks on the spot.
+    motion: forward and left [m] in the axes at the end of the motion, turn [rad], the deviations of place [m] and
+    heading [rad], and the share of particles that stay behind, since a robot that is held walks on the spot.
     """
     ahead, left, turn, spread, turn_spread, stuck = motion
     if uniform(noise, PARTICLES) < stuck:
@@ -109,7 +109,7 @@ def move_particles(particles, motion, half_length, half_width, noise, hand):
 
 @compiled
 def weights_from_costs(particles):
-    """Turn costs into weights, 1 for the best; return their sum, the mean cost, and the number of the best particle."""
+    """Turn costs into weights, 1 for the best; return the sum of weights, the mean cost, and the index of the best."""
     best = 0
     summed = 0.0
     for i in range(particles.shape[0]):
@@ -126,10 +126,10 @@ def weights_from_costs(particles):
 
 @compiled
 def share_of_fresh(memory, fit, w):
-    """Return the share of particles to draw anew, from a fit in (0, 1] of the particles to what is seen.
+    """Return the share of particles to draw anew, from the fit in (0, 1] of the particles to the measurements.
 
-    It rises as the short-term average of the fit falls below the long-term one, or below what a robot that knows where
-    it is can expect.  [Gutmann, Fox 2002; Lenser, Veloso 2000]
+    The share rises as the short-term average of the fit falls below the long-term average, or below the expected fit of
+    a robot that knows its pose.  [Gutmann, Fox 2002; Lenser, Veloso 2000]
     """
     memory.fast += w.pose_fast * (fit - memory.fast)
     memory.slow += w.pose_slow * (fit - memory.slow)
@@ -142,7 +142,7 @@ def share_of_fresh(memory, fit, w):
 def cluster_near(particles, x, y, heading, w):
     """Return weight, mean x, y, heading and squared spread [m2] of the particles near a pose.
 
-    Near is within `pose_radius` [m] and `pose_angle` [rad]; without any the pose itself, weight and spread 0.
+    Near is within `pose_radius` [m] and `pose_angle` [rad]; with none near, return the pose, weight 0 and spread 0.
     """
     weight = along = across = turned = squares = 0.0
     most = w.pose_radius * w.pose_radius
@@ -169,7 +169,7 @@ def cluster_near(particles, x, y, heading, w):
 
 @compiled
 def estimate(particles, own, total, best, w):
-    """Take the mean of the heaviest cluster as the own pose; return its weight and squared spread [m2].
+    """Take the mean of the heaviest cluster as the own pose; return the cluster's weight and squared spread [m2].
 
     The cluster round the believed pose is left only for a clearly heavier one: the mean of two clusters would lie in
     neither.
@@ -185,7 +185,7 @@ def estimate(particles, own, total, best, w):
 
 @compiled
 def resample(particles, total, kept, noise):
-    """Keep `kept` particles, each as often as its weight deserves (systematic resampling); the others get weight 0.
+    """Resample `kept` particles in proportion to their weights (systematic resampling); the others get weight 0.
 
     In place: a kept particle stays in its row and its copies fill the rows of dropped ones. The weights sum to `total`;
     kept particles get the weight 1.
@@ -214,10 +214,10 @@ def resample(particles, total, kept, noise):
 
 @compiled
 def draw_seeing(particle, sight, half_length, half_width, noise, hand):
-    """Draw a pose from which a known thing is seen at its measured bearing, and at its range if that is known.
+    """Draw a particle's pose from which a known thing is seen at its measured bearing, and at its range if known.
 
     sight: x, y of the thing [m], its direction as a unit vector of the robot frame, its range [m] (0 unknown), the
-    share of the range by which that errs, and x, y of the camera in the robot frame [m].
+    relative error of the range, and x, y of the camera in the robot frame [m].
     """
     x, y, ahead, left, far, error, camera_x, camera_y = sight
     at_x = half_length * (2.0 * uniform(noise, PARTICLES) - 1.0)

@@ -25,7 +25,7 @@ REMEMBERED = 2.0  # periods for which a word counts after its arrival
 
 
 def message_of(kind: np.dtype) -> np.dtype:
-    """Return the record of a robot's messages, in words or reports."""
+    """Return the dtype of a robot's messages, for a `kind` of report: words or radio reports."""
     return record(
         [
             ("reports", kind, (2,)),  # the last one that arrived, and the one on its way
@@ -47,7 +47,7 @@ def frames_between(period, delay, k):
 
 @compiled
 def deliver(message, frame):
-    """Let the message that is on its way arrive when it is due."""
+    """Mark the message on its way as arrived, if it is due in this frame."""
     if message.flying == 1 and frame >= message.due:
         message.latest = 1 - message.latest
         message.known = message.fresh = 1
@@ -56,16 +56,16 @@ def deliver(message, frame):
 
 @compiled
 def send(message, frame, wait, lost):
-    """Send the report that was written, or lose it."""
+    """Send the report that was written, due `wait` frames later, unless it is lost."""
     message.reports[1 - message.latest].frame = frame
     message.flying, message.due = 0 if lost else 1, frame + wait
 
 
 @compiled
 def hear(heard, messages, r, frame, frames, k, home, rows):
-    """Fill in the word of the team-mate nearest to the ball, from messages at most `frames` old.
+    """Fill in the word heard from the team-mate nearest to the ball, out of messages at most `frames` old.
 
-    Team-mates that are equally near and equally recent say the same word, so that either may be taken.
+    Team-mates with equal distances and equally old messages say the same word, so that either may be taken.
     """
     heard.word = SILENT
     heard.distance = inf

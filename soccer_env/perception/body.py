@@ -56,11 +56,11 @@ def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
 
 @compiled
 def count_steps(robot, body, k, s):
-    """Fill in the odometry: what the legs or wheels did in this frame, whatever the ground made of it.  MS06
+    """Fill in the odometry: the motion of legs or wheels in this frame, with or without slip on the ground.  MS06
 
     The robot feels neither slip nor pushing: when stuck, it believes that it walks. The body keeps its direction over
-    the ground during a step, so the walk is the displacement in the axes of the last frame. Errors are factors on the
-    measurement and the same in a mirror, so handedness plays no part.
+    the ground during a step, so the odometry is the displacement in the axes of the last frame. Errors are factors on
+    the measurement and equal in a mirrored match, so handedness plays no part.
     """
     body.forward = measured(robot.walk.forward * k.dt, robot.noise, s)
     body.left = measured(robot.walk.left * k.dt, robot.noise, s)
@@ -69,13 +69,13 @@ def count_steps(robot, body, k, s):
 
 @compiled
 def measured(step, noise, s):
-    """Return a step as the encoders of legs or wheels measure it; standing still is measured without error."""
+    """Return a step with the measurement error of the encoders in legs or wheels; a step of 0 has no error."""
     return 0.0 if step == 0.0 else step * (1.0 + s.odometry_noise * normal(noise, ODOMETRY))
 
 
 @compiled
 def light_barrier(robot, body, s):
-    """Fill in whether the light barrier at the kicker is broken; in a share of the frames the reading is wrong."""
+    """Fill in whether the ball breaks the light barrier at the kicker; a share of the readings is wrong."""
     wrong = uniform(robot.noise, BARRIER) < s.barrier_miss
     body.held = 1 if (robot.has_ball == 1) != wrong else 0
 
@@ -106,7 +106,7 @@ def follow_pose(match, robot, body, error, k, s, first):
 
 @compiled
 def tell_pose(match, robot, body, s):
-    """Fill in the pose that a robot is told when it is placed: a hand's breadth off the true one."""
+    """Fill in the pose that a robot is told when it is placed: true to about a hand's breadth."""
     hand = match.handedness
     x = s.place_noise * normal(robot.noise, POSE)
     y = s.place_noise * hand * normal(robot.noise, POSE)

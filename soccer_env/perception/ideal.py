@@ -60,7 +60,7 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
 
 @compiled
 def own_pose(match, robot, own, cosine, sine):
-    """Fill in the robot's own pose, in its team's frame, and its speeds."""
+    """Fill in the robot's own pose, in its team's frame, and its speeds, from the truth."""
     side = direction_of(match, robot.team)
     own.x, own.y = side * robot.x, side * robot.y
     own.heading = robot.heading if side > 0.0 else wrap(robot.heading + pi)
@@ -71,7 +71,7 @@ def own_pose(match, robot, own, cosine, sine):
 
 @compiled
 def ball_truth(robot, ball, believed, cosine, sine):
-    """Fill in where the ball lies and how it moves."""
+    """Fill in the ball's true place and velocity."""
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
     believed.x, believed.y = ahead, left
@@ -89,7 +89,7 @@ def ball_truth(robot, ball, believed, cosine, sine):
 
 @compiled
 def situation(match, robots, known, r):
-    """Fill in what robot r may know of the match: phase, score, time, numbers."""
+    """Fill in the state of the match that robot r may know: phase, score, time, numbers."""
     team = robots[r].team
     known.phase = match.phase
     known.placing = match.placing
@@ -110,7 +110,7 @@ def situation(match, robots, known, r):
 
 @compiled
 def heard_truth(ball, robots, heard, r):
-    """Fill in the distance to the ball of the team-mate nearest to it, as if all told the truth at once."""
+    """Fill in the ball's true distance from the nearest team-mate, as if reports had no delay or error."""
     nearest = inf
     for other in range(robots.shape[0]):
         if other != r and robots[other].team == robots[r].team and robots[other].active == 1:
@@ -121,7 +121,7 @@ def heard_truth(ball, robots, heard, r):
 
 @compiled
 def seconds_left(match):
-    """Return the time of play to the final whistle [s]; inf without an end."""
+    """Return the time of play left until the final whistle [s]; inf for an endless match."""
     if match.half_length == inf:
         return inf
     return max((2 - match.half) * match.half_length - match.clock, 0.0)
@@ -129,7 +129,7 @@ def seconds_left(match):
 
 @compiled
 def nearest_players(robots, r, same_team, slots, rows, squares):
-    """Fill `rows` with the `slots` nearest active players of a kind, nearest first; return how many there are.
+    """Fill `rows` with the `slots` nearest active team-mates or opponents, nearest first; return how many there are.
 
     `same_team` 1 asks for team-mates of robot r, 0 for opponents; equal distances go by row. `squares` is a scratch
     array for their squared distances.
@@ -154,7 +154,7 @@ def nearest_players(robots, r, same_team, slots, rows, squares):
 
 @compiled
 def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
-    """Fill `slots` slots from `first` on with the nearest players of a kind, nearest first."""
+    """Fill the `slots` tracks from `first` on with the nearest team-mates or opponents, nearest first."""
     count = nearest_players(robots, r, same_team, slots, rows, squares)
     for slot in range(count):
         see_player(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)

@@ -30,7 +30,7 @@ class SensorNumbers(NamedTuple):
 
 
 def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., None]) -> Callable[..., None]:
-    """Return the compiled loop over matches and robots of a kind.
+    """Compile and return the loop over matches and robots of one kind of robot.
 
     sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s) fills in robot r's percept, except what
     its body feels; make_scratch(k, s) returns the `scratch` arrays for it.
@@ -38,7 +38,7 @@ def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., No
 
     @compiled
     def sense_slice(world, sensing, numbers, asleep, rows, first, last):
-        """Fill the percepts of some robots of a slice of matches; matches that are `asleep` (M,) keep theirs."""
+        """Fill the percepts of some robots of a slice of matches; matches that are `asleep` (M,) stay unchanged."""
         world = World(*world)
         numbers = SensorNumbers(*numbers)
         k, s = numbers.constants[0], numbers.sensors[0]

@@ -5,8 +5,8 @@ Word 1 is below NEAREST, each further word covers a range GROWTH times as long, 
     word       1      2      3      4      5      6      7     8     9    10    11    12    13    14    15
     up to   0.12   0.15   0.20   0.25   0.32   0.41   0.53  0.68  0.86  1.11  1.42  1.81  2.32  2.97   inf  [m]
 
-So the words tell near robots apart, which may want the same ball, but not far ones. Word 0 says that the robot does
-not see the ball.
+So the words distinguish robots near the ball, which may compete for it, but not far robots. Word 0 says that the robot
+does not see the ball.
 """
 
 from math import inf, sqrt
@@ -32,7 +32,7 @@ def word_for(distance: float) -> int:
 
 @compiled
 def distance_of(word: int) -> float:
-    """Return the distance that a word stands for [m]: the middle of its range by ratio; inf for word 0."""
+    """Return the distance that a word stands for [m]: the geometric mean of its range; inf for word 0."""
     if word <= SILENT:
         return inf
     distance = NEAREST / sqrt(GROWTH)

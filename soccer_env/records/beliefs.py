@@ -110,7 +110,7 @@ def clear_slots(tracks, first, last):
 
 @compiled
 def forget(track):
-    """Empty a slot: a TRACK of nobody."""
+    """Reset a slot to an empty TRACK."""
     track.present = track.teammate = track.keeper = 0
     track.number = UNKNOWN
     track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0

@@ -1,9 +1,9 @@
 """Records of percepts: what a robot's sensors delivered in one frame, and nothing else.
 
-A robot names what it sees from its own side: own goal, team-mates. It knows its jersey and the half that it defends,
-so colours need no names of their own. Pixels are whole numbers, everything else is single precision: a percept is as
-fine as the sensor, and small. What a sensor remembers and does not deliver, such as its own error, lies in a record of
-perception/ that nobody else receives.
+Percepts are named from the robot's own side: own goal, team-mates. A robot knows its jersey and the half that it
+defends, so colours need no names. Pixels are whole numbers, everything else is single precision: a percept is as fine
+as the sensor, and small. A sensor's hidden state, such as its own error, lies in a record of perception/ that no other
+code receives.
 
     legged        LEGGED_PERCEPT: blobs in the image of a camera on a moving head, an infrared ranger on its axis
     middle size   OMNI_PERCEPT: bearings and distances from an omnidirectional camera, white lines, a light barrier

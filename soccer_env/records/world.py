@@ -2,8 +2,8 @@
 
 Code that takes a World sees the truth. Neither belief/ nor a team ever gets one.
 
-Bundles go into kernels as plain tuples, which numba recognises half a microsecond faster each, and get their names
-there: `world = World(*world)` costs nothing.
+Bundles go into kernels as plain tuples, each of which numba recognises half a microsecond faster, and become named
+tuples there: `world = World(*world)` costs nothing.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from soccer_env.types import BALL, EVENTS, MATCH, ROBOT, ROBOT_EVENTS
 
 
 class World(NamedTuple):
-    """The records of M matches of R robots each, and what happened to them in the last control step."""
+    """The records of M matches of R robots each, and their events in the last control step."""
 
     matches: np.ndarray  # (M,) MATCH
     balls: np.ndarray  # (M,) BALL
@@ -26,7 +26,7 @@ class World(NamedTuple):
 
     @classmethod
     def empty(cls, matches: int, robots: int) -> World:
-        """Return zeroed records."""
+        """Return a World of zeroed records for M matches of R robots."""
         return cls(
             np.zeros(matches, MATCH),
             np.zeros(matches, BALL),

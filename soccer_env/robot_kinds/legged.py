@@ -21,7 +21,7 @@ GROUPS: tuple[Group, ...] = (  # percepts of a camera on a head; those of severa
 
 
 def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
-    """Return head, blobs and obstacle of robots (R,), each (R, n, parts)."""
+    """Return the columns that a replay keeps of robots (R,): head, blobs and obstacle, each (R, n, parts)."""
     obstacle = beliefs["obstacle"]
     arrays = {"head": np.stack([CENTI * percepts["pan"], CENTI * percepts["tilt"]], axis=-1)[:, None]}
     arrays["obstacle"] = np.stack([CENTI * obstacle["bearing"], CENTI * obstacle["distance"]], axis=-1)[:, None]
@@ -33,7 +33,7 @@ def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def seen(percepts: np.ndarray) -> Seen:
-    """Return what percepts (R,) show."""
+    """Return the summary `Seen` of percepts (R,): ball, goals, number of players and of landmarks, ranger."""
     ball, own_goal, opponent_goal = (percepts[name]["area"][:, 0] > 0 for name in ("ball", "own_goal", "opponent_goal"))
     mates, opponents, marks = ((percepts[n]["area"] > 0).sum(axis=1) for n in ("teammates", "opponents", "landmarks"))
     return Seen(ball, own_goal, opponent_goal, mates + opponents, marks, percepts["infrared"])

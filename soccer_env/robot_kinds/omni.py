@@ -19,7 +19,7 @@ GROUPS: tuple[Group, ...] = (
 
 
 def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
-    """Return sightings and lines of robots (R,), each (R, n, parts)."""
+    """Return the columns that a replay keeps of robots (R,): sightings and lines, each (R, n, parts)."""
     arrays = {}
     for name, count, _ in GROUPS[:-1]:
         things = percepts[name].reshape(len(percepts), -1)[:, :count]
@@ -30,7 +30,7 @@ def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def seen(percepts: np.ndarray) -> Seen:
-    """Return what percepts (R,) show; these robots have no ranger."""
+    """Return the summary `Seen` of percepts (R,): ball, goals, players and lines; these robots have no ranger."""
     ball, own_goal, opponent_goal = (percepts[name]["seen"] > 0 for name in ("ball", "own_goal", "opponent_goal"))
     players, lines = percepts["players"]["seen"].sum(axis=1), (percepts["lines"] > 0.0).sum(axis=1)
     return Seen(ball, own_goal, opponent_goal, players, lines, np.zeros(len(percepts)))

@@ -1,6 +1,6 @@
 """Skills that scripted players share, from a belief to a command.
 
-sight.py          a belief, turned into the team frame once a decision
+sight.py          a belief, converted to the team frame once a decision
 moves.py          ways to move, to aim and to play the ball
 carrying.py       the ball carried between the paws or the arms of the guide
 deciding.py       when a player decides, and how its strength limits it

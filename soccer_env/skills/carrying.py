@@ -16,7 +16,7 @@ SLOW = 0.4  # [m/s] at which the ball is pushed at least, also towards a line, a
 
 @compiled
 def turn_to_goal(command, sight, memory, k, play, ux, uy):
-    """Turn with the ball in front, walking on so that it stays there; a base that steps aside turns about the ball."""
+    """Turn with the ball while walking, which keeps the ball in front; an omnidirectional base turns about the ball."""
     error = wrap(atan2(uy, ux) - sight.heading)
     if play.circle_share > 0.0:
         turn_about_ball(command, sight, memory, k, play, error)
@@ -30,10 +30,11 @@ def turn_to_goal(command, sight, memory, k, play, ux, uy):
 
 @compiled
 def turn_about_ball(command, sight, memory, k, play, error):
-    """Turn by `error` [rad] on a circle about the ball, only as fast as the motors can follow it.
+    """Turn by `error` [rad] on a circle about the ball, as fast as the motors can follow.
 
-    A circle of radius r takes w^2 r across, and a change of the turn r dw/dt along it: each gets the same share of what
-    the wheels give. A robot that turns faster, or before its wheels have moved it aside, loses the ball.
+    A circle of radius r needs the acceleration w^2 r across, and a change of the turn rate needs r dw/dt along the
+    circle: each gets an equal share of the wheels' acceleration. A robot that turns faster, or before its wheels have
+    moved it sideways, loses the ball.
     """
     rate = sqrt(play.circle_share * k.drive_acceleration / sight.touch) * sight.pace
     last = clip(memory.turn * k.drive_turn, -rate, rate)
@@ -45,7 +46,7 @@ def turn_about_ball(command, sight, memory, k, play, error):
 
 @compiled
 def is_pressed(sight):
-    """Tell whether an opponent is at the ball too."""
+    """Tell whether an opponent is at the ball as well as the player."""
     for i in range(sight.others):
         away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
         if sight.mate[i] == 0 and away < PRESSED:
@@ -57,7 +58,7 @@ def is_pressed(sight):
 def is_opposed(sight, ux, uy):
     """Tell whether an opponent stands at the ball, against a push along the unit vector (ux, uy).
 
-    A ball pressed between two robots at speed shoots out aside. An opponent beside or behind the ball does not press.
+    A ball pressed between two robots at speed shoots out sideways. An opponent beside or behind it does not press.
     """
     for i in range(sight.others):
         x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
@@ -69,7 +70,7 @@ def is_opposed(sight, ux, uy):
 
 @compiled
 def pushing_speed(sight, k, ux, uy):
-    """Return how fast a ball at the feet may be pushed along (ux, uy) [m/s]: at full speed towards the goal."""
+    """Return the speed [m/s] at which to push a ball at the feet along (ux, uy): full speed towards the goal."""
     if is_opposed(sight, ux, uy):
         return SLOW
     return line_speed(sight, k, ux, uy) if goal_room(sight, k, ux, uy) < 0.0 else k.drive_forward
@@ -77,5 +78,5 @@ def pushing_speed(sight, k, ux, uy):
 
 @compiled
 def line_speed(sight, k, ux, uy):
-    """Return how fast to push the ball along (ux, uy) [m/s]: half as fast as it may roll and stay on the pitch."""
+    """Return the speed [m/s] at which to push the ball along (ux, uy): half the speed that rolls it off the pitch."""
     return max(0.5 * sqrt(2.0 * k.ball_rolling * free_way(sight, k, ux, uy)), SLOW)

@@ -1,4 +1,4 @@
-"""When a scripted player decides, how its strength limits it, and how far it keeps off the opponents' restart.
+"""When a scripted player decides, how its strength limits it, and how far it stays from the opponents' restart.
 
 A team's memory has `wait` and `aim_error`, and `forward`, `aside`, `turn` and `kick` for the command that is repeated.
 
@@ -31,9 +31,10 @@ def must_decide(belief, memory, command, k):
 
 @compiled
 def apply_strength(sight, memory, noise, k, weakness, wait, aim, pace):
-    """Set how long this decision lasts, how far the aim is off and how fast the player may be.
+    """Set how long this decision lasts, the error of its aim, and the player's top speed.
 
-    `weakness` is 0 to 1; at 1 it waits `wait` [s], aims off by `aim` [rad] in deviation, and has `pace` [1].
+    `weakness` is 0 to 1; at 1 a player waits `wait` [s], has an aiming error of deviation `aim` [rad], and moves at
+    most at `pace` [1] times its top speed.
     """
     memory.wait = weakness * wait
     memory.aim_error = weakness * aim * normal(noise, TEAM)
@@ -50,7 +51,7 @@ def keep_decision(memory, command):
 
 @compiled
 def free_ring(situation, k):
-    """Return how far from the ball the rules ask a player to stay now [m]; 0 in play and at the own restart."""
+    """Return the distance [m] from the ball that the rules demand of a player now; 0 in play and at the own restart."""
     if situation.phase == PLAY or situation.ours >= 0.0:
         return 0.0
     far = k.rules_kick_off_distance if situation.phase == KICK_OFF else k.rules_restart_distance

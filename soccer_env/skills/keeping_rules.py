@@ -1,8 +1,8 @@
 """How the chaser's field players keep the legged league's rules: out of their own penalty area, and no shoving.
 
-The own area is the goalkeeper's, and so is a ball in it: an attacker waits at its edge, and a player inside comes out
-by the shortest way. A player that has walked into an opponent for nearly as long as allowed steps back from it, from a
-goalkeeper in its area wherever the ball is; the player nearest to the ball may push others for it.
+Only the goalkeeper plays a ball in the own area: an attacker waits at the area's edge, and a player inside leaves it
+by the shortest way. A player that has walked into an opponent for nearly the allowed time steps back. The player
+nearest to the ball may push opponents on its way to the ball, but never a goalkeeper in its area.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -47,7 +47,7 @@ def out_of_own_area(x, y, k, room):
 
 @compiled
 def leave_area(command, sight, k, play, berth):
-    """Walk out of the own penalty area by the shortest way; tell whether it is less than `berth` [m] off it."""
+    """Walk out of the own penalty area by the shortest way; return whether the player was within `berth` [m] of it."""
     if not is_in_own_area(sight.x, sight.y, k, k.body_reach + berth):
         return False
     x, y = out_of_own_area(sight.x, sight.y, k, k.body_reach + berth + ROOM)
@@ -61,7 +61,7 @@ def leave_area(command, sight, k, play, berth):
 
 @compiled
 def wait_at_area(command, sight, k, play):
-    """Wait at the edge of the own area for the ball that the goalkeeper has to clear, out of its way."""
+    """Wait at the edge of the own area, out of the goalkeeper's way, for the ball that the goalkeeper has to clear."""
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     away = max(length(x, y), 1e-6)
     x, y = sight.ball_x + WAIT * x / away, sight.ball_y + WAIT * side_of(y) * max(abs(y) / away, 0.5)
@@ -74,8 +74,8 @@ def wait_at_area(command, sight, k, play):
 def mind_pushing(obstacle, command, sight, memory, k, retreat):
     """Step back from an opponent that the player has walked into, `retreat` [s] before the allowed time is over.
 
-    A player that looks down at the ball does not see who is behind it, and robots do not feel contacts: near the
-    opponents' goal it walks on with the ball for a while, then stands for as long.
+    A player that looks down at the ball does not see a robot behind the ball, and robots do not feel contacts: near the
+    opponents' goal a player walks on with the ball for a while, then stands for as long.
     """
     if k.rules_pushing + k.rules_keeper_pushing == 0 or k.legs + k.walled == 0:
         return
@@ -101,7 +101,7 @@ def mind_pushing(obstacle, command, sight, memory, k, retreat):
 
 @compiled
 def may_meet_keeper(obstacle, command, sight, memory, k):
-    """Tell whether the player walks on with a ball at its feet near the opponents' goal, where a keeper may stand."""
+    """Tell whether the player walks with a ball at its feet near the opponents' goal, where it may meet a keeper."""
     if k.rules_keeper_pushing == 0 or memory.sweep > 0.0 or command.forward < PRESS:
         return False
     if not is_in_own_area(-sight.ball_x, sight.ball_y, k, k.body_reach):
@@ -112,7 +112,7 @@ def may_meet_keeper(obstacle, command, sight, memory, k):
 
 @compiled
 def walks_into(command, sight, k):
-    """Return the slot of the opponent that the player walks into and the allowed time [s]; -1 if there is none."""
+    """Return the index of the opponent that the player walks into, -1 for none, and the allowed time [s]."""
     slot, allowed, near = -1, inf, TOUCH * k.body_reach
     exempt = sight.distance < k.rules_pushing_exempt and is_nearest(sight)
     ahead, left = command.forward * k.drive_forward, command.left * k.drive_sideways

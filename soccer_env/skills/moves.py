@@ -1,7 +1,7 @@
-"""What a scripted player can do with its legs or wheels, the ball, and its kicker.
+"""How a scripted player moves, turns, avoids robots, and chooses directions for the ball and its shots.
 
-Skills hold no state and write a command. `go` is the only place that knows how a base moves: gait, omnidirectional or
-differential. Lengths are in metres of the team frame unless a name says otherwise.
+Skills hold no state and write a command. Only `go` depends on how a base moves: gait, omnidirectional or differential.
+Lengths are in metres of the team frame unless a name says otherwise.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -43,9 +43,10 @@ def stand(command):
 
 @compiled
 def turn_by(command, sight, k, play, angle):
-    """Turn by an angle [rad] within the settling time; on wheels that step aside slower at speed.  MH01
+    """Turn by an angle [rad] within the settling time; an omnidirectional base turns more slowly at speed.  MH01
 
-    A base that turns by w at speed v must bend its way in its own frame by v w, and has less acceleration for braking.
+    A base that keeps a straight path at speed v while turning at w needs the acceleration v w in its own frame, which
+    leaves less for braking.
     """
     most = 1.0
     if k.drive_kind == WHEELS_OMNI:
@@ -67,13 +68,13 @@ def push(command, sight, k, ahead, left, speed):
 
 @compiled
 def braking_speed(k, play, distance):
-    """Return the speed [m/s] from which a robot still stops after a distance."""
+    """Return the speed [m/s] from which a robot can stop within a distance [m]."""
     return min(distance / play.settle, sqrt(2.0 * BRAKE_SHARE * k.drive_acceleration * distance))
 
 
 @compiled
 def go(command, sight, k, play, x, y, facing, final):
-    """Go to a point and face a team-frame direction [rad] there; `final` is the speed [m/s] on arrival."""
+    """Go to a point and face a team-frame direction [rad]; `final` is the speed [m/s] on arrival."""
     dx, dy = x - sight.x, y - sight.y
     distance = length(dx, dy)
     if distance < 1e-6:
@@ -96,9 +97,9 @@ def go(command, sight, k, play, x, y, facing, final):
 
 @compiled
 def hold_back(sight, k, play, dx, dy, speed, fights):
-    """Return a way (unit vector) and speed [m/s] that drive into nobody: slow enough to brake before every robot.
+    """Limit a velocity so that the player can brake before every robot; return direction (unit vector) and speed [m/s].
 
-    A player that fights for the ball may drive at the players who have it, but never at a goalkeeper.
+    A player that fights for the ball may drive at players at the ball, but never at a goalkeeper.
     """
     vx, vy = speed * dx, speed * dy
     for i in range(sight.others):
@@ -117,7 +118,7 @@ def hold_back(sight, k, play, dx, dy, speed, fights):
 
 @compiled
 def walk_ahead(command, sight, k, play, ahead, left, speed):
-    """Turn to the way and walk along it: a walk is faster ahead than aside."""
+    """Turn along the path and walk forward: walking forward is faster than sideways."""
     bearing = atan2(left, ahead)
     turn_by(command, sight, k, play, bearing)
     push(command, sight, k, max(ahead, 0.0) * max(ahead, 0.0), left * max(ahead, 0.0), speed)
@@ -127,7 +128,7 @@ def walk_ahead(command, sight, k, play, ahead, left, speed):
 
 @compiled
 def leave_boards(command, sight, k):
-    """Step away from a board that is so near that the paws would meet it in a turn on the spot, and be held there."""
+    """Step away from a board that is near enough to catch the paws in a turn on the spot."""
     if k.walled == 0:
         return
     room = k.body_reach + k.legs * k.pitch_board_foot + BOARD_ROOM
@@ -141,7 +142,7 @@ def leave_boards(command, sight, k):
 
 @compiled
 def drive_differential(command, sight, k, play, ahead, left, distance, facing, speed):
-    """Drive along the way with wheels that cannot step aside: backwards if it lies near behind."""
+    """Drive along the path on a differential base, backwards to a near point behind the robot."""
     if distance < play.arrived:
         turn_by(command, sight, k, play, wrap(facing - sight.heading))
         return
@@ -154,7 +155,7 @@ def drive_differential(command, sight, k, play, ahead, left, distance, facing, s
 
 @compiled
 def avoid_others(sight, k, dx, dy, distance):
-    """Return a way (unit vector) bent aside from the robots that stand in it."""
+    """Return the unit vector (dx, dy) turned away from robots that stand in the way."""
     aside = 0.0
     ahead_limit, aside_limit = min(AVOID_AHEAD * k.body_reach, distance), AVOID_ASIDE * k.body_reach
     for i in range(sight.others):
@@ -169,7 +170,7 @@ def avoid_others(sight, k, dx, dy, distance):
 
 @compiled
 def goal_room(sight, k, ux, uy):
-    """Return the angle [rad] by which a ball played along (ux, uy) misses the posts; below 0 it does not go in."""
+    """Return the angle [rad] between the path of a ball played along (ux, uy) and the nearer post; below 0: no goal."""
     goal = 0.5 * k.pitch_length - sight.ball_x
     if ux <= 1e-3 or goal <= 0.0:
         return -1.0
@@ -179,7 +180,7 @@ def goal_room(sight, k, ux, uy):
 
 @compiled
 def shot_room(sight, k, ux, uy):
-    """Return the angle [rad] by which a ball played along (ux, uy) misses posts and opponents; below 0 it meets one."""
+    """Return the angle [rad] by which a ball played along (ux, uy) clears posts and opponents; below 0: it does not."""
     room = goal_room(sight, k, ux, uy)
     if room == -1.0:
         return room
@@ -188,7 +189,7 @@ def shot_room(sight, k, ux, uy):
 
 @compiled
 def lane_room(sight, k, ux, uy, far):
-    """Return the angle [rad] by which a ball played along (ux, uy) passes the opponents up to a distance [m]."""
+    """Return the angle [rad] by which a ball played along (ux, uy) clears the opponents within a distance [m]."""
     room = WIDE_ENOUGH
     width = max(k.body_disc_radius, k.body_tip_y + k.body_tip_radius) + k.ball_radius
     for i in range(sight.others):
@@ -201,7 +202,7 @@ def lane_room(sight, k, ux, uy, far):
 
 @compiled
 def turned_away(sight, ux, uy):
-    """Return how far the player is turned away from (ux, uy): 0 faces along it, 1 square to it, 2 against it."""
+    """Return 1 - cosine of the angle between heading and (ux, uy): 0 facing along it, 1 square to it, 2 opposite."""
     return 1.0 - sight.cosine * ux - sight.sine * uy
 
 
@@ -229,7 +230,7 @@ def choose_shot(sight, k):
 
 @compiled
 def choose_way(sight, k, play):
-    """Return the best unit vector along which to bring the ball on, round the opponents that stand before it."""
+    """Return the best unit vector along which to dribble, out of a fan around the direction of the goal."""
     x, y = 0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(x, y), 1e-6)
     side = side_of(sight.ball_y)
@@ -252,8 +253,9 @@ def choose_way(sight, k, play):
 def way_clear(sight, k):
     """Return the unit vector along which the ball is played clear of the own goal, never across its mouth.
 
-    The way leads away from a point half a goal's width behind the middle of the goal: straight out from the middle, at
-    most 45 degrees aside between the posts. Away from the middle itself it would lead along the goal line.
+    The direction leads away from a point half a goal's width behind the middle of the goal: straight out from the
+    middle, at most 45 degrees to the side between the posts. Away from the middle itself it could lead along the goal
+    line.
     """
     x, y = sight.ball_x + 0.5 * k.pitch_length + 0.5 * k.pitch_goal_width, sight.ball_y
     away = max(length(x, y), 1e-6)
@@ -268,7 +270,7 @@ def faces(sight, ux, uy, cosine):
 
 @compiled
 def free_way(sight, k, ux, uy):
-    """Return how far a ball can go along (ux, uy) before it leaves the pitch or meets a board [m]."""
+    """Return the distance [m] that a ball can roll along (ux, uy) before it leaves the pitch or meets a board."""
     ahead = (0.5 * k.pitch_length - side_of(ux) * sight.ball_x) / max(abs(ux), 1e-6)
     aside = (0.5 * k.pitch_width - side_of(uy) * sight.ball_y) / max(abs(uy), 1e-6)
     return max(min(ahead, aside), 0.0)

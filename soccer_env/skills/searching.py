@@ -20,9 +20,9 @@ THERE = 2.0  # [body reaches] from a lookout at which the search on the spot beg
 
 @compiled
 def search(belief, command, sight, memory, k, play):
-    """Turn round once, always to the same side; then walk to a lookout and turn again.
+    """Turn a full circle, always to one side; then walk to a lookout and turn again.
 
-    A head that turns sees little more than what lies before it; a camera that sees all round walks at once.
+    A camera on a head sees little more than the field before the robot; a robot that sees all round walks at once.
     """
     if memory.search_side == 0.0:
         begin_search(belief, sight, memory, k)

@@ -1,7 +1,7 @@
-"""The chaser's restarts where the taker may not touch the ball twice: pass to a mate and leave the ball to others.
+"""The chaser's restarts where the taker may not touch the ball twice: pass to a mate, then keep off the ball.
 
 A player remembers the restart of its own team for a while: the taker keeps off the ball until somebody else has
-touched it, and of its mates the nearest goes for the ball.
+touched it, and the taker's nearest mate goes for the ball.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -34,7 +34,7 @@ PASSES_BY = 0.1  # [m] that a supporter on its way leaves between itself and the
 
 @compiled
 def note_set_piece(situation, sight, memory, k):
-    """Remember the own team's restart and the player's part: above 0 it is the taker, below 0 a mate, 0 neither."""
+    """Remember the own team's restart and the player's part, in memory: above 0 taker, below 0 mate, 0 neither."""
     if k.rules_second_touch == 0 or situation.phase == PENALTY_KICK:
         memory.set_piece = 0.0
     elif situation.phase != PLAY:
@@ -52,7 +52,7 @@ def note_set_piece(situation, sight, memory, k):
 
 @compiled
 def somebody_has_it(sight):
-    """Tell whether the ball lies at another player."""
+    """Tell whether another player touches the ball or nearly does."""
     for i in range(sight.others):
         if length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.touch + TOUCHED:
             return True
@@ -75,7 +75,7 @@ def take_restart(command, situation, sight, k, play):
 def strength_for(k, far, arrival):
     """Return the strength of a kick [1] after which the ball rolls past a distance [m] at a speed [m/s].
 
-    The way on which it slides at first is left out.
+    The distance over which the ball first slides is left out.
     """
     speed = sqrt(arrival * arrival + 2.0 * k.ball_rolling * far) * (1.0 + k.ball_shell)
     share = (speed - k.kicker_slowest) / (k.kicker_fastest - k.kicker_slowest)
@@ -90,7 +90,7 @@ def wait_for_pass(command, sight, k, play):
 
 @compiled
 def leave_ball(command, sight, k, play):
-    """Keep off the ball, straight away from it, and look at it."""
+    """Move straight away from the ball and face it."""
     x, y = sight.x - sight.ball_x, sight.y - sight.ball_y
     away = max(length(x, y), 1e-6)
     far = max(OFF * k.body_reach, away) / away
@@ -102,7 +102,7 @@ def leave_ball(command, sight, k, play):
 
 @compiled
 def out_of_area(sight, k, x, y, ring):
-    """Return a place of a supporter [m, m], out of its own penalty area, and still `ring` [m] from the ball."""
+    """Return a supporter's place [m, m] moved out of its own penalty area, at least `ring` [m] from the ball."""
     if k.rules_penalty_area == 0 or abs(y) > 0.5 * k.pitch_penalty_width + k.body_reach:
         return x, y
     x = max(x, k.pitch_penalty_depth + k.body_reach - 0.5 * k.pitch_length)
@@ -113,7 +113,7 @@ def out_of_area(sight, k, x, y, ring):
 
 @compiled
 def round_ball(sight, k, x, y):
-    """Return where a supporter goes first [m, m] on its way to (x, y), so that it does not push the ball there.
+    """Return the point [m, m] to pass first on the way to (x, y), so that a supporter does not run into the ball.
 
     A player that runs back past the ball would otherwise push it towards its own goal.
     """
@@ -130,7 +130,7 @@ def round_ball(sight, k, x, y):
 
 @compiled
 def holds_off(sight, k):
-    """Tell whether to stand in the way of an opponent that has the ball, where fighting for it would be a foul."""
+    """Tell whether to block an opponent that has the ball rather than fight for the ball, which would be a foul."""
     if k.rules_charging == 0 or sight.ball_x < DEFEND - 0.5 * k.pitch_length:
         return False
     for i in range(sight.others):

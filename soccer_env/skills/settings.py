@@ -39,19 +39,19 @@ FOLLOWS = {"arrived": 1, "walk_ahead": 1}  # which of the three a number grows w
 
 
 def skill_settings(**own: float) -> np.ndarray:
-    """Return the numbers (3,), a row for each of `DRIVE_KINDS`, with fields of a team's own before them."""
+    """Return the settings (3,) of the skills, one record for each of `DRIVE_KINDS`; a team's own fields come first."""
     given = {name: 3 * (number(name, value),) for name, value in own.items()}
     return rows_of({**given, **NUMBERS})
 
 
 def rows_of(numbers: dict[str, tuple[float, float, float]]) -> np.ndarray:
-    """Return numbers (3,) of the three kinds of base, by name."""
+    """Convert numbers by name, each for the three kinds of base, to records (3,), one for each kind."""
     dtype = np.dtype([(name, "f8") for name in numbers])
     return np.array([tuple(values[kind] for values in numbers.values()) for kind in range(len(DRIVE_KINDS))], dtype)
 
 
 def fitted(settings: np.ndarray, league: League, follows: dict[str, int] = FOLLOWS) -> np.ndarray:
-    """Return a team's settings (3,) for a league: in a league of another family they scale with its pitch and robot."""
+    """Return a team's settings (3,) for a league; outside FAMILIES they scale with the league's pitch and robot."""
     if league.family in FAMILIES:
         return settings
     k, scaled = constants_of(league)[0], settings.copy()

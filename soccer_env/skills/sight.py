@@ -1,6 +1,6 @@
-"""What a scripted player sees of the match, in its team's frame: own goal at -x, the opponents' at +x.
+"""The sight of a scripted player: its belief about the match in the team frame, own goal at -x, the opponents' at +x.
 
-Beliefs and tracks are relative to the robot; `look` turns them once a decision into one flat record, so that skills
+Beliefs and tracks are relative to the robot; `look` converts them once a decision into one flat record, so that skills
 can be written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are even,
 sine terms odd.
 
@@ -56,7 +56,7 @@ SIGHT = np.dtype(
 
 @compiled
 def look(sight, belief, tracks, k):
-    """Fill one robot's sight from its belief and (slots,) tracks, for the moment at which its command takes effect."""
+    """Fill one robot's sight from its belief and tracks (slots,), predicted for when its command takes effect."""
     own, ball = belief.own, belief.ball
     delay = k.dt * (k.delay_steps + 0.5 * (k.gait_steps - 1.0))
     cosine, sine = cos(own.heading), sin(own.heading)
@@ -80,7 +80,7 @@ def look(sight, belief, tracks, k):
 
 @compiled
 def look_at_others(sight, own, tracks, delay):
-    """Note all players that are present, in the order of their slots."""
+    """Add all players with a track to the sight, in the order of their slots."""
     count = 0
     cosine, sine = sight.now_cosine, sight.now_sine
     for slot in range(min(tracks.shape[0], OTHERS)):
@@ -104,7 +104,7 @@ def side_of(value):
 
 @compiled
 def rolls_to(sight, k, seconds):
-    """Return where the ball will be [m, m], team frame, held inside the boards of a walled pitch."""
+    """Return the ball's place [m, m] after `seconds`, team frame, held inside the boards of a walled pitch."""
     speed = length(sight.ball_vx, sight.ball_vy)
     if speed < 1e-6:
         return sight.ball_x, sight.ball_y

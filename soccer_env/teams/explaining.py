@@ -1,4 +1,4 @@
-"""How a team explains itself to people who watch it: words for its memory, the way that it plans, the forces on it.
+"""How a team explains itself to people who watch it: words for its memory, its planned path, the forces on a robot.
 
 A team names its explanation as "MODULE:NAME" in `CompiledTeam.explains`; the module is imported when a viewer asks.
 Nothing here runs while a match is played, and nothing here changes a match: all arguments are copies.
@@ -16,7 +16,7 @@ from soccer_env.teams.team import Team
 
 
 class Mind(NamedTuple):
-    """Copies of everything that one player decides from: records of shape (1,), as a kernel takes them."""
+    """Copies of all inputs of one player's decision: records of shape (1,), as a kernel takes them."""
 
     beliefs: np.ndarray  # (1,) BELIEF
     tracks: np.ndarray  # (1, slots) TRACK
@@ -32,7 +32,7 @@ Forces = Callable[[Mind, np.ndarray, np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Explanation:
-    """What a team can tell of itself; None: it has no such thing. Places and vectors are in the team frame."""
+    """The explanations that a team offers, None for one it lacks. Places and vectors are in the team frame."""
 
     shown: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Fields of the memory to show, with words for their values, () for a number."""
@@ -52,9 +52,9 @@ def explanation_of(team: object) -> Explanation | None:
 
 
 def shipped_team(name: str) -> Team | None:
-    """Return a shipped team by its name, None for any other: a name out of a file must import nothing else.
+    """Return a shipped team by its name, None for any other name: a name read from a file must import nothing else.
 
-    A strength or settings behind the name that the team does not have are ignored.
+    A strength or settings after the name are ignored if the team does not have them.
     """
     plain = name.partition(":")[0].partition("@")[0]
     if plain not in NAMES:
@@ -66,7 +66,7 @@ def shipped_team(name: str) -> Team | None:
 
 
 def what_it_is(where: str) -> str:
-    """Return the first line about the team of MODULE:NAME: for a variant of a team, that of its own function."""
+    """Return the first line of a team's description, MODULE:NAME; a variant of a team has that of its own function."""
     module, _, function = where.partition(":")
     if function == "team":
         return first_line(module)

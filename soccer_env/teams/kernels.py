@@ -24,12 +24,12 @@ STRENGTH = np.dtype([("strength", "f8")])  # the settings of a team that has no 
 
 
 def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Callable[..., None]:
-    """Return the kernel of a team whose players each run `act`, which is compiled.
+    """Make the kernel of a team whose players each run `act`, a compiled function.
 
     act(belief, tracks, memory, noise, command, k, settings, scratch): one player's belief, (slots,) tracks, memory and
     random streams, the command to fill in, the league's constants, the team's settings (its only record, or that of the
     league's kind of base if there is one for each, in the order of `DRIVE_KINDS`), and a record of dtype `scratch` to
-    work in, which still holds what the player before wrote there.
+    work in, which still holds the values of the player before.
     """
 
     @compiled
@@ -45,7 +45,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
 
 
 def per_blind_player(act: Callable[..., None]) -> Callable[..., None]:
-    """Return the kernel of a team with `blind=True`, whose players sense nothing and have no beliefs.
+    """Make the kernel of a team with `blind=True`, whose players sense nothing and have no beliefs.
 
     act(memory, noise, command, k, settings) is as in `per_player`.
     """

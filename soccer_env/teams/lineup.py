@@ -54,7 +54,7 @@ class Lineup:
 
 
 def names_of(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ...]:
-    """Return the names of teams: their own, or the text that named them where two teams share a name."""
+    """Return the names of teams: each team's own name, or the text given for it where two teams share a name."""
     own = [called(*pair) for pair in zip(given, made, strict=True)]
     return tuple(
         text if isinstance(text, str) and own.count(name) > 1 else name for text, name in zip(given, own, strict=True)

@@ -48,7 +48,7 @@ TORCH = (".pt", ".pth", ".ckpt", ".pkl", ".pickle")  # files of torch, whose pic
 
 
 def registered() -> dict[str, str]:
-    """Return the names of all known teams and where they are made, those of installed packages included."""
+    """Return the factories (MODULE:NAME) of all known teams by name, with the teams of installed packages."""
     installed = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
     return {**installed, **NAMES}
 
@@ -87,7 +87,7 @@ def parse_switch(text: str, part: str) -> tuple[str, Any]:
 
 
 def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
-    """Return the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...), or the team itself.
+    """Make the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...); return a team object unchanged.
 
     A name may be the path of a policy file, of a zip of stable-baselines3 or of an ONNX file
     (FILE.zip:observe=belief,action_repeat=8), or MODULE:NAME: a team in a module of your own, or a function there that
@@ -121,7 +121,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
 
 
 def remedy(given: object) -> str:
-    """Return how a function or a torch module becomes a team, "" for any other object."""
+    """Return the advice how to make a team of a function or a torch module, "" for any other object."""
     if callable(getattr(given, "state_dict", None)):
         file = "mine.safetensors"
         return f": write save_policy(module, {file!r}, league=..., observe=...), then give {file!r} as the team"
@@ -131,7 +131,7 @@ def remedy(given: object) -> str:
 
 
 def no_team(name: str, known: dict[str, str]) -> str:
-    """Return the error message for an unknown name; for a file of torch it says how that becomes a team."""
+    """Return the error message for an unknown name; for a torch file, with advice how to make a team of it."""
     if Path(name).suffix not in TORCH:
         return unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})")
     return (
@@ -141,7 +141,7 @@ def no_team(name: str, known: dict[str, str]) -> str:
 
 
 def called(given: str | Team, made: Team) -> str:
-    """Return a team's name in results, however the team was given: a policy has its own name.
+    """Return a team's name for results, whether the team was given as text or as object; a policy has its own name.
 
     A weakened team is called chaser@0.25, for example; a team with settings keeps its text.
     """
@@ -159,18 +159,18 @@ def called(given: str | Team, made: Team) -> str:
 
 
 def weakened(strength: float) -> str:
-    """Return the suffix of a name for a strength, "" for the full one."""
+    """Return the suffix @STRENGTH of a team's name, "" for full strength."""
     return "" if strength == 1.0 else f"@{strength:g}"
 
 
 def in_module(text: str) -> bool:
-    """Tell whether a text is MODULE:NAME or MODULE:NAME@STRENGTH, and no file or known team."""
+    """Tell whether a text is MODULE:NAME or MODULE:NAME@STRENGTH, but neither a file nor a known team."""
     path = MODULE_PATH.fullmatch(text.partition("@")[0])
     return path is not None and path[1] not in registered() and not Path(text).is_file()
 
 
 def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) -> Team:
-    """Return the team of MODULE:NAME, or the team that the function of that name returns for a strength."""
+    """Return the team object MODULE:NAME, or the team that the function MODULE:NAME makes for a strength."""
     path, at, written = text.partition("@")
     made = of_module("team", path, object)
     if isinstance(made, type) or hasattr(made, "act"):
@@ -185,7 +185,7 @@ def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) 
 
 
 def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
-    """Return the team of a policy file; ValueError says what is wrong with it."""
+    """Load the team of a policy file; ValueError says what is wrong with the file."""
     factory = found(where)
     if "path" in settings:
         raise ValueError(f"the file of team {path!r} is given by its name, not by a setting path")
@@ -195,7 +195,7 @@ def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
 
 
 def found(where: str) -> Callable[..., Any]:
-    """Return what MODULE:NAME names."""
+    """Import and return the object MODULE:NAME, a team's factory."""
     module, _, attribute = where.partition(":")
     factory: Callable[..., Any] = getattr(import_module(module), attribute)
     return factory
@@ -209,7 +209,7 @@ def check_factory(name: str, where: str, factory: Any) -> None:
 
 
 def check_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
-    """Raise ValueError for settings that a team's factory does not take."""
+    """Raise ValueError for settings that a team's factory does not accept."""
     accepted = signature(factory).parameters
     if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):
         for unknown in settings.keys() - accepted.keys():

@@ -1,4 +1,4 @@
-"""What a team is.
+"""The protocol of a team, and compiled teams.
 
 A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped
 teams also offer a compiled `kernel`, which a match runs without Python between its steps (`kernels.py`).
@@ -22,7 +22,7 @@ TEAM_STREAM = int(RobotStream.TEAM)
 
 @dataclass(frozen=True)
 class View:
-    """What the P players of a team may know in M matches: beliefs (M, P) and tracks (M, P, slots)."""
+    """The information that the P players of a team may use in M matches: beliefs (M, P) and tracks (M, P, slots)."""
 
     league: League  # that they play
     beliefs: np.ndarray  # (M, P) of `BELIEF`
@@ -40,18 +40,18 @@ class View:
 
     @property
     def situation(self) -> np.ndarray:
-        """Return what each player may know of the match (M, P): phase, score, time, numbers."""
+        """Return each player's knowledge of the match (M, P): phase, score, time, numbers."""
         return self.beliefs["situation"]
 
     def stand(self) -> np.ndarray:
-        """Return commands (M, P, 7) that let every player stand: forward, left, turn, kick, head, pan, tilt."""
+        """Return commands (M, P, 7) to stand still, for all players: forward, left, turn, kick, head, pan, tilt."""
         commands = np.zeros((*self.beliefs.shape, 7))
         commands[..., 4] = -1.0  # the head tracks the ball by itself
         return commands
 
 
 class TeamRandom:
-    """Random numbers of a team's players, out of streams that the match owns, saves and hashes."""
+    """Random numbers for a team's players, from streams that the match owns, saves and hashes."""
 
     def __init__(self, states: np.ndarray, players: np.ndarray) -> None:
         self._states, self._players = states, players
@@ -66,7 +66,7 @@ class TeamRandom:
 
 
 def mix_array(states: np.ndarray) -> np.ndarray:
-    """Return `random_numbers.mix` of each of an array of states."""
+    """Return `random_numbers.mix` of each element of an array of states."""
     python = getattr(mix, "py_func", mix)
     with np.errstate(over="ignore"):
         mixed: np.ndarray = python(states)
@@ -84,7 +84,7 @@ class Team(Protocol):
 
     @property
     def memory_dtype(self) -> np.dtype:
-        """Return the record of a player's memory, which is saved and hashed with the match."""
+        """Return the dtype of a player's memory, which is saved and hashed with the match."""
         ...
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
@@ -131,11 +131,11 @@ class CompiledTeam:
         league.must_be_of(self.families, f"team {self.name!r}")
 
     def settings_in(self, league: League) -> np.ndarray:
-        """Return the settings that the kernel reads in a league."""
+        """Return the team's settings as the kernel reads them in a league."""
         return self.settings if self.fit is None else self.fit(self.settings, league)
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Return the commands (M, P, 7) of all players, from the kernel as in a match."""
+        """Run the kernel as in a match and return the commands (M, P, 7) of all players."""
         from soccer_env.types import COMMAND
 
         players = np.arange(view.beliefs.shape[1])

@@ -1,7 +1,8 @@
-"""Plan ways round obstacles by a potential field on a grid.  [Heinemann 2006, 3]  MH09 to MH18, MH25
+"""Plan paths round obstacles by a potential field on a grid.  [Heinemann 2006, 3]  MH09 to MH18, MH25
 
-The planner of Weigel et al. as Heinemann et al. describe it, and their own, which moves obstacles as the plan goes on.
-It knows neither team nor match: places and velocities go in, in metres of a pitch's frame, and a plan comes out.
+The planner of Weigel et al. as Heinemann et al. describe it, and their own, which predicts where obstacles move.
+It knows neither team nor match: places [m] and velocities in a pitch's frame go in, and a plan comes out. A "way" is a
+row of grid cells; the "path" is the smoothed line that a robot drives.
 
     from soccer_env.baselines.weigel_2001.planner import Planner
 

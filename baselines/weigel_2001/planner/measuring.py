@@ -1,4 +1,4 @@
-"""Measures of a plan: how near it comes to moving obstacles, how much it turns, and the forces along it."""
+"""Measures of a plan: its smallest gap to moving obstacles, its total turn, and the forces along it."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from soccer_env.geometry import length
 
 @compiled
 def place_on(path, count, far, place):
-    """Put a record at a distance [m] along a path; return the index of the point that comes next."""
+    """Write the point at a distance [m] along a path into `place`; return the index of the path's next point."""
     left = far
     for i in range(1, count):
         dx, dy = path[i].x - path[i - 1].x, path[i].y - path[i - 1].y
@@ -26,9 +26,9 @@ def place_on(path, count, far, place):
 
 @compiled
 def least_gap(plan, obstacles, settings, step, place):
-    """Return the smallest gap [m] to any obstacle along a plan driven from now at full speed, looked at each step [s].
+    """Return the smallest gap [m] to any obstacle along a plan driven from now at full speed, sampled every `step` [s].
 
-    Obstacles go straight on. place: (1,) record to work in.
+    Obstacles keep their velocities. place: scratch record (1,).
     """
     least = FARTHEST
     count = int(plan.time / step) + 2
@@ -41,7 +41,7 @@ def least_gap(plan, obstacles, settings, step, place):
 
 @compiled
 def fill_forces(plan, obstacles, settings, forces):
-    """Fill (count, 4) with the forces at a plan's cells as vectors: x, y of the attractive, x, y of the repulsive."""
+    """Fill `forces` (count, 4) at a plan's cells: x, y of the attractive force, x, y of the repulsive force."""
     goal = plan.robot if settings.backward == 1 else plan.target
     for i in range(plan.count):
         cell = plan.cells[i]
@@ -52,7 +52,7 @@ def fill_forces(plan, obstacles, settings, forces):
 
 
 def turn_of(path: np.ndarray) -> float:
-    """Return by how much a path (N, 2) turns in all [rad], left and right added up."""
+    """Return the total turn of a path (N, 2) [rad]: the sum of its left and right bends."""
     steps = np.diff(path, axis=0)
     steps = steps[np.hypot(steps[:, 0], steps[:, 1]) > 1e-9]
     if len(steps) < 2:

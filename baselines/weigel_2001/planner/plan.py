@@ -1,4 +1,4 @@
-"""`Plan`: the way that was found, how it was found, its measures, and how to plan it again."""
+"""`Plan`: the way from robot to target, how planning found it, its measures, and how to plan it again."""
 
 from __future__ import annotations
 
@@ -51,12 +51,12 @@ class Plan:
 
     @property
     def ended(self) -> str:
-        """How planning ended: "arrived", or why a part of the path is only a straight line."""
+        """How planning ended: "arrived", or the reason why part of the path is only a straight line."""
         return ENDINGS[int(self.record["ended"][0])]
 
     @property
     def arrived(self) -> bool:
-        """Whether the way joins robot and target."""
+        """Whether planning joined robot and target."""
         return self.ended == "arrived"
 
     @property
@@ -98,33 +98,33 @@ class Plan:
 
     @property
     def turn(self) -> float:
-        """By how much the path turns in all [rad]."""
+        """The total turn of the path, left and right [rad]."""
         return turn_of(self.path)
 
     @property
     def evaluations(self) -> int:
-        """How often the potential was evaluated, in all passes."""
+        """The number of evaluations of the potential in all passes."""
         return int(self.record["evaluations"][0])
 
     def __len__(self) -> int:
         return int(self.record["count"][0])
 
     def clearance(self) -> float:
-        """Return the smallest gap [m] to an obstacle, surface to surface, below 0 where they touch; 1e9 if none is.
+        """Return the smallest gap [m] to an obstacle, surface to surface: below 0 for an overlap, 1e9 without any.
 
-        The path is driven from now at full speed, obstacles go straight on.
+        The robot drives the path from now at full speed, and obstacles keep their velocities.
         """
         play = self.settings.record()[0]
         return float(least_gap(self.record[0], self.obstacles, play, LOOK, np.zeros(1, POINT)))
 
     def forces(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the attractive and the repulsive force (N, 2) at each cell when it is reached."""
+        """Return the attractive and the repulsive force (N, 2) at each cell at the time of arrival there."""
         forces = np.zeros((len(self), 4))
         fill_forces(self.record[0], self.obstacles, self.settings.record()[0], forces)
         return forces[:, :2], forces[:, 2:]
 
     def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return where the robot is after t [s] at full speed (2,), and where the obstacles (n, 2) are by then [m]."""
+        """Return the places [m] of the robot (2,), driving at full speed, and of the obstacles (n, 2) after t [s]."""
         t = number("t", t, FROM_ZERO)
         place = np.zeros(1, POINT)
         place_on(self.record[0]["path"], len(self), t * self.settings.speed, place[0])
@@ -132,7 +132,7 @@ class Plan:
         return np.array([place["x"][0], place["y"][0]]), others
 
     def again(self, **changes: Any) -> Plan:
-        """Return the plan made again: bit-identical, or with changed settings."""
+        """Plan again from the stored inputs and return the new plan: bit-identical, or with changed settings."""
         settings = self.settings.changed(changes)
         return make_plan(self.ends, int(self.record["side"][0]), self.obstacles, settings, np.zeros(1, SCRATCH))
 
@@ -147,7 +147,7 @@ def make_plan(
     settings: PlannerSettings,
     scratch: np.ndarray,
 ) -> Plan:
-    """Return the plan for checked input."""
+    """Make a plan from input that has been checked."""
     record = np.zeros(1, PLAN)
     plan_way(*ends, side, obstacles, settings.record()[0], scratch[0], record[0])
     return Plan(record, obstacles, settings, ends)

@@ -18,9 +18,9 @@ FORM = "rows of x, y, vx, vy, and a radius if you like"
 
 
 class Planner:
-    """Plan ways past obstacles that stand or move.
+    """Plan paths past standing or moving obstacles.
 
-    settings: PlannerSettings, or None for those of the paper; keywords change them by name, as in
+    settings: PlannerSettings, or None for the paper's settings; keywords change settings by name, as in
     Planner(time_variant=False, search=False). A planner holds no state between plans.
     """
 
@@ -34,17 +34,17 @@ class Planner:
         """Return a plan from robot to target, both (x, y) [m], the middle of the pitch at 0, 0.
 
         obstacles: up to 32 rows of x, y [m], vx, vy [m/s] and maybe a radius [m], or records.OBSTACLE. side: +1 or -1,
-        the side of y that a way takes if both are equal: the mirrored scene has the other side. Places beyond the
-        pitch's margin are held at it. ValueError for anything else.
+        the side of y on which to pass if both are equal; a mirrored scene needs the opposite sign. Places beyond the
+        pitch's margin are moved to the margin. ValueError for anything else.
         """
         return make_plan(*self._checked(robot, target, obstacles, side), self.settings, self._scratch)
 
     def travel(
         self, robot: Sequence[float], target: Sequence[float], obstacles: Any = (), seconds: float = 10.0, side: int = 1
     ) -> Travel:
-        """Return the travel of a point that drives at full speed and plans anew every 20 ms, until it is there.
+        """Return the travel of a point that drives at full speed to the target and plans anew every 20 ms.
 
-        Obstacles go straight on; arguments as of `plan`. The travel ends after so many seconds at the latest.
+        Obstacles keep their velocities; arguments as in `plan`. The travel ends after `seconds` at the latest.
         """
         allowed = Range(CYCLE, 1000.0)
         if not (isinstance(seconds, (int, float)) and allowed.holds(seconds)):
@@ -59,7 +59,7 @@ class Planner:
 
 
 def place(name: str, value: Any) -> tuple[float, float]:
-    """Return a place [m] as two numbers; ValueError names it."""
+    """Check a place [m] and return it as two numbers; ValueError names the argument."""
     point = numbers(name, "two numbers x, y", value)
     if point.shape != (2,):
         refuse(name, "two numbers x, y", value)
@@ -69,7 +69,7 @@ def place(name: str, value: Any) -> tuple[float, float]:
 
 
 def crowd(value: Any) -> np.ndarray:
-    """Return obstacles as records; ValueError names the obstacle and what is wrong with it."""
+    """Check obstacles and return them as records; ValueError names the obstacle and its fault."""
     if isinstance(value, np.ndarray) and value.dtype == OBSTACLE and value.ndim == 1:
         rows = np.stack([value[name] for name in OBSTACLE.names or ()], axis=-1)
     else:
@@ -83,7 +83,7 @@ def crowd(value: Any) -> np.ndarray:
 
 
 def as_records(rows: np.ndarray) -> np.ndarray:
-    """Return rows of x, y, vx, vy and maybe a radius as records; ValueError for numbers that are out of range."""
+    """Convert rows of x, y, vx, vy and maybe a radius to records; ValueError for numbers out of range."""
     obstacles = np.zeros(len(rows), OBSTACLE)
     obstacles["radius"] = OBSTACLE_RADIUS
     limits = {"x": FARTHEST, "y": FARTHEST, "vx": FASTEST, "vy": FASTEST, "radius": 5.0}
@@ -96,7 +96,7 @@ def as_records(rows: np.ndarray) -> np.ndarray:
 
 
 def numbers(name: str, allowed: str, value: Any) -> np.ndarray:
-    """Return a value as an array of numbers; ValueError for anything else."""
+    """Convert a value to an array of floats; ValueError if that fails."""
     try:
         array = np.array(value, dtype=float)
     except (TypeError, ValueError):

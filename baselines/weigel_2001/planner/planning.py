@@ -1,12 +1,12 @@
-"""Passes over the grid until the time of the way is the one that it was planned for.  [Heinemann 2006, 3]  MH16, MH17
+"""Passes over the grid until the way takes the time that its planning assumed.  [Heinemann 2006, 3]  MH16, MH17
 
-Backwards the time T that the robot will need must be known before there is a way. It begins as that of the straight
-line, and becomes that of the way found, until both agree:
+Planning backwards needs the robot's travel time T before there is a way. T begins as the time of the straight line,
+and moves towards the time of each way found, until both agree:
 
     T_0 = |target - robot| / v_max,    T_{n+1} = T_n + (1 - damping) (time of way n - T_n)
 
-By the paper's words alone (`literal`) there is no damping. Then T swings where two times cannot agree, because each
-leads to a way of the other, and the last plan is either of the two: hence damping, a cap, and the best plan as a
+By the paper's words alone (`literal`) there is no damping. T may then swing between two times, each of which leads to
+a way that takes the other, and the last plan is one of the two: hence damping, a cap on passes, and the best plan as a
 fallback.
 """
 
@@ -27,7 +27,7 @@ WORSE = 1e6  # [s] by which a way that does not join robot and target is worse t
 def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, scratch, plan):
     """Fill a plan from robot to target [m] past obstacles (OBSTACLE), as many as the array holds.  MH16, MH17
 
-    side: the side of y that a way takes if both are equal: +1, or -1 in the mirrored scene.
+    side: the side of y on which to pass if both are equal: +1, or -1 in the mirrored scene.
     settings, scratch (SCRATCH), plan (PLAN): records.
     """
     begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, plan)
@@ -53,7 +53,7 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
 
 @compiled
 def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, plan):
-    """Begin a plan from robot to target, both held inside the grid."""
+    """Initialise a plan from robot to target, with both places moved into the grid."""
     half_u = int(floor((0.5 * settings.pitch_length + settings.margin) / settings.cell))
     half_v = int(floor((0.5 * settings.pitch_width + settings.margin) / settings.cell))
     half_v = min(half_v, (GRID // (2 * half_u + 1) - 1) // 2)  # never beyond the marks, whatever the record says
@@ -69,7 +69,7 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
 
 @compiled
 def held(place, far):
-    """Return a coordinate held within +-far; NaN becomes -far."""
+    """Return a coordinate clipped to +-far; NaN becomes -far."""
     if not place > -far:
         return -far
     return far if place > far else place
@@ -77,7 +77,7 @@ def held(place, far):
 
 @compiled
 def depends_on_time(obstacles, settings):
-    """Tell whether another T could give another way: planned backwards past somebody who moves."""
+    """Tell whether the way may depend on T: it is planned backwards, and an obstacle moves."""
     if settings.time_variant == 0 or settings.backward == 0:
         return False
     speeds = 0.0
@@ -88,7 +88,7 @@ def depends_on_time(obstacles, settings):
 
 @compiled
 def take_time(settings, scratch, plan):
-    """Smooth the way and return how long it takes [s], never less than the straight line."""
+    """Smooth the way and return the time [s] to drive it, at least that of the straight line."""
     if settings.backward == 1:
         smooth(plan.target, plan.robot, settings, scratch)
     else:
@@ -104,7 +104,7 @@ def take_time(settings, scratch, plan):
 
 @compiled
 def is_kept(worth, best, settings):
-    """Tell whether a plan that does not agree yet replaces the one before."""
+    """Tell whether a plan whose times do not agree yet replaces the plan kept before."""
     if settings.literal == 1:
         return True
     return settings.fallback != FIRST and (settings.fallback != BEST or worth < best)
@@ -112,7 +112,7 @@ def is_kept(worth, best, settings):
 
 @compiled
 def keep(number, ended, took, settings, scratch, plan):
-    """Copy a pass into the plan, from robot to target."""
+    """Copy the cells and the path of a pass into the plan, in order from robot to target."""
     last = scratch.count - 1
     for i in range(scratch.count):
         j = last - i if settings.backward == 1 else i
@@ -128,7 +128,7 @@ def keep(number, ended, took, settings, scratch, plan):
 
 @compiled
 def reflected(i, last):
-    """Return the index within 0 to last, and the index of the end that a number beyond them is reflected at, or -1."""
+    """Reflect an index into 0 to last; return it, and the index of the end that reflected it, -1 for none."""
     if i < 0:
         return -i, 0
     if i > last:
@@ -138,7 +138,7 @@ def reflected(i, last):
 
 @compiled
 def cell_at(i, last, way):
-    """Return a cell's u and v; beyond an end the way goes on, turned about that end, so that the end is a mean too."""
+    """Return u and v of cell i of the way; beyond an end, of the way's point reflection about that end."""
     inner, end = reflected(i, last)
     if end < 0:
         return way[inner].u, way[inner].v
@@ -147,9 +147,9 @@ def cell_at(i, last, way):
 
 @compiled
 def smooth(begin, end, settings, scratch):
-    """Fill the path: the way's cells, each the mean of those around it, shifted onto begin and end.  MH16
+    """Fill the path: a running mean of the way's cells, shifted so that it starts at `begin` and stops at `end`.  MH16
 
-    The shift goes evenly from that of the first cell to that of the last.
+    The shift changes linearly from the first cell to the last.
     """
     way, path, last = scratch.way, scratch.path, scratch.count - 1
     h = min(settings.smoothing, last)
@@ -173,7 +173,7 @@ def smooth(begin, end, settings, scratch):
 
 @compiled
 def length_of(path, count):
-    """Return the length [m] of a path of so many points."""
+    """Return the length [m] of the first `count` points of a path."""
     total = 0.0
     for i in range(1, count):
         total += length(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y)

@@ -1,7 +1,7 @@
 """The potential field: the forces of target, obstacles and lines, their size, and its gradient.  MH09, MH10
 
-Two readings of P = |f_att + sum f_rep,i|  (1): "vector" adds the forces as vectors and takes the size of the sum, as it
-is written; "scalar" adds their sizes. The way goes down either of them.
+Two readings of P = |f_att + sum f_rep,i|  (1): "vector" adds the forces as vectors and takes the norm of the sum, as
+the equation is written; "scalar" adds their norms. The way descends the chosen potential.
 
 All places are in metres, t in seconds from now.
 """
@@ -19,9 +19,9 @@ FARTHEST = 1e9  # [m] gap to an obstacle where there is none
 
 @compiled
 def size_at(gap, gain, reach, settings):
-    """Return the size of a repulsive force at a gap d [m] within its reach: kr (1/d - 1/d0), or that over d^2.
+    """Return the size of a repulsive force at a gap d [m] within its reach d0: F = kr (1/d - 1/d0), or F / d^2.
 
-    Below the floor it goes on growing, evenly: a way that begins inside an obstacle leaves it on the nearest side.
+    Below a least gap the force grows linearly: a way that begins inside an obstacle leaves it on the nearest side.
     """
     d = max(gap, settings.floor)
     size = gain * (1.0 / d - 1.0 / reach)
@@ -32,7 +32,7 @@ def size_at(gap, gain, reach, settings):
 
 @compiled
 def border_size(place, half, settings):
-    """Return the force of a pair of lines at +-half on a coordinate [m]: below 0 it points to -, above to +."""
+    """Return the signed force of two border lines at +-half along one axis on a point with coordinate `place` [m]."""
     force = 0.0
     if half - place < settings.border_reach:
         force -= size_at(half - place, settings.border_gain, settings.border_reach, settings)
@@ -43,7 +43,7 @@ def border_size(place, half, settings):
 
 @compiled
 def scalar_potential(x, y, t, goal, obstacles, settings):
-    """Return the sum of the sizes of all forces at a place."""
+    """Return the sum of the sizes of all forces at a place ("scalar")."""
     total = settings.attraction * length(goal.x - x, goal.y - y)
     for i in range(len(obstacles)):
         o = obstacles[i]
@@ -77,7 +77,7 @@ def repulsive_force(x, y, t, obstacles, settings):
 
 @compiled
 def attractive_force(x, y, goal, settings):
-    """Return the force of the way's goal, proportional to its distance, as a vector."""
+    """Return the attractive force of the way's goal as a vector, proportional to the goal's distance."""
     return settings.attraction * (goal.x - x), settings.attraction * (goal.y - y)
 
 
@@ -93,7 +93,7 @@ def potential(x, y, t, goal, obstacles, settings):
 
 @compiled
 def gradient(u, v, t, goal, obstacles, settings):
-    """Return the gradient at a cell from the potential at its four neighbours alone: 2 alpha over alpha apart.  MH10"""
+    """Return the gradient at a cell by central differences: from the potential at its four neighbours.  MH10"""
     a = settings.cell
     right = potential((u + 1) * a, v * a, t, goal, obstacles, settings)
     left = potential((u - 1) * a, v * a, t, goal, obstacles, settings)

@@ -1,7 +1,7 @@
-"""Out of a local minimum: a search along the grid from where the way came to a cell twice.  [Heinemann 2006, 3]  MH12
+"""Out of a local minimum: a search on the grid, begun when the way meets itself.  [Heinemann 2006, 3]  MH12
 
 Neighbours are tried in the order of their potential, until one is lower than every cell of the way. A search also ends
-near the way's end if the straight line to the end is free: with an obstacle beside it, the end is no minimum.
+near the way's end if the straight line to the end is free: an obstacle beside the end can move the minimum elsewhere.
 """
 
 from math import inf
@@ -20,13 +20,13 @@ NEAR_V = np.array([0, 1, 1, 1, 0, -1, -1, -1])
 
 @compiled
 def index_of(u, v, scratch):
-    """Return the index of a cell's mark."""
+    """Return the index of a cell in `scratch.marks`."""
     return (u + scratch.half_u) * (2 * scratch.half_v + 1) + v + scratch.half_v
 
 
 @compiled
 def is_inside(u, v, scratch):
-    """Tell whether a cell lies in the grid."""
+    """Tell whether a cell lies inside the grid."""
     return abs(u) <= scratch.half_u and abs(v) <= scratch.half_v
 
 
@@ -38,7 +38,7 @@ def is_at_end(u, v, scratch):
 
 @compiled
 def add_cell(u, v, t, scratch):
-    """Put a cell at the end of the way; the caller has made sure that there is room."""
+    """Append a cell to the way; the caller has made sure that there is room."""
     cell = scratch.way[scratch.count]
     cell.u, cell.v, cell.t = u, v, t
     cell.slope_x, cell.slope_y = 0.0, 0.0
@@ -48,7 +48,7 @@ def add_cell(u, v, t, scratch):
 
 @compiled
 def cut_way(count, scratch):
-    """Keep the first `count` cells of the way."""
+    """Shorten the way to its first `count` cells."""
     for i in range(count, scratch.count):
         scratch.marks[index_of(scratch.way[i].u, scratch.way[i].v, scratch)] = 0
     scratch.count = count
@@ -63,7 +63,7 @@ def potential_of(u, v, t, obstacles, settings, scratch):
 
 @compiled
 def leave_minimum(obstacles, settings, scratch):
-    """Go on from the lowest of the way's last cells; return GOES_ON, or how the pass ends.  MH12"""
+    """Search on from the lowest of the way's last cells; return GOES_ON, or how the pass ends.  MH12"""
     scratch.searches += 1
     lowest, at = inf, scratch.count - 1
     for i in range(max(scratch.count - settings.last_cells, 0), scratch.count):
@@ -81,10 +81,10 @@ def leave_minimum(obstacles, settings, scratch):
 
 @compiled
 def search(obstacles, settings, scratch):
-    """Search from the way's last cell; return the last node of a way out, how many were made, and how the pass ends.
+    """Search from the way's last cell; return the last node of an escape, the number of nodes, and how the pass ends.
 
-    GOES_ON: the node is lower than every cell before. ARRIVED: the end is straight ahead. If there is no way out, the
-    node is the one of lowest potential.
+    GOES_ON: the node is lower than every cell of the way. ARRIVED: the line from node to end is free. Without an escape
+    the node of lowest potential is returned.
     """
     nodes, heap, begin = scratch.nodes, scratch.heap, scratch.way[scratch.count - 1]
     made = add_node(0, begin.u, begin.v, -1, obstacles, settings, scratch)
@@ -125,7 +125,7 @@ def sees_end(node, obstacles, settings, scratch):
 
 @compiled
 def expand(node, made, size, obstacles, settings, scratch):
-    """Make nodes of a node's free neighbours; return how many nodes there are, and the heap's size."""
+    """Add nodes for the free neighbours of a node; return the number of nodes and the heap's size."""
     here = scratch.nodes[node]
     for i in range(len(NEAR_U)):
         du, dv = NEAR_U[i], NEAR_V[i] * scratch.side
@@ -140,7 +140,7 @@ def expand(node, made, size, obstacles, settings, scratch):
 
 @compiled
 def add_node(made, u, v, parent, obstacles, settings, scratch):
-    """Make a node of a cell, unless an obstacle that its parent is not leaving blocks it; return how many there are."""
+    """Add a node for a cell unless an obstacle that the search is not leaving blocks it; return the number of nodes."""
     node, first = scratch.nodes[made], scratch.way[scratch.count - 1]
     node.far = 0.0
     if parent >= 0:
@@ -185,13 +185,13 @@ def join(last, settings, scratch):
 
 @compiled
 def comes_first(a, b, nodes):
-    """Tell whether node a comes before node b."""
+    """Tell whether node a comes before node b in the queue: lower potential, or equal and older."""
     return nodes[a].potential < nodes[b].potential or (nodes[a].potential == nodes[b].potential and a < b)
 
 
 @compiled
 def push(heap, size, node, nodes):
-    """Add a node to a heap of some size; return the new size."""
+    """Add a node to a heap of `size` nodes; return the new size."""
     at = size
     while at > 0:
         above = (at - 1) // 2
@@ -205,7 +205,7 @@ def push(heap, size, node, nodes):
 
 @compiled
 def pop(heap, size, nodes):
-    """Take the first node out of a heap that is not empty; return it, the size is one less."""
+    """Remove and return the first node of a heap of `size` nodes, at least 1; the caller lowers the size by 1."""
     first, last = heap[0], heap[size - 1]
     at, below = 0, 1
     while below < size - 1:

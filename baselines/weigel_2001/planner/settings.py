@@ -1,7 +1,7 @@
 """The numbers and switches of the planner.  [Heinemann 2006, 3]
 
-The paper gives the two equations, the speed and the threshold; what is "assumed" is ours. Every idea that it compares
-with and without is a switch.
+The paper gives the two equations, the speed and the threshold; numbers marked "assumed" are ours. Every idea that the
+paper tests with and without is a switch.
 """
 
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ FALLBACKS = {"best": 0, "first": 1, "last": 2}
 
 @dataclass(frozen=True)
 class PlannerSettings(Options):
-    """How ways are planned; `Planner(time_variant=False)` changes a switch by name."""
+    """How the planner works; `Planner(time_variant=False)` changes a switch by name."""
 
     NAMES = {"form": FORMS, "repulsion": REPULSIONS, "stepping": STEPPINGS, "fallback": FALLBACKS}
     BOUNDS = {
@@ -83,10 +83,10 @@ class PlannerSettings(Options):
 
     @property
     def half_u(self) -> int:
-        """Return the cells on each side of the middle one along the pitch."""
+        """Return the number of cells from the middle cell to either end of the pitch."""
         return floor((0.5 * self.pitch_length + self.margin) / self.cell)
 
     @property
     def half_v(self) -> int:
-        """Return the cells on each side of the middle one across the pitch."""
+        """Return the number of cells from the middle cell to either side of the pitch."""
         return floor((0.5 * self.pitch_width + self.margin) / self.cell)

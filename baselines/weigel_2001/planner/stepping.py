@@ -1,4 +1,4 @@
-"""From cell to cell: which is next, how long that takes, and where obstacles are by then.  MH11, MH15"""
+"""From cell to cell: the next cell, the time to reach it, and the obstacles' time then.  MH11, MH15"""
 
 from math import floor, sqrt
 
@@ -11,9 +11,9 @@ HALF_OF_45 = sqrt(2.0) - 1.0  # tan(22.5 degrees): a direction nearer to an axis
 
 @compiled
 def cell_of(place, half, settings):
-    """Return the nearest cell to a coordinate [m]; NaN goes to the lower end.
+    """Return the index, along one axis, of the cell nearest to a coordinate [m]; NaN becomes the lowest index.
 
-    Halves go away from the middle on both sides, so that the mirrored place has the mirrored cell.
+    Halves are rounded away from the middle on both sides, so that a mirrored place has the mirrored cell.
     """
     far = (half + 0.5) * settings.cell
     if not place > -far:
@@ -33,10 +33,10 @@ def sign(value):
 
 @compiled
 def next_cell(down_x, down_y, rest_x, rest_y, settings):
-    """Return the step to the neighbour in a direction, and the rests of x and y that are left for later steps.  MH11
+    """Return the step (du, dv) to the neighbour in a direction, and the remainders of x and y for later steps.  MH11
 
-    "carried": one cell along the longer axis; the other part adds up until it is more than half a cell, so that the way
-    keeps the direction. "quantised": the nearest of eight directions, whatever was left over.
+    "carried": one cell along the longer axis; the component along the other axis adds up until it exceeds half a cell,
+    so that the way keeps the direction. "quantised": the nearest of eight directions, with no remainders.
     """
     along, across = abs(down_x), abs(down_y)
     if settings.stepping == QUANTISED:
@@ -56,7 +56,7 @@ def next_cell(down_x, down_y, rest_x, rest_y, settings):
 
 @compiled
 def step_length(du, dv, settings):
-    """Return the distance [m] to a cell so many steps away: 1 or sqrt(2) cells to a neighbour."""
+    """Return the distance [m] to the cell (du, dv) cells away: 1 or sqrt(2) cells to a neighbour."""
     return settings.cell * sqrt(float(du * du + dv * dv))
 
 
@@ -68,9 +68,9 @@ def step_time(du, dv, settings):
 
 @compiled
 def obstacle_time(t, settings):
-    """Return the time [s] for which obstacles are moved: 0 for the planner of Weigel.  MH15, MH17
+    """Return the time [s] from now for which to predict obstacles: 0 for the planner of Weigel.  MH15, MH17
 
-    Unlike the paper's words, nothing is moved back beyond the present where T was guessed too short.
+    Unlike in the paper, obstacles are never moved back before the present where T was guessed too short.
     """
     if settings.time_variant == 0:
         return 0.0

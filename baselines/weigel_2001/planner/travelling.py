@@ -1,7 +1,7 @@
 """A point that plans anew every cycle and drives on: the paper's demonstration, without a robot.  MH14, MH18, MH25
 
-It drives at full speed along the newest path and turns at once; obstacles go straight on. A travel shows the plans by
-themselves; a match shows them with inertia, noise and delay.
+The point drives at full speed along the newest path and turns at once; obstacles keep their velocities. A travel shows
+the plans by themselves; a match shows them with inertia, noise and delay.
 """
 
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ STATION = np.dtype(
 
 @dataclass(frozen=True, eq=False)
 class Travel:
-    """How a point got to its target, one station a cycle, S in all."""
+    """How a point drove to its target: S stations, one for each cycle."""
 
     stations: np.ndarray  # (S,) of STATION
     plans: np.ndarray  # (S,) of records.PLAN, the last one empty
@@ -44,32 +44,32 @@ class Travel:
 
     @property
     def path(self) -> np.ndarray:
-        """The places (S, 2) [m] of its way."""
+        """The point's place (S, 2) [m] in each cycle."""
         return np.stack([self.stations["x"], self.stations["y"]], axis=-1)
 
     @property
     def time(self) -> float:
-        """The seconds that it took."""
+        """The duration of the travel [s]."""
         return (len(self.stations) - 1) * CYCLE
 
     @property
     def length(self) -> float:
-        """The distance that it drove [m]."""
+        """The distance driven [m]."""
         return float(np.hypot(*np.diff(self.path, axis=0).T).sum())
 
     @property
     def turn(self) -> float:
-        """By how much it turned in all [rad]."""
+        """The total turn, left and right [rad]."""
         return turn_of(self.path)
 
     @property
     def clearance(self) -> float:
-        """The smallest gap [m] to an obstacle on the way, below 0 where they touched."""
+        """The smallest gap [m] between the point and an obstacle during the travel, below 0 for an overlap."""
         return float(self.stations["gap"].min())
 
     @property
     def cycles_away(self) -> int:
-        """The number of cycles in which it drove away from the target."""
+        """The number of cycles in which the point drove away from the target."""
         return int((np.diff(self.stations["left"]) > 0.0).sum())
 
     def planned(self, cycle: int) -> np.ndarray:
@@ -79,7 +79,7 @@ class Travel:
         return np.stack([points["x"], points["y"]], axis=-1)
 
     def others(self, cycle: int) -> np.ndarray:
-        """Return where the obstacles were at the beginning of a cycle (n, 2) [m]."""
+        """Return the places (n, 2) [m] of the obstacles at the beginning of a cycle."""
         t = cycle * CYCLE
         return np.stack([self.obstacles[a] + t * self.obstacles[f"v{a}"] for a in "xy"], axis=-1)
 
@@ -92,7 +92,7 @@ def make_travel(
     scratch: np.ndarray,
     seconds: float,
 ) -> Travel:
-    """Return the travel for checked input."""
+    """Make a travel from input that has been checked."""
     most = round(seconds / CYCLE)
     stations, plans = np.zeros(most + 1, STATION), np.zeros(most + 1, PLAN)
     now = obstacles.copy()
@@ -103,9 +103,9 @@ def make_travel(
 
 @compiled
 def travel(x, y, target_x, target_y, side, obstacles, now, settings, scratch, plans, stations, place):
-    """Fill stations and plans cycle by cycle until the target is nearer than a cycle; return their number.  MH14
+    """Fill stations and plans cycle by cycle until the target is within one cycle; return the number of stations.  MH14
 
-    now: obstacles as they move, a copy to work in; place: (1,) record.
+    now: a copy of the obstacles, which this function moves; place: scratch record (1,).
     """
     for i in range(len(stations)):
         for j in range(len(now)):

@@ -18,10 +18,10 @@ from soccer_env.compiled import compiled
 
 @compiled
 def plan_pass(guess, obstacles, settings, scratch, plan):
-    """Fill the way from its begin to its end, for a time T [s] of the whole way; return how it ended.  MH13, MH15
+    """Fill the way from its beginning to its end, assuming a time T [s] for all of it; return how it ended.  MH13, MH15
 
-    Backwards it begins at the target, where obstacles are as they will be after T, and time runs back from cell to
-    cell; forwards at the robot and now. The marks are 0 again afterwards.
+    A backward way begins at the target, with the obstacles predicted for T, and time decreases from cell to cell; a
+    forward way begins at the robot, now. The marks are 0 again afterwards.
     """
     backward = settings.backward == 1
     begin, end = (plan.target, plan.robot) if backward else (plan.robot, plan.target)
@@ -42,7 +42,7 @@ def plan_pass(guess, obstacles, settings, scratch, plan):
 
 @compiled
 def tight_gap(begin, t_begin, end, t_end, obstacles, settings):
-    """Return the gap [m] at which a cell is blocked: 0, or less if another robot is at the way's begin or end."""
+    """Return the gap [m] at or below which a cell is blocked: 0, or less if an obstacle is at either end of the way."""
     first = gap_at(begin.x, begin.y, obstacle_time(t_begin, settings), obstacles, settings)
     last = gap_at(end.x, end.y, obstacle_time(t_end, settings), obstacles, settings)
     nearer = min(first, last)
@@ -51,7 +51,7 @@ def tight_gap(begin, t_begin, end, t_end, obstacles, settings):
 
 @compiled
 def walk(obstacles, settings, scratch):
-    """Go down the potential from cell to cell until the end is next; return how the pass ended.  MH11"""
+    """Descend the potential from cell to cell until the way's end is a neighbour; return how the pass ended.  MH11"""
     rest_x, rest_y, ended = 0.0, 0.0, GOES_ON
     while ended == GOES_ON:
         here = scratch.way[scratch.count - 1]
@@ -77,13 +77,13 @@ def walk(obstacles, settings, scratch):
 
 @compiled
 def is_new(u, v, scratch):
-    """Tell whether a cell lies in the grid and the way has not been there.  MH12"""
+    """Tell whether a cell lies inside the grid and is not yet on the way.  MH12"""
     return is_inside(u, v, scratch) and scratch.marks[index_of(u, v, scratch)] == 0
 
 
 @compiled
 def go_straight(settings, scratch):
-    """End the way: by its last cell, or straight on over the gap that a pass without an end has left."""
+    """Complete the way: append its end cell, after a straight line of cells if the pass did not arrive."""
     here, rest_x, rest_y = scratch.way[scratch.count - 1], 0.0, 0.0
     while not is_at_end(here.u, here.v, scratch) and scratch.count < MOST_CELLS - 1:
         to_u, to_v = scratch.end_u - here.u, scratch.end_v - here.v

@@ -63,7 +63,7 @@ BALL_MEMORY = record(
 
 @compiled
 def believe_ball(percept, own, ball, memory, k, s, w, table):
-    """Bring the belief about the ball up to the percept of a frame.
+    """Update the belief about the ball from the percept of a frame.
 
     ball: BALL_BELIEF, memory: BALL_MEMORY, table: CALIBRATION; own motion is taken from the percept's odometry.
     """
@@ -85,17 +85,17 @@ def believe_ball(percept, own, ball, memory, k, s, w, table):
 
 @compiled
 def forget_ball(memory):
-    """Forget the ball's place and motion: the robot was carried, and perhaps the ball too."""
+    """Forget the ball's place and motion because the robot was carried, and perhaps the ball too."""
     memory.known = memory.has_sample = memory.count = 0
 
 
 @compiled
 def move_memory(ball, memory, body, frame, k, w):
-    """Move the remembered ball against the robot's own motion since the last frame.  MS15
+    """Correct the remembered ball in the robot frame for the robot's own motion since the last frame.  MS15
 
-    `odometry` "rotation" only turns it, the old memory of 3.1.1, and "none" leaves it. Nor is it moved while the robot
-    dribbles, footnote 2: then the ball comes along. Velocity and last reading belong to the ground and are always
-    moved.
+    `odometry` "rotation" corrects only for turns, the old memory of 3.1.1, and "none" not at all. There is no
+    correction while the robot dribbles, footnote 2: the ball moves with the robot. Velocity and last reading belong to
+    the ground and are always corrected.
     """
     forward, left, turn = motion_of(body)
     if memory.known == 0 or (forward == 0.0 and left == 0.0 and turn == 0.0):
@@ -118,9 +118,9 @@ def move_memory(ball, memory, body, frame, k, w):
 
 @compiled
 def dribbles(body, memory, frame, k, w):
-    """Tell whether the robot walks ahead with the ball at its chest: near, within 45 degrees (assumed).  MS15
+    """Tell whether the robot walks forward with the ball at its chest: near, within 45 degrees (assumed).  MS15
 
-    A robot without any confidence in the ball does not dribble it.
+    A robot with no confidence in the ball's place does not dribble.
     """
     x, y = np.float64(memory.x), np.float64(memory.y)
     near = x * x + y * y < w.dribbling_distance * w.dribbling_distance and abs(y) < x
@@ -129,7 +129,7 @@ def dribbles(body, memory, frame, k, w):
 
 @compiled
 def confidence_in(memory, frame, k, w):
-    """Return the confidence in the ball: 100 when it is seen, fading while it is not.  MS03"""
+    """Return the confidence in the ball's place: 100 while the ball is seen, then fading.  MS03"""
     if memory.known == 0:
         return 0.0
     return max(SURE - w.fading * (frame - memory.seen) * k.dt, 0.0)
@@ -169,16 +169,16 @@ def remember_sighting(memory, x, y, frame, w):
 
 @compiled
 def forget_old_sightings(memory, frame, k, w):
-    """Drop sightings older than `averaged_within`: a ball that is found again is not averaged with them.  MS16"""
+    """Drop sightings older than `averaged_within`, so that they do not count when the ball is found again.  MS16"""
     while memory.count > 0 and (frame - memory.recent[memory.count - 1].frame) * k.dt > w.averaged_within + ROUNDING:
         memory.count -= 1
 
 
 @compiled
 def fill_belief(ball, memory, frame, k, w):
-    """Fill in the ball in polar coordinates, 0 straight ahead, and the robot's confidence.  MS02, MS03
+    """Fill in the ball's distance and bearing, 0 straight ahead, and the confidence in them.  MS02, MS03
 
-    A ball that was never seen is put half a pitch ahead, with a confidence of 0.
+    A ball that was never seen is believed half a pitch ahead, with confidence 0.
     """
     if memory.known == 0:
         memory.x = memory.filtered_x = 0.5 * k.pitch_length
@@ -196,7 +196,7 @@ def fill_belief(ball, memory, frame, k, w):
 def lies_in_pocket(x, y, k):
     """Tell whether a ball at x, y [m], robot frame, lies between the paws, within the kicker's reach.
 
-    The rule of the kicker itself, and also for a ball that is believed deeper in the chest than is possible.
+    This is the kicker's own rule, extended to a ball that is believed to overlap the chest.
     """
     gap = x - k.body_front - k.ball_radius
     return -k.ball_radius < gap < k.kicker_reach and -k.kicker_half_width < y < k.kicker_half_width

@@ -49,7 +49,7 @@ def least_area(was_near, s, w):
 
 @compiled
 def is_too_high(percept, blob, s, w):
-    """Tell whether the middle of a blob is so much above the horizontal that it cannot be the ball.  MS13"""
+    """Tell whether the middle of a blob is too far above the horizontal to be the ball.  MS13"""
     if w.horizon == 0:
         return False
     u, v = middle_of(blob)
@@ -65,10 +65,10 @@ def middle_of(blob):
 
 @compiled
 def place_of_ball(percept, blob, k, s, w, table):
-    """Return x, y [m], robot frame, of the ball that a blob shows, and how high the line of sight to it passes there.
+    """Return the place x, y [m], robot frame, of the ball that a blob shows, and the height of the line of sight there.
 
-    The direction is head angles plus place in the picture (MS08). Its range counts from the camera, which the neck
-    carries about, and is brought to the body's origin here. The height [m] is the ball's radius if the range is right.
+    The direction is head angles plus place in the picture (MS08). The range counts from the camera, which moves with
+    the neck, and is converted to the body's origin here. The height [m] equals the ball's radius if the range is right.
     """
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     u, v = middle_of(blob)
@@ -92,7 +92,7 @@ def range_under_head(height, elevation, k):
 
 @compiled
 def range_ahead(percept, blob, elevation, k, s, w, table):
-    """Return the range [m] by size, or by the infrared ranger where that tells more.  MS09, MS12
+    """Return the range [m] by the blob's size, or by the infrared ranger where that is more reliable.  MS09, MS12
 
     A reading of less than `infrared_share` of the range by size says that the ball is partly hidden and looks small.
     With `ball_range` "infrared" every reading on the ball counts, the experiment of 3.1.1.
@@ -109,10 +109,10 @@ def range_ahead(percept, blob, elevation, k, s, w, table):
 
 @compiled
 def range_by_size(blob, w, table):
-    """Return the range [m] by the calibration tables: the closer of those by height and by width.  MS09, MS11
+    """Return the range [m] by the calibration tables: the smaller of the ranges by height and by width.  MS09, MS11
 
-    What hides a part of the ball, or the picture's border, makes it look smaller and so farther: cut in one dimension
-    the other still tells the range; cut in both, the range is too long, and only the infrared ranger knows better.
+    A ball that is partly hidden or cut by the picture's border looks smaller and so farther: cut in one dimension, the
+    other still gives the range; cut in both, the range is too long, and only the infrared ranger gives a better one.
     """
     by_height = read_table(table.ball_height, int(blob.high) - int(blob.low))
     by_width = read_table(table.ball_width, int(blob.left) - int(blob.right))

@@ -23,13 +23,13 @@ LEGGED_MEMORY = record(
 
 @compiled
 def make_scratch():
-    """Return nothing: no arrays to work in are needed."""
+    """Return None: the beliefs of legged robots need no scratch arrays."""
     return 0
 
 
 @compiled
 def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
-    """Bring what one robot believes and remembers up to its percept, and choose where its head looks next."""
+    """Update one robot's beliefs and memory from its percept, and choose the next gaze of its head."""
     believe_pose_legged(percept, belief.own, is_crowded(tracks, k), memory.pose, particles, noise, k, s, w)
     believe_ball(percept, belief.own, belief.ball, memory.ball, k, s, w, table)
     believe_players(percept, belief.own, tracks, memory.players, k, s, w, table)

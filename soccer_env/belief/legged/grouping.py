@@ -29,7 +29,7 @@ SMALLEST = 1.0  # [px] a blob has a pixel at least, whatever its box says
 def size_of(blob):
     """Return the size of a blob [px]: the mean of its width and height, linear in its dimensions.  MS29, footnote 6
 
-    Its area would fall with the square of the distance, while the gaps between a player's blobs do not.
+    A blob's area falls with the square of its distance, but the gaps between a player's blobs do not.
     """
     width, height = int(blob.left) - int(blob.right), int(blob.high) - int(blob.low)
     return max(0.5 * (width + height), SMALLEST)
@@ -95,8 +95,8 @@ def larger_nearby(blobs, i, grouping):
 def box_of_player(blobs, i, w):
     """Return the box [px] that stands for the player whose largest blob is i: left, right, high, low.  MS34
 
-    It is the box of that blob alone: when a player walks away, its head stickers vanish, and a box round all its blobs
-    would suddenly be half as high. With `player_blob` "combined" it is the box round all its blobs.
+    The default is that blob's box alone: when a player walks away, its head stickers vanish, and a box round all its
+    blobs would suddenly be half as high. With `player_blob` "combined" the box encloses all the player's blobs.
     """
     left, right, high, low = int(blobs[i].left), int(blobs[i].right), int(blobs[i].high), int(blobs[i].low)
     if w.player_blob == COMBINED:

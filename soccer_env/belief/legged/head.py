@@ -35,11 +35,11 @@ def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
     """Choose pan and tilt [rad] for the next step: at the ball, or in search of it.  [Sacks 2001, 3]  MS07
 
     A ball in the picture is brought to the picture's middle: the head turns to a point on the line of sight to the
-    blob, `height` [m] over the ground at the believed distance. That is not the believed place on the ground: a
-    half-hidden ball seems too far away, and a head that turns there looks over it. A ball that is no longer seen is
-    looked at where it is remembered, on the ground, for w.search_after. Either point is moved on to the next picture by
-    the robot's motion in the last frame: otherwise the head would lag behind a turning body. After a mere glimpse a
-    search goes on where it was: a patch that is now and then taken for the ball must not keep the head from the feet.
+    blob, `height` [m] over the ground at the believed distance. The believed place on the ground would not do: a
+    half-hidden ball seems too far away, and the head would look over it. After the ball is lost, the head looks at its
+    remembered place on the ground for w.search_after. Either point is predicted for the next picture from the robot's
+    motion in the last frame: otherwise the head would lag behind a turning body. After a mere glimpse a search goes on
+    where it was, so that a patch now and then taken for the ball does not keep the head from looking at the feet.
     """
     ball = belief.ball
     if percept.body.pose == POSE_TOLD:  # the robot was carried: a search begins anew
@@ -65,7 +65,7 @@ def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
 
 @compiled
 def gaze_at_point(ahead, left, height, s):
-    """Return the pan and tilt [rad] that put a point in the robot's frame [m] at the image's centre.  MS07
+    """Return the pan and tilt [rad] that bring a point of the robot frame [m] to the image's centre.  MS07
 
     The camera moves with the head: it looks along a line that passes the neck's pivot s.camera_up above it, so that
     the tilt falls short of the point's elevation as seen from the pivot by asin(camera_up / distance).

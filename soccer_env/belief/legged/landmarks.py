@@ -87,8 +87,8 @@ def believe_pose_legged(percept, own, crowded, memory, particles, noise, k, s, w
 def look_at_landmarks(percept, view, k, s, w):
     """Fill in the landmarks and goals in view; return how many measurements they give.
 
-    None if the robot lies on its side. A landmark cut off at a side of the image is left out; one cut off above or
-    below gives no range.
+    A robot that lies on its side gets none. A landmark cut off at a side of the image is left out; a landmark cut off
+    above or below gives no range.
     """
     view.count = 0
     view.goals[0].seen = view.goals[1].seen = 0
@@ -113,7 +113,7 @@ def look_at_landmarks(percept, view, k, s, w):
 
 @compiled
 def place_of_landmark(which, k, s):
-    """Return where the middle of a landmark stands [m], team frame: just outside the field."""
+    """Return the place of a landmark's middle [m], team frame: just outside the field."""
     x = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
     y = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
     return x * (which // 2 - 1), y * (1 - 2 * (which % 2))
@@ -121,9 +121,9 @@ def place_of_landmark(which, k, s):
 
 @compiled
 def read_landmark(blob, sight, whole, pan, tilt, s):
-    """Fill in direction and range of a landmark; return the number of measurements.
+    """Fill in the direction and range of a landmark from its blob; return the number of measurements.
 
-    At this range the known height fills the angle between the blob's upper and lower edge.
+    The range is that at which the landmark's known height fills the angle between the blob's upper and lower edge.
     """
     middle = 0.5 * (blob.left + blob.right)
     bearing, high = direction_of_pixel(middle, np.float64(blob.high), pan, tilt, s)
@@ -140,7 +140,7 @@ def read_landmark(blob, sight, whole, pan, tilt, s):
 
 @compiled
 def read_goal(blobs, goal, side, edge, pan, tilt, s):
-    """Fill in the directions of both ends of a goal's visible part, in one piece or more; return how many they are."""
+    """Fill in the directions of the two ends of a goal's visible part, one blob or more; return the number of ends."""
     left = -10_000
     right = 10_000
     height = 0.0
@@ -167,7 +167,7 @@ def read_goal(blobs, goal, side, edge, pan, tilt, s):
 
 @compiled
 def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
-    """Move all particles and store in each weight the cost of what the robot sees.  MH08"""
+    """Move all particles, and store in each weight the cost of the robot's measurements for that pose.  MH08"""
     half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
     for i in range(particles.shape[0]):
         particle = particles[i]
@@ -184,7 +184,7 @@ def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
 
 @compiled
 def landmark_cost(sight, x, y, cosine, sine, w):
-    """Return the cost of a landmark's bearing and range for a camera at x, y in a body with this heading."""
+    """Return the cost of a landmark's measured bearing and range for a camera at x, y in a body with this heading."""
     ahead, left, far = direction_in_frame(sight.x - x, sight.y - y, cosine, sine)
     miss = 2.0 - 2.0 * (ahead * sight.ahead + left * sight.left)  # square of the chord [rad2]
     cost = bounded(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
@@ -196,7 +196,7 @@ def landmark_cost(sight, x, y, cosine, sine, w):
 
 @compiled
 def goal_cost(goal, x, y, cosine, sine, hand, k, w):
-    """Return the cost of a goal's two ends for a camera at x, y in a body with this heading."""
+    """Return the cost of a goal's two measured ends for a camera at x, y in a body with this heading."""
     across = goal.side * 0.5 * k.pitch_goal_width  # the left post as seen from the field
     along = goal.side * 0.5 * k.pitch_length - x
     ahead, left, _ = direction_in_frame(along, across - y, cosine, sine)
@@ -208,7 +208,7 @@ def goal_cost(goal, x, y, cosine, sine, hand, k, w):
 
 @compiled
 def end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
-    """Return the cost of a goal's end in direction (ahead, left), if its post lies in direction (post_ahead, ...).
+    """Return the cost of a goal's end in direction (ahead, left) for a post in direction (post_ahead, post_left).
 
     Beyond the post, to the left for `outward` 1, nothing of the goal can be seen. Before the post an end costs little,
     since something may hide the rest, and nothing if the image's border cuts the goal off there.
@@ -231,7 +231,7 @@ def direction_in_frame(x, y, cosine, sine):
 
 @compiled
 def draw_from_landmark(particle, view, noise, hand, k, w):
-    """Draw a particle anew from one of the landmarks and goals in view.  MH08"""
+    """Draw a new pose for a particle from one of the landmarks and goals in view.  MH08"""
     things = view.count + view.goals[0].seen + view.goals[1].seen
     which = int(things * uniform(noise, PARTICLES))
     if which < view.count:

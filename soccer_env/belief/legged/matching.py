@@ -9,8 +9,8 @@ An unlikely player gets a slot, too: a ghost may push a real player out of the m
 
 Unlike the paper's slots, which are never empty, one here may be: it counts as the most uncertain player,
 `empty_distance` and `empty_angle` away from A. So A goes to an empty slot unless it is near a player in memory: within
-about 0.3 m of one seen in the last frame (0.9 m in nearly the same direction), within about 0.65 m, as far as it can
-have walked, of one seen 5 s ago.
+about 0.3 m of a player seen in the last frame (0.9 m in nearly the same direction), or within about 0.65 m, as far as
+it can have walked, of a player seen 5 s ago.
 
 `w`: settings of the memory.
 """
@@ -28,7 +28,7 @@ EXPONENT_MOST = 300.0  # [1] e to the power of twice this is still a number
 
 @compiled
 def uncertainty_of(track, w):
-    """Return how uncertain a player in memory is: 0.5 if it has just been seen, growing to 100.  MS32"""
+    """Return the uncertainty of a player in memory: 0.5 if it has just been seen, growing to 100.  MS32"""
     if track.present == 0:
         return w.uncertainty_most
     return min(w.uncertainty_least + w.uncertainty_growth * track.age, w.uncertainty_most)
@@ -49,9 +49,9 @@ def angle_between(one, other):
 
 @compiled
 def likelihood(track, x, y, bearing, w):
-    """Return how likely the player of a slot is the one seen at x, y [m], robot frame, at a bearing [rad].  MS30
+    """Return the likelihood that a slot's player is the player seen at x, y [m], robot frame, bearing [rad].  MS30
 
-    `distance_power` 1 was tried first, and let one player fill all slots; `angle_power` 0 leaves the angle out.  MS31
+    With `distance_power` 1, tried first, one player filled all slots; `angle_power` 0 leaves the angle out.  MS31
     """
     if track.present == 1:
         distance, angle = length(track.x - x, track.y - y), angle_between(track.bearing, bearing)

@@ -26,7 +26,7 @@ from soccer_env.optics.head_camera import camera_place
 
 @compiled
 def believe_obstacle(percept, belief, tracks, k, s, w):
-    """Update the obstacle of a BELIEF from the percept of a frame, after its tracks (slots,).  MS49
+    """Update the obstacle of a BELIEF from the percept of a frame; its tracks (slots,) are up to date already.  MS49
 
     A robot that lies on its side or is sent off does not look.
     """
@@ -41,7 +41,7 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
 
 @compiled
 def meets_somebody(percept, k, s, w):
-    """Tell whether the beam meets something near that is too high for the carpet, the ball and the boards.  MS49"""
+    """Tell whether the beam meets a near thing, higher than the carpet, the ball and the boards.  MS49"""
     if not 0.0 < percept.infrared < w.player_infrared_far:
         return False
     tilt = np.float64(percept.tilt)
@@ -52,7 +52,7 @@ def meets_somebody(percept, k, s, w):
 
 @compiled
 def place_in_beam(percept, k, s):
-    """Return x, y [m], robot frame, of a player whose chest the beam meets."""
+    """Return the place x, y [m], robot frame, of a player whose chest the beam meets."""
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     ahead, left, _ = camera_place(pan, tilt, s)
     away = range_by_infrared(percept, tilt, k)

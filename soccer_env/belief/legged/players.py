@@ -40,10 +40,10 @@ PLAYERS_MEMORY = record(
 
 @compiled
 def believe_players(percept, own, tracks, memory, k, s, w, table):
-    """Bring the tracks (slots,) of other players up to the percept of a frame.  MS28
+    """Update the tracks (slots,) of other players from the percept of a frame.  MS28
 
     tracks: TRACK, team-mates' slots first; memory: PLAYERS_MEMORY; table: CALIBRATION. `own` is not needed: places are
-    relative to the robot. One that lies on its side or is sent off does not look; one that was carried forgets.
+    relative to the robot. A robot that lies on its side or is sent off does not look; a carried robot forgets.
     """
     body = percept.body
     last = k.teammate_slots + k.opponent_slots
@@ -60,7 +60,7 @@ def believe_players(percept, own, tracks, memory, k, s, w, table):
 
 @compiled
 def move_tracks(tracks, body, last):
-    """Move all players in memory against the robot's own motion since the last frame.  MS36"""
+    """Correct all players in memory, in the robot frame, for the robot's own motion since the last frame.  MS36"""
     forward, left, turn = motion_of(body)
     if forward == 0.0 and left == 0.0 and turn == 0.0:
         return
@@ -73,16 +73,16 @@ def move_tracks(tracks, body, last):
 
 @compiled
 def put_at(track, x, y):
-    """Set the place of a track, x, y [m] in the robot frame, and the polar form of the paper.  MS02"""
+    """Set the place of a track: x, y [m] in the robot frame, and the paper's polar coordinates.  MS02"""
     track.x, track.y = x, y
     track.distance, track.bearing = length(x, y), atan2(y, x)
 
 
 @compiled
 def grow_older(tracks, last, k, w):
-    """Let a frame pass: trust in players that are not seen fades.  MS03
+    """Add a frame to the age of all tracks, and lower the confidence in unseen players.  MS03
 
-    Unlike in the paper, where nothing leaves a slot but another player, those unseen for `ghost_time` are forgotten.
+    Players unseen for `ghost_time` are forgotten, unlike in the paper, where only another player frees a slot.
     """
     for slot in range(last):
         track = tracks[slot]
@@ -95,7 +95,7 @@ def grow_older(tracks, last, k, w):
 
 @compiled
 def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
-    """Find the players among the blobs of one colour and remember them; return how many there are.  MS28
+    """Group the blobs of one colour into players and remember the players; return their number.  MS28
 
     Slots from `first` to before `last` are this team's. Players come largest blob first. The old memory keeps only the
     nearest player in view, in the first slot.
@@ -124,7 +124,7 @@ def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
 
 @compiled
 def remember(tracks, slot, x, y, teammate):
-    """Put a player that is seen at x, y [m], robot frame, into a slot; slot -1: there is none left."""
+    """Put a player seen at x, y [m], robot frame, into a slot; slot -1, no slot is left, does nothing."""
     if slot < 0:
         return
     track = tracks[slot]
@@ -139,10 +139,10 @@ def remember(tracks, slot, x, y, teammate):
 
 @compiled
 def place_of_player(percept, blobs, i, k, s, w, table):
-    """Return x, y [m], robot frame, of the player whose largest blob is i.
+    """Return the place x, y [m], robot frame, of the player whose largest blob is i.
 
-    The direction is head angles plus place in the picture (MS08); ranges count from the camera, which the neck carries
-    about.
+    The direction is head angles plus place in the picture (MS08); ranges count from the camera, which moves with the
+    neck.
     """
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     left, right, high, low = box_of_player(blobs, i, w)
@@ -159,9 +159,8 @@ def place_of_player(percept, blobs, i, k, s, w, table):
 def range_by_height(height, w, table):
     """Return the range [m] from the camera to the centre of a player whose box is `height` [px] high.  MS33
 
-    By height alone, which does not depend on the view as the width does; the table was made head-on ("front"), the
-    most common view, in which stickers look slightly smaller: from the side a player seems closer than it is, which is
-    the safer error.
+    Only the height counts, since the width depends on the view; the table was made head-on ("front"), the most common
+    view, in which stickers look slightly smaller: from the side a player seems closer than it is, the safer error.
     """
     combined = w.player_blob == COMBINED
     if w.player_view == SIDE:
@@ -173,9 +172,9 @@ def range_by_height(height, w, table):
 
 @compiled
 def is_in_beam(percept, left, right, high, low, s, w):
-    """Tell whether a box [px] covers the picture's centre, where the ranger says something near.  MS35
+    """Tell whether a box [px] covers the picture's centre while the ranger measures a near thing.  MS35
 
-    Within `centred` beside it counts too. A reading of 0 is none.
+    A centre within `centred` of the box counts as covered. A reading of 0 means no reading.
     """
     if not 0.0 < percept.infrared < w.player_infrared_far:
         return False

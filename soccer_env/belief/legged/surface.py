@@ -16,9 +16,10 @@ from soccer_env.geometry import length
 
 @compiled
 def half_a_body(k):
-    """Return how far a player's middle lies behind the surface that sensors meet [m]: its chest's, assumed.
+    """Return the distance of a player's middle behind the surface that sensors measure [m]: its chest, assumed.
 
-    Seen head-on, the most common view. From the side it is 3 cm less, from behind 2 cm more; vision tells no headings.
+    The value is for the head-on view, the most common. From the side it is 3 cm less, from behind 2 cm more, but vision
+    does not show headings.
     """
     return k.body_front
 

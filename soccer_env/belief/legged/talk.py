@@ -42,7 +42,7 @@ def exchange(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
 
 @compiled
 def say_word(report, ball):
-    """Write the word for the distance to the ball, and nothing more.  MS06"""
+    """Write the word for the distance to the ball into a report.  MS06"""
     seen = ball.confidence > 0.0 and ball.age < SEEN
     report.word = word_for(ball.filtered_distance) if seen else SILENT
     report.distance = distance_of(report.word)

@@ -41,10 +41,10 @@ def update_velocity(ball, memory, frame, dt, w):
 
 @compiled
 def take_reading(ball, memory, frame, since, w):
-    """Compare the ball's place with that of the last reading, `since` [s] ago, and store it.  MS17, MS18
+    """Compute the velocity from the ball's place and the reading `since` [s] ago; store a reading.  MS17, MS18
 
-    After a gap of more than `velocity_gap` it is only stored. Both readings say where the ball was believed to be when
-    they were taken: a ball that was missed in just this frame has been moved by odometry meanwhile.
+    After a gap of more than `velocity_gap` the reading is only stored. Each reading is the believed place at its time;
+    for a ball missed in just this frame, odometry has updated that place.
     """
     distance = ball.distance if w.radial_from == RAW else ball.filtered_distance
     bearing = ball.bearing if w.angular_from == RAW else ball.filtered_bearing
@@ -61,6 +61,6 @@ def take_reading(ball, memory, frame, since, w):
 
 @compiled
 def turn_velocity(ball, memory, forward, left, cosine, sine):
-    """Carry velocity and last reading along with the robot's own motion since the last frame."""
+    """Convert velocity and last reading to the robot frame of now, after the own motion since the last frame."""
     ball.vx, ball.vy = into_frame(ball.vx, ball.vy, cosine, sine)
     memory.sample_x, memory.sample_y = into_frame(memory.sample_x - forward, memory.sample_y - left, cosine, sine)

@@ -41,9 +41,9 @@ BALL_MEMORY = record(
 
 @compiled
 def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
-    """Update the tracked ball from the percept, and the belief from the tracked ball.  MH06
+    """Update the tracked ball (`memory`) from the percept, and the belief from the tracked ball.  MH06
 
-    The picture counts as `frames` old: a reading is compared with the state at the exposure.
+    The picture counts as `frames` old: a reading is compared with the ball's state at the exposure.
     """
     body = percept.body
     move_ball(memory, motions[body.frame % motions.shape[0]], body.kicked == 1, k, s, w)
@@ -65,7 +65,7 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
 
 @compiled
 def move_ball(memory, motion, kicked, k, s, w):
-    """Let the ball roll on for a frame, seen from a robot that moves itself; its own kick makes the speed uncertain."""
+    """Predict the rolling ball for a frame, relative to the moving robot; its own kick makes the speed uncertain."""
     filter = memory.filter
     memory.age += k.dt
     filter.seen = 0
@@ -82,7 +82,7 @@ def move_ball(memory, motion, kicked, k, s, w):
 
 @compiled
 def take(memory, x, y, late, age, alone, k, s, w):
-    """Take a reading (x, y) [m] of an age [s] that counts as `late` [s]; `alone`: it may start a track by itself.  MH06
+    """Correct the ball with a reading (x, y) [m] of an age [s], counted as `late` [s]; `alone` may start a track.  MH06
 
     A reading off by more than `surprise` is ignored, unless `surprise_count` of them in a row agree with each other:
     then the ball was kicked, or the track followed something else, and it starts anew.
@@ -110,7 +110,7 @@ def take(memory, x, y, late, age, alone, k, s, w):
 
 @compiled
 def fill_belief(believed, memory, own):
-    """Fill in the belief from the tracked ball; rates are as the moving, turning robot sees them."""
+    """Fill in the belief from the tracked ball; radial and angular velocity are relative to the turning robot."""
     believed.distance = length(memory.raw_x, memory.raw_y)
     believed.bearing = atan2(memory.raw_y, memory.raw_x)
     x, y = memory.x, memory.y

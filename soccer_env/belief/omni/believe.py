@@ -29,13 +29,13 @@ OMNI_MEMORY = record(
 
 @compiled
 def make_scratch():
-    """Return arrays to work in: readings of other players, a track and its filter."""
+    """Return scratch arrays: readings of other players, a track and its filter."""
     return records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
 
 
 @compiled
 def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
-    """Bring what one robot believes and remembers up to its percept; there is no head to turn."""
+    """Update one robot's beliefs and memory from its percept; `gaze` is unused, since there is no head."""
     believe_pose_omni(percept, belief.own, is_crowded(tracks, k), memory.pose, particles, noise, k, s, w, table)
     track_things(percept, belief, tracks, memory, scratch, k, s, w)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
@@ -43,7 +43,7 @@ def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scrat
 
 @compiled
 def track_things(percept, belief, tracks, memory, scratch, k, s, w):
-    """Update ball and players from the percept; a robot that is told its new place begins anew.  MH06"""
+    """Update ball and players from the percept; a robot that is told a new place first forgets both.  MH06"""
     note_motion(memory.motions, percept.body)
     if percept.body.pose == POSE_TOLD:
         forget_things(memory, tracks)

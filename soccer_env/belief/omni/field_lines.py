@@ -64,7 +64,7 @@ def believe_pose_omni(percept, own, crowded, memory, particles, noise, k, s, w, 
 def look_at_lines(percept, own, view, k, s, w):
     """Fill in the lines and goals in view; return how many measurements they give.
 
-    The picture is old by the time it arrives: what it shows is moved by the robot's motion since the exposure.
+    The picture is old when it arrives: its measurements are corrected for the robot's motion since the exposure.
     """
     age = np.float64(percept.age) if w.delay_compensation == 1 else 0.0
     forward, aside, turn = own.forward * age, own.left * age, own.turn * age
@@ -87,7 +87,7 @@ def look_at_lines(percept, own, view, k, s, w):
 
 @compiled
 def read_goal(sighting, goal, x, forward, aside, turn):
-    """Fill in direction and range of a goal, after the robot's motion since the exposure."""
+    """Fill in direction and range of a goal, corrected for the robot's motion since the exposure."""
     goal.seen, goal.x = int(sighting.seen), x
     if goal.seen == 0:
         return
@@ -99,7 +99,7 @@ def read_goal(sighting, goal, x, forward, aside, turn):
 
 @compiled
 def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
-    """Move all particles and store in each weight the cost of what the robot sees.  MH08"""
+    """Move all particles, and store in each weight the cost of the robot's measurements for that pose.  MH08"""
     grid, per_metre = table.nearest_line, 1.0 / table.cell
     columns, rows = grid.shape[0] // 2, grid.shape[1] // 2
     sharp = 1.0 / (w.pose_line_noise * w.pose_line_noise)
@@ -123,7 +123,7 @@ def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand
 
 @compiled
 def goal_cost(goal, x, y, cosine, sine, k, w):
-    """Return the cost of a goal's bearing and range for a robot at x, y with this heading."""
+    """Return the cost of a goal's measured bearing and range for a robot at x, y with this heading."""
     along, far = goal.x - x, sqrt((goal.x - x) * (goal.x - x) + y * y)
     far = max(far, 1e-3)
     ahead, left = into_frame(along, -y, cosine, sine)
@@ -136,7 +136,7 @@ def goal_cost(goal, x, y, cosine, sine, k, w):
 
 @compiled
 def draw_from_goal(particle, view, half_length, half_width, noise, hand, w):
-    """Draw a particle anew from a goal that is seen; without one, anywhere.  MH08"""
+    """Draw a new pose for a particle from a goal in view; without a goal, anywhere on the field.  MH08"""
     goals = view.goals[0].seen + view.goals[1].seen
     if goals == 0:
         scatter(particle, half_length, half_width, noise, hand)

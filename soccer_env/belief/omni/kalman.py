@@ -27,13 +27,13 @@ LEAST_VARIANCE = 1e-8  # [m2, m2/s2] below which single precision would lose the
 
 @compiled
 def start_covariance(P, R, speed):
-    """Start with a reading of variance R [m2], and a speed of which only the deviation [m/s] is known."""
+    """Fill P with the initial covariance: variance R [m2] of the place, deviation `speed` [m/s] of the velocity."""
     P.xx, P.xv, P.vv = R, 0.0, speed * speed
 
 
 @compiled
 def predict_covariance(P, dt, agility, jitter):
-    """Carry P over a frame: P = F P F' + Q.  MH06
+    """Predict P for the next frame: P = F P F' + Q.  MH06
 
     agility: sd of the unforeseen acceleration [m/s2]; jitter: error of the own odometry [m].
     """
@@ -46,7 +46,7 @@ def predict_covariance(P, dt, agility, jitter):
 
 @compiled
 def update_covariance(P, age, R):
-    """Take a reading into P and return its gains K on place [1] and speed [1/s].  MH06"""
+    """Update P for a reading and return the reading's gains K on place [1] and speed [1/s].  MH06"""
     xx, xv, vv = np.float64(P.xx), np.float64(P.xv), np.float64(P.vv)
     x_seen, v_seen = xx - age * xv, xv - age * vv  # P H'
     S = x_seen - age * v_seen + R
@@ -59,10 +59,10 @@ def update_covariance(P, age, R):
 
 @compiled
 def fit_gains(readings, window, elapsed, age):
-    """Return the gains of a line fitted to readings by least squares: all so far, then about the last `window`.  MH06
+    """Return the gains on place and speed of a least-squares line through all readings, later the last `window`.  MH06
 
-    readings: their number with this one; elapsed: time since the last one [s]. From `window` readings on the gains stay
-    constant, so that old readings fade.
+    readings: their number, with the present reading; elapsed: time since the last reading [s]; age: age of the reading
+    [s]. From `window` readings on the gains stay constant, so that old readings fade.
     """
     n = max(min(1.0 * readings, window), 2.0)
     K_x, K_v = 2.0 * (2.0 * n - 1.0) / (n * (n + 1.0)), 6.0 / (n * (n + 1.0) * elapsed)

@@ -36,9 +36,9 @@ READING = np.dtype(
 
 @compiled
 def believe_players(percept, tracks, filters, motions, frames, scratch, k, s, w):
-    """Bring the tracks of other players up to the percept.  MH06
+    """Update the tracks of other players from the percept.  MH06
 
-    The picture counts as `frames` old; scratch: OTHERS READINGs, one TRACK and one FILTER to work in.
+    The picture counts as `frames` old; scratch: OTHERS READINGs, one TRACK and one FILTER.
     """
     readings, spare_tracks, spare_filters = scratch
     move_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
@@ -53,7 +53,7 @@ def believe_players(percept, tracks, filters, motions, frames, scratch, k, s, w)
 
 @compiled
 def move_players(tracks, filters, motion, k, s, w):
-    """Let the tracked players go on for a frame, seen from a robot that moves itself."""
+    """Predict the tracked players for a frame in the frame of the moving robot."""
     for slot in range(tracks.shape[0]):
         track, filter = tracks[slot], filters[slot]
         filter.seen = 0
@@ -73,7 +73,7 @@ def move_players(tracks, filters, motion, k, s, w):
 
 @compiled
 def read_players(percept, motions, frames, readings):
-    """Fill in where the players of the picture are now, if they stand; return how many there are."""
+    """Fill in the present places of the players in the picture as if they stood still; return the number of players."""
     count = 0
     while count < OTHERS and percept.players[count].seen == 1:
         reading = readings[count]
@@ -85,7 +85,7 @@ def read_players(percept, motions, frames, readings):
 
 @compiled
 def follow_team(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
-    """Bring the tracks of one team, in slots `first` to `last`, up to the readings that show its marker.  MH06"""
+    """Update the tracks of one team, slots `first` to before `last`, from the readings with its marker.  MH06"""
     age = np.float64(percept.age)
     measure_offsets(percept, tracks, readings, count, teammate, first, last, late)
     while True:
@@ -104,7 +104,7 @@ def follow_team(percept, tracks, filters, readings, count, teammate, first, last
 
 @compiled
 def measure_offsets(percept, tracks, readings, count, teammate, first, last, late):
-    """Fill in how far the readings of a team are off its tracks [m]."""
+    """Fill in the distances [m] between the readings and the tracks of a team."""
     for slot in range(first, last):
         if tracks[slot].present == 1:
             x, y = at_exposure(tracks[slot], late)
@@ -114,7 +114,7 @@ def measure_offsets(percept, tracks, readings, count, teammate, first, last, lat
 
 @compiled
 def nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, gate):
-    """Return the reading and the track, both still free, that are nearest to each other within the gate; or -1, -1."""
+    """Return the nearest pair of a free reading and a free track within the gate, as indices; -1, -1 for none."""
     best = -1
     best_slot = -1
     least = gate
@@ -131,7 +131,7 @@ def nearest_pair(percept, tracks, filters, readings, count, teammate, first, las
 
 @compiled
 def take(track, filter, x, y, off, late, age, k, s, w):
-    """Take a reading into a track; `surprise_count` in a row that are off by more than `surprise` start it anew."""
+    """Correct a track with a reading; restart it after `surprise_count` readings in a row off by over `surprise`."""
     filter.surprises = filter.surprises + 1 if off > w.surprise else 0
     if filter.surprises >= w.surprise_count:
         start(track, filter, x, y, PLAYER_SPEED, s)
@@ -145,7 +145,7 @@ def take(track, filter, x, y, off, late, age, k, s, w):
 
 @compiled
 def add_player(tracks, filters, x, y, teammate, first, last, age, s):
-    """Start a track in a free slot, or in that of the farthest player if that one is farther."""
+    """Start a track in a free slot, or replace the farthest player if that player is farther away."""
     place, farthest = -1, x * x + y * y
     for slot in range(first, last):
         track = tracks[slot]
@@ -171,7 +171,7 @@ def add_player(tracks, filters, x, y, teammate, first, last, age, s):
 
 @compiled
 def fade_players(tracks, filters, k, w):
-    """Fade players that were not seen, forget those unseen for long, and fill in distance and bearing."""
+    """Lower the confidence in unseen players, forget players unseen for long, and fill in distance and bearing."""
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and filters[slot].seen != 1:
@@ -197,5 +197,5 @@ def sort_players(tracks, filters, spare_tracks, spare_filters, first, last):
 
 @compiled
 def comes_before(one, other):
-    """Tell whether a track belongs before another: one in use before an empty one, a nearer one before a farther."""
+    """Tell whether a track belongs before another: used before empty slots, then nearer before farther players."""
     return one.present == 1 and (other.present == 0 or one.distance < other.distance)

@@ -41,9 +41,10 @@ RADIO_MESSAGE = message_of(REPORT)
 
 @compiled
 def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
-    """Let the robots of one match report by radio, and use reports for what they do not see themselves.  MH05
+    """Let the robots of one match report by radio, and add reported team-mates and ball to what they see.  MH05
 
-    Every s.radio_period, delivered s.radio_delay later, lost with probability s.radio_loss; `shared` False: no radio.
+    A robot reports every s.radio_period; a report arrives s.radio_delay later, or is lost with probability
+    s.radio_loss. `shared` False: no radio.
     """
     if w.shared == 0:
         return

@@ -1,7 +1,7 @@
 """How a middle-size robot uses its team-mates' reports.  [Heinemann et al. 2006, 2]  MH05
 
-A report is in the team frame; the own believed pose brings it into the robot frame, so that it has the errors of both
-poses. The own camera is trusted more.
+A report is in the team frame; the own believed pose converts it to the robot frame, so that the result has the errors
+of both poses. The own camera is trusted more.
 
 `k`: the league's constants; `w`: settings of the memory.
 """
@@ -44,7 +44,7 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
     """Put the team-mates whose reports have just arrived into the tracks (slots,) of robot r.  MH05
 
     The nearest pair of report and track within w.gate comes first. A track that the own camera has seen lately keeps
-    its place and gets the number; a report that is left over takes a free slot, or that of a team-mate farther away.
+    its place and gets the number; a report without a track takes a free slot, or the slot of a farther team-mate.
     scratch (rows or slots, 4): x, y of each speaker in the robot frame [m], 1 while its report is open; and 1 for each
     slot that is taken.
     """
@@ -66,9 +66,9 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
 
 @compiled
 def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
-    """Fill in the places of the team-mates that have just reported, except those that do not know their own place.
+    """Fill in the places of the team-mates that have just reported, except team-mates unsure of their own place.
 
-    A report is old by the time it arrives: the team-mate has moved on since.
+    A report is old when it arrives: the team-mate's motion since then is predicted.
     """
     for other in rows:
         message = messages[other]
@@ -88,9 +88,9 @@ def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
 
 @compiled
 def nearest_pair(tracks, scratch, k, w, rows):
-    """Return the open report and the free track that are nearest to each other within the gate; -1, -1 if none are.
+    """Return the nearest pair of an open report and a free track within the gate, as indices; -1, -1 for none.
 
-    The gate is w.gate, and wider for a distant team-mate, whose place errs with the own heading.
+    The gate is w.gate, wider for a distant team-mate, whose place depends on the error of the own heading.
     """
     best = -1
     best_slot = -1
@@ -111,10 +111,10 @@ def nearest_pair(tracks, scratch, k, w, rows):
 
 @compiled
 def free_slot(tracks, message, scratch, other, frame, k, w):
-    """Return the slot for a team-mate that no track is near to, or -1.
+    """Return the slot for a reported team-mate with no track near it, or -1.
 
-    In this order: the slot that it had; a free slot; the slot of the farthest team-mate, if that is farther than this
-    one. A slot whose player the own camera has seen lately is never given to a player that is merely reported.
+    In this order: the team-mate's former slot; a free slot; the slot of the farthest team-mate, if that team-mate is
+    farther away. A slot whose player the own camera has seen lately is never given to a merely reported player.
     """
     report = message.reports[message.latest]
     confidence = told_confidence(report, frame, k, w)
@@ -136,7 +136,7 @@ def free_slot(tracks, message, scratch, other, frame, k, w):
 
 @compiled
 def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
-    """Put a report into a track: number and heading, and place and velocity unless the camera knows better."""
+    """Copy a report into a track: number and heading; place and velocity unless the camera saw the player lately."""
     report, track = message.reports[message.latest], tracks[slot]
     place[2], taken[3] = 0.0, 1.0
     for i in range(k.teammate_slots):
@@ -156,7 +156,7 @@ def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
 
 @compiled
 def told_confidence(report, frame, k, w):
-    """Return the confidence in the place that a team-mate reported, fading since the report."""
+    """Return the confidence in a team-mate's reported place, which fades with the report's age."""
     if report.confidence <= 0.0:
         return 0.0
     return TOLD * max(SURE - w.fading * (frame - report.frame) * k.dt, 0.0)
@@ -167,7 +167,7 @@ def told_confidence(report, frame, k, w):
 
 @compiled
 def adopt_ball(belief, messages, r, frame, k, w, home, rows):
-    """Believe the ball of the most confident team-mate that saw it later than the robot itself.  MH05
+    """Take over the ball of the most confident team-mate that has seen it more recently than the robot.  MH05
 
     Of equally confident team-mates the nearest to the ball counts, then the lowest number.
     """
@@ -196,7 +196,7 @@ def adopt_ball(belief, messages, r, frame, k, w, home, rows):
 
 @compiled
 def believe_report(belief, report, elapsed, late, confidence, k):
-    """Fill in the ball as a team-mate told it `elapsed` ago; it has rolled on, and slowed down, for `late` [s]."""
+    """Fill in the ball that a team-mate reported `elapsed` ago, rolled on and slowed down for `late` [s]."""
     own, ball = belief.own, belief.ball
     cosine, sine = cos(own.heading), sin(own.heading)
     speed = length(report.ball_vx, report.ball_vy)

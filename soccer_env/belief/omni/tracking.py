@@ -46,14 +46,14 @@ MOTION = record(
 
 @compiled
 def note_motion(motions, body):
-    """Keep the odometry of this frame among the last DELAYS."""
+    """Store this frame's odometry among the last DELAYS frames."""
     motion = motions[body.frame % DELAYS]
     motion.forward, motion.left, motion.turn = body.forward, body.left, body.turn
 
 
 @compiled
 def reading_of(sighting, motions, frame, frames):
-    """Return where a still thing in a picture some frames old lies in the robot frame of now [m]."""
+    """Convert a sighting in a picture some frames old to a place in the robot frame of now [m], for a still thing."""
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
     x, y = distance * cos(bearing), distance * sin(bearing)
     for back in range(frames - 1, -1, -1):
@@ -65,7 +65,7 @@ def reading_of(sighting, motions, frame, frames):
 
 @compiled
 def carry(thing, motion):
-    """Move a thing into the robot frame of now, without the thing's own motion."""
+    """Convert a thing's place and velocity to the robot frame of now, without the thing's own motion."""
     forward, left, turn = motion_of(motion)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
     thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
@@ -73,7 +73,7 @@ def carry(thing, motion):
 
 @compiled
 def predict(thing, filter, motion, agility, slowing, k, s):
-    """Let a thing go on for a frame: x = F x, slowed down by a constant deceleration [m/s2], P = F P F' + Q.  MH06"""
+    """Predict a thing for a frame: x = F x, with a deceleration `slowing` [m/s2], and P = F P F' + Q.  MH06"""
     speed = length(thing.vx, thing.vy)
     lost = min(slowing * k.dt, speed)
     share = 1.0 - lost / speed if speed > 0.0 else 1.0
@@ -88,7 +88,7 @@ def predict(thing, filter, motion, agility, slowing, k, s):
 
 @compiled
 def start(thing, filter, x, y, speed, s):
-    """Start to track a thing anew from one reading, its speed unknown but for a deviation [m/s]."""
+    """Restart the track of a thing from one reading, with an unknown velocity of deviation `speed` [m/s]."""
     thing.x, thing.y, thing.vx, thing.vy = x, y, 0.0, 0.0
     along, across = reading_sd(length(x, y), s)
     start_covariance(filter.along, along * along, speed)
@@ -98,7 +98,7 @@ def start(thing, filter, x, y, speed, s):
 
 @compiled
 def reading_sd(distance, s):
-    """Return the sd of a reading along and across the line of sight [m]: a pixel through the mirror's curve.  MH02"""
+    """Return the sd of a reading along and across the line of sight [m]: one pixel, mapped by the mirror.  MH02"""
     pixels = sqrt(s.pixel_noise * s.pixel_noise + ROUNDING)
     along, across = metres_per_pixel(mirror_of(s), distance)
     return pixels * along, pixels * across
@@ -106,16 +106,16 @@ def reading_sd(distance, s):
 
 @compiled
 def at_exposure(thing, age):
-    """Return where a thing was when a picture of some age [s] was taken, in the axes of now [m]."""
+    """Return the place [m] of a thing at the exposure of a picture `age` [s] old, in the robot frame of now."""
     return thing.x - age * thing.vx, thing.y - age * thing.vy
 
 
 @compiled
 def correct(thing, filter, x, y, age, elapsed, s, w):
-    """Take a reading (x, y) [m] of some age [s] into a thing's state: x = x + K y.  MH06
+    """Correct a thing's state with a reading (x, y) [m], `age` [s] old: x = x + K y.  MH06
 
-    elapsed: time since the last reading [s]. The filter of the settings makes the gains; without a filter the reading
-    replaces the state, and speeds are unknown.
+    elapsed: time since the last reading [s]. The filter chosen in the settings gives the gains; without a filter the
+    reading replaces the state, with velocity 0.
     """
     was_x, was_y = at_exposure(thing, age)
     distance = length(was_x, was_y)

@@ -31,7 +31,7 @@ TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
 @compiled
 def deliver(sketch, percept, state, noise, s):
-    """Fill in the blobs of a percept from a sketch; the error of a robot's sizes is drawn once an episode.  MS04"""
+    """Fill in the blobs of a percept from a sketch; a robot's scale error of sizes is drawn once an episode.  MS04"""
     if state.scale == 0.0:
         state.scale = max(1.0 + s.scale_error * normal(noise, CAMERA_NOISE), SCALE_LEAST)
     miss(sketch, BALL, noise, s.ball_miss)
@@ -49,7 +49,7 @@ def deliver(sketch, percept, state, noise, s):
 
 @compiled
 def miss(sketch, kind, noise, probability):
-    """Remove the pieces that the vision misses in this frame, one draw for each.  MS37"""
+    """Remove the pieces of a kind that the vision misses in this frame, with one random draw for each piece.  MS37"""
     kept, count = 0, sketch.counts[kind]
     for i in range(count):
         if uniform(noise, CAMERA_NOISE) >= probability:
@@ -61,7 +61,7 @@ def miss(sketch, kind, noise, probability):
 
 @compiled
 def miss_players(sketch, noise, s):
-    """Remove all stickers of each player that the vision misses in this frame, one draw per visible jersey.  MS37"""
+    """Remove all stickers of players that the vision misses in this frame, with one draw per visible jersey.  MS37"""
     if s.player_miss <= 0.0:
         return
     kept_of_mates = kept_of_opponents = 0
@@ -83,10 +83,10 @@ def miss_players(sketch, noise, s):
 
 @compiled
 def add_spots(sketch, kind, noise, s):
-    """Add the orange spots that stickers show in this frame.
+    """Add the orange spots on stickers, which the vision may take for the ball in this frame.
 
-    Both teams' stickers show them, although only one team's are red: otherwise the red team would be at a disadvantage,
-    and swapping the teams would change a match.
+    Both teams' stickers show spots, although only one team's stickers are red: otherwise the red team would be at a
+    disadvantage, and swapping the teams would change a match.
     """
     for i in range(sketch.counts[kind]):
         if uniform(noise, FALSE_BLOBS) >= s.red_as_orange or sketch.counts[BALL] >= PIECES:
@@ -111,9 +111,9 @@ def add_patches(sketch):
 
 @compiled
 def report(sketch, kind, blobs, scale, noise, missed, s):
-    """Fill in the four largest blobs of a kind, largest first; a share `missed` is left out.  [Sacks 2001, 2]  MS04
+    """Fill in the four largest blobs of a kind, largest first; each piece is missed with probability `missed`.  MS04
 
-    Regions of any colour below the least area are dropped, as vision libraries do.  MS14
+    [Sacks 2001, 2] Regions of any colour below the least area are dropped, as vision libraries do.  MS14
     """
     if sketch.counts[kind] == 0 and blobs[0].area == 0:
         return  # no pieces now, and no blobs left from the frame before
@@ -153,7 +153,7 @@ def report_landmarks(sketch, blobs, scale, noise, s):
 
 @compiled
 def merge(pieces, count):
-    """Merge pieces that touch or overlap, since the vision sees only their colour; return how many are left."""
+    """Merge pieces that touch or overlap, since the vision sees only their colour; return the number of pieces left."""
     i = 0
     while i < count:
         j = i + 1
@@ -185,7 +185,7 @@ def touch(one, other):
 
 @compiled
 def put_largest_first(pieces, count, spare):
-    """Move the four largest pieces to the front, in order; of equal pieces the first comes first."""
+    """Move the four largest pieces to the front, largest first; equal pieces keep their order."""
     for place in range(min(count, BLOBS)):
         largest = place
         for i in range(place + 1, count):
@@ -197,7 +197,7 @@ def put_largest_first(pieces, count, spare):
 
 @compiled
 def swap(things, one, other, spare):
-    """Exchange two records of an array, by index; spare (1,): room for one of them."""
+    """Swap two records of an array, by index; spare: scratch record (1,)."""
     spare[0] = things[one]
     things[one] = things[other]
     things[other] = spare[0]
@@ -207,7 +207,7 @@ def swap(things, one, other, spare):
 def measure(camera, piece, blob, scale, noise, s):
     """Fill in the blob that the vision makes of a piece: whole pixels, at least one, within the picture.
 
-    Size and place flicker by s.dither [px]; a piece that is cut off at an edge of the picture stays there.
+    Size and place vary at random by s.dither [px]; a piece that is cut off at an edge of the picture stays at the edge.
     """
     width, height = piece.left - piece.right, piece.high - piece.low
     columns = pixels(width * scale + s.dither * bell(noise), 2.0 * camera.half_width)
@@ -226,13 +226,13 @@ def measure(camera, piece, blob, scale, noise, s):
 
 @compiled
 def pixels(size, most):
-    """Return a size in whole pixels, from 1 to the size of the picture."""
+    """Round a size to whole pixels, from 1 to the size of the picture."""
     return min(max(floor(size + 0.5), 1.0), most)
 
 
 @compiled
 def place_edge(middle, count, high, low, border):
-    """Return the upper edge, or the left one, of `count` pixels about a middle; a piece at the border stays there."""
+    """Return the upper or left edge of `count` pixels about a middle; a piece at the picture's border stays there."""
     if high >= border - EDGE:
         return border
     if low <= EDGE - border:

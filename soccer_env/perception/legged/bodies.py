@@ -90,7 +90,7 @@ def measure_hull(rectangle, k, s):
 
 @compiled
 def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
-    """Fill in the bodies that may be in the picture of robot r; return how many there are.
+    """Fill in the bodies of the robots that may be in the picture of robot r; return the number of bodies.
 
     Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
@@ -123,9 +123,9 @@ def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
 
 @compiled
 def put_head(camera, ahead, left, pose, rectangle, s, body):
-    """Fill in the head of a robot whose origin is at ahead, left [m], and how its stickers lie.
+    """Fill in the head of a robot whose origin is at ahead, left [m], and the place of the head's stickers.
 
-    The camera is in the middle of its face. Head and stickers move with the tilt, but stay upright.
+    The head's own camera is in the middle of the face. Head and stickers move with the tilt, but stay upright.
     """
     head = body.boxes[HEAD]
     trunk = body.boxes[TRUNK]
@@ -154,14 +154,14 @@ def place_box(camera, box, radius, extent):
 
 @compiled
 def in_box_axes(box, ahead, left):
-    """Return a point's place along the length and the width of a box [m], from its middle."""
+    """Convert a point to the axes of a box: its coordinates along length and width from the box's middle [m]."""
     ahead, left = ahead - box.ahead, left - box.left
     return into_frame(ahead, left, box.cosine, box.sine)
 
 
 @compiled
 def trace_box(camera, box, tracing, outline):
-    """Bring the outline of a box up to date. Bits of a corner's index: 1 behind, 2 right, 4 low."""
+    """Compute the outline of a box in the picture. Bits of a corner's index: 1 behind, 2 right, 4 low."""
     nearest = inf
     for i in range(CORNERS):
         x = -box.half_length if i & 1 else box.half_length
@@ -179,7 +179,7 @@ def trace_box(camera, box, tracing, outline):
 
 @compiled
 def faces_seen(box):
-    """Return the leftmost upright face of a box in view, and how many are in view: 1, 2, or 0 from inside the box.
+    """Return the leftmost upright face of a box in view, and the number of faces in view: 1, 2, or 0 from inside.
 
     Faces go round counter-clockwise, face i from corner i to corner i + 1 of the ring: left, behind, right, ahead.
     """
@@ -205,7 +205,7 @@ def ring(i):
 def follow_edges(camera, box, corners, outline, first, count):
     """Trace the outline of a box that lies before the lens, whose faces first, ..., first + count - 1 are seen.
 
-    From above, the far edges of its top and the near edges of its bottom bound it; from below the other way round.
+    Seen from above, the far edges of the top and the near edges of the bottom bound the box; from below, the reverse.
     """
     from_above, over_belly = camera.height > box.high, camera.height > box.low
     right, left = ring(first + count), ring(first)

@@ -69,7 +69,7 @@ def calibrate(league: League) -> np.ndarray:
 
 
 def look_at(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
-    """Return the SIZE of a kind of thing at each range; the camera aims `height` [m] above the ground there."""
+    """Return the SIZE of a kind of thing at each range; the camera aims at the thing, `height` [m] above the ground."""
     match = np.zeros(1, MATCH)
     ball = np.zeros(1, BALL_RECORD)
     robots = np.zeros((1, 2), ROBOT)
@@ -85,7 +85,7 @@ def look_at(league: League, ranges: np.ndarray, height: float, kind: int, headin
 
 @compiled
 def render(matches, balls, robots, constants, sensors, ranges, height, kind, sizes):
-    """Fill in the sizes of the ball, or of robot 1, before robot 0 at each range."""
+    """Fill in the sizes of the ball, or of robot 1, in the picture of robot 0 at each range."""
     k = constants[0]
     s = sensors[0]
     sketches = make_sketch(constants[0], sensors[0])
@@ -124,7 +124,7 @@ def measure_pieces(sketch, kind, size):
 
 
 def table_of(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the range [m] of each whole size, linear between rendered sizes, never growing with the size.
+    """Return the range [m] for each whole size [px], interpolated between rendered sizes, never growing with the size.
 
     Beyond both ends the last two ranges are extrapolated in inverse proportion to the size; size 0 reads as size 1.
     """

@@ -74,7 +74,7 @@ def face_ahead(pose):
 
 @compiled
 def bring_up_to_date(pose, robot, handedness):
-    """Fill in the directions of a robot, unless they are up to date."""
+    """Compute sines and cosines of a robot's angles in its cached pose, if the angles have changed."""
     heading, pan = handedness * robot.heading, handedness * robot.pan
     if pose.heading == heading and pose.pan == pan and pose.tilt == robot.tilt:
         return
@@ -87,7 +87,7 @@ def bring_up_to_date(pose, robot, handedness):
 
 @compiled
 def point_camera(camera, robot, pose, handedness, s):
-    """Put the camera where a robot's head holds it: the `camera_place` in the field frame.  MS08"""
+    """Set the camera's place and axes for a robot's head: the `camera_place` in the field frame.  MS08"""
     forward, rise = tilted(s.camera_ahead, s.camera_up, pose.level, pose.steep, 0.0)
     camera.handedness, camera.height = handedness, s.neck_height + rise
     camera.x = robot.x + s.neck_ahead * pose.cosine + forward * pose.gaze_cosine
@@ -98,21 +98,21 @@ def point_camera(camera, robot, pose, handedness, s):
 
 @compiled
 def from_camera(camera, x, y):
-    """Return how far ahead and to the left of the camera a point of the field lies [m]."""
+    """Convert a point of the field to distances ahead and to the left of the camera [m]."""
     x, y = x - camera.x, camera.handedness * y - camera.y
     return into_frame(x, y, camera.cosine, camera.sine)
 
 
 @compiled
 def axes_of(camera, ahead, left, height):
-    """Return depth along the optical axis, left of it and above it [m] of a point."""
+    """Convert a point to its depth along the optical axis, and its distances left of and above that axis [m]."""
     up = height - camera.height
     return ahead * camera.level + up * camera.steep, left, up * camera.level - ahead * camera.steep
 
 
 @compiled
 def in_view(camera, ahead, left, height, radius):
-    """Tell whether a part of a sphere may be in the picture: neither the view's four planes nor the lens cut it off."""
+    """Tell whether part of a sphere may be in the picture: inside the view's four planes and before the lens."""
     depth, left, above = axes_of(camera, ahead, left, height)
     return (
         depth > -radius

@@ -43,7 +43,7 @@ def measure_range(match, ball, robots, k, s, r):
 def range_error(distance, s):
     """Return the standard deviation of a reading at a distance [m]: sqrt(a^2 + (b (d / 0.4 m)^p)^2).
 
-    Beyond the far end of the window it grows no further, so that a thing far outside never reads as near.
+    Beyond the far end of the window the deviation is constant, so that a thing far outside never reads as near.
     """
     grown = s.infrared_growth * (min(distance, s.infrared_far) / LAW_AT) ** s.infrared_power
     return sqrt(s.infrared_noise * s.infrared_noise + grown * grown)
@@ -51,7 +51,7 @@ def range_error(distance, s):
 
 @compiled
 def trace_beam(ball, robots, k, s, r, lateral, vertical):
-    """Return how far the beam travels [m], inf if it meets nothing; `lateral`, `vertical`: pointing errors [rad]."""
+    """Return the beam's distance [m] to the first thing, inf for none; `lateral`, `vertical`: pointing errors [rad]."""
     robot = robots[r]
     x, y, z = camera_place(robot.pan, robot.tilt, s)
     dx, dy, dz = beam_direction(robot.pan, robot.tilt, lateral, vertical)
@@ -77,7 +77,7 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
 
 @compiled
 def beam_direction(pan, tilt, lateral, vertical):
-    """Return the unit vector of the beam, robot frame: the optical axis turned aside and up by small angles [rad]."""
+    """Return the beam's unit vector, robot frame: the optical axis turned left and up by small angles [rad]."""
     ahead, up = cos(tilt) - vertical * sin(tilt), sin(tilt) + vertical * cos(tilt)
     scale = 1.0 / sqrt(1.0 + lateral * lateral + vertical * vertical)
     x, y = out_of_frame(ahead, lateral, cos(pan), sin(pan))
@@ -92,7 +92,7 @@ def robot_extent(k, s):
 
 @compiled
 def reach_robot(x, y, z, dx, dy, dz, other, k, s):
-    """Return the distance to a robot [m]; the ray starts at x, y beside it, in the axes of the field."""
+    """Return the distance along a ray to a robot [m]; the ray starts at x, y from the robot, in the field's axes."""
     cosine, sine = cos(other.heading), sin(other.heading)
     x, y = into_frame(x, y, cosine, sine)
     dx, dy = into_frame(dx, dy, cosine, sine)
@@ -138,7 +138,7 @@ def reach_legs(x, y, z, dx, dy, dz, back, k, s):
 
 @compiled
 def hull_edges(k):
-    """Return where the rectangle round a robot's hull ends: behind, ahead, and half its width [m], robot frame.
+    """Return the rear x, the front x and the half-width [m], robot frame, of the rectangle round a robot's hull.
 
     A hull over legs holds shoulders, hips and rump: the hind legs set its width and its rear, the chest its front.
     """

@@ -27,7 +27,7 @@ def is_lowered(body, s):
 
 @compiled
 def put_trunk_stickers(body, s, stickers):
-    """Fill in the stickers of the trunk that face the camera, those of chest or rump first; return how many.  MS37"""
+    """Fill in the trunk's stickers that face the camera, chest or rump first; return the number of stickers.  MS37"""
     trunk = body.boxes[TRUNK]
     middle = s.trunk_sticker_middle
     count = 0
@@ -53,13 +53,13 @@ def put_trunk_stickers(body, s, stickers):
 
 @compiled
 def place_in_row(i, apart, s):
-    """Return where sticker i of a face lies along it [m], from its middle; neighbours are `apart` [m].  MS37"""
+    """Return the offset [m] of sticker i from the middle of its face; neighbours are `apart` [m].  MS37"""
     return apart * (i - 0.5 * (s.trunk_stickers - 1))
 
 
 @compiled
 def put_head_stickers(body, s, stickers):
-    """Fill in the stickers of the head that face the camera, brow or nape first; return how many.  MS37"""
+    """Fill in the head's stickers that face the camera, brow or nape first; return the number of stickers.  MS37"""
     head, count = body.boxes[HEAD], 0
     width, height = 0.5 * s.jersey * s.sticker_head_width, 0.5 * s.jersey * s.sticker_head_height
     x, y = in_box_axes(head, 0.0, 0.0)
@@ -74,7 +74,7 @@ def put_head_stickers(body, s, stickers):
 
 @compiled
 def put_across(box, x, y, middle, half_width, half_height, stickers, count):
-    """Put a sticker on the front or the back of a box; return how many there are."""
+    """Add a sticker on the front or the back of a box; return the number of stickers."""
     sticker = stickers[count]
     sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
     sticker.across, sticker.aside = -box.sine * half_width, box.cosine * half_width
@@ -84,7 +84,7 @@ def put_across(box, x, y, middle, half_width, half_height, stickers, count):
 
 @compiled
 def put_along(box, x, y, middle, half_width, half_height, stickers, count):
-    """Put a sticker on a side of a box; return how many there are."""
+    """Add a sticker on a side of a box; return the number of stickers."""
     sticker = stickers[count]
     sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
     sticker.across, sticker.aside = box.cosine * half_width, box.sine * half_width

@@ -61,7 +61,7 @@ TARGET = np.dtype(
 
 @compiled
 def add_piece(sketch, kind, left, right, high, low, area):
-    """List a piece, unless it is too small to be seen or the list is full."""
+    """Add a visible piece to the sketch's list of its kind, unless the piece is too small or the list is full."""
     count = sketch.counts[kind]
     if area < LEAST_AREA or count >= PIECES:
         return
@@ -73,7 +73,7 @@ def add_piece(sketch, kind, left, right, high, low, area):
 
 @compiled
 def find_hiders(sketch, owner, own_head, apart):
-    """List the outlines that may hide a part of the target; return how many, or HIDDEN if one hides all of it.
+    """List the outlines that may hide part of the target; return their number, or HIDDEN if one hides it all.
 
     `owner`, `own_head` and `apart` are as in `draw_panel`.
     """
@@ -111,8 +111,8 @@ def find_hiders(sketch, owner, own_head, apart):
 def stands_before(camera, box, target):
     """Tell whether a box may hide the target: no side of the box has both camera and target on its outside.
 
-    A target that reaches through the plane of a side counts as inside, which is true where the box overlaps it in the
-    picture. Where robots touch the target, it may sink in by SINKS.
+    A target that crosses the plane of a side counts as inside, which is right where the two overlap in the picture. A
+    target may sink into a touching robot by SINKS.
     """
     eye_x, eye_y = in_box_axes(box, 0.0, 0.0)
     x, y = in_box_axes(box, target.ahead, target.left)
@@ -131,13 +131,13 @@ def stands_before(camera, box, target):
 
 @compiled
 def overlap(one, other):
-    """Tell whether the boxes round two outlines overlap."""
+    """Tell whether the bounding boxes of two outlines overlap in the picture."""
     return one.right < other.left and other.right < one.left and one.low < other.high and other.low < one.high
 
 
 @compiled
 def covers(outline, other):
-    """Tell whether an outline covers the box round another one: its chains pass outside the box's corners."""
+    """Tell whether an outline covers another outline's bounding box: its chains pass outside the box's corners."""
     if outline.right > other.right or outline.left < other.left:
         return False
     lower, upper = outline.lower, outline.upper
@@ -179,7 +179,7 @@ def cut_into_pieces(sketch, kind, hiders):
 
 @compiled
 def join_columns(sketch, kind, columns, begin, end, first, last, width):
-    """Add the piece made by columns begin, ..., end - 1; it reaches from u = first to last [px]."""
+    """Add the piece made by columns begin, ..., end - 1, which reaches from u = first to u = last [px]."""
     bottom = columns[begin].low
     top = columns[begin].high
     total = 0.0
@@ -199,7 +199,7 @@ def join_columns(sketch, kind, columns, begin, end, first, last, width):
 def edge_between(sketch, hiders, column, count, right, width, opens):
     """Return u [px] of the edge between a column and the one before it, exactly one of which is visible.
 
-    It is where a hider ends, or begins, between the middles of the two columns; else half-way between them.
+    The edge is where a hider ends or begins between the middles of the two columns, else half-way between them.
     """
     edge = right + column * width
     if column == 0 or column == count:
@@ -215,7 +215,7 @@ def edge_between(sketch, hiders, column, count, right, width, opens):
 
 @compiled
 def fill_columns(target, columns, count, right, width, border):
-    """Fill in how far the target reaches in the middle of each column, within the picture."""
+    """Fill in the lower and upper end of the target in the middle of each column, within the picture."""
     if target.is_round == 1:
         for i in range(count):
             u, column = right + (i + 0.5) * width, columns[i]
@@ -237,7 +237,7 @@ def fill_columns(target, columns, count, right, width, border):
 
 @compiled
 def height_on(point, u):
-    """Return the height [px] at u [px] of the piece of a chain that begins at a point."""
+    """Return the height v [px] at u [px] on the segment of a chain that begins at `point`."""
     return point.v + point.slope * (u - point.u)
 
 
@@ -258,7 +258,7 @@ def hide_columns(outline, columns, count, right, width):
 
 @compiled
 def hide(column, low, high):
-    """Remove the interval low ... high [px] from a column, which may split into two parts; a third part is dropped."""
+    """Remove the interval low ... high [px] from a column, which may become two parts; a third part is dropped."""
     if column.second_low < column.second_high:
         if low <= column.second_low:
             column.second_low = max(column.second_low, high)
@@ -281,8 +281,8 @@ def hide(column, low, high):
 def bend_round(camera, target, depth, beside, above, beyond):
     """Fill in the ellipse that a sphere makes in the picture.
 
-    Its middle c is at depth, beside, above [m] in camera axes; `beyond` is |c|^2 less the square of the radius. A line
-    of sight r touches it where (r . c)^2 = |r|^2 beyond, a quadratic equation in the slopes of r.
+    The sphere's middle c is at depth, beside, above [m] in camera axes; `beyond` is |c|^2 less the square of the
+    radius. A line of sight r touches the sphere where (r . c)^2 = |r|^2 beyond, a quadratic equation in r's slopes.
     """
     narrow = beyond - above * above  # above 0: the sphere lies before the lens
     slope, scale = 1.0 / camera.focal_x, camera.focal_y / narrow

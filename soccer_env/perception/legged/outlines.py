@@ -44,7 +44,7 @@ TRACING = np.dtype([("corners", CORNER, (CORNERS,)), ("points", POINT, (POINTS,)
 
 @compiled
 def put_corner(camera, corner, ahead, left, height):
-    """Put a corner [m] into camera axes and, if it lies before the lens, into the picture; return its depth [m]."""
+    """Convert a corner [m] to camera axes and, if it lies before the lens, project it; return its depth [m]."""
     corner.depth, corner.left, corner.above = axes_of(camera, ahead, left, height)
     if corner.depth >= LENS:
         scale = 1.0 / corner.depth
@@ -57,7 +57,7 @@ def put_corner(camera, corner, ahead, left, height):
 
 @compiled
 def begin_outline(outline, top, bottom):
-    """Begin with the corners at the right end; the one farther right begins both chains."""
+    """Begin an outline with the two corners at its right end; the corner farther right begins both chains."""
     upper, lower = outline.upper, outline.lower
     upper.count = lower.count = 0
     if top.u < bottom.u:
@@ -86,7 +86,7 @@ def add_lower(outline, corner):
 
 @compiled
 def end_outline(outline, top, bottom):
-    """End with the corners at the left end; the one farther left ends both chains."""
+    """End an outline with the two corners at its left end; the corner farther left ends both chains."""
     add_upper(outline, top)
     add_lower(outline, bottom)
     if top.u > bottom.u:
@@ -98,7 +98,7 @@ def end_outline(outline, top, bottom):
 
 @compiled
 def add_to_chain(chain, u, v):
-    """Add a point to a chain, and the slope that leads to it; the slope of an upright piece does not matter."""
+    """Append a point to a chain, with the slope of the segment before it; a vertical segment gets slope 0."""
     count = chain.count
     if count > 0:
         last = chain.points[count - 1]
@@ -113,7 +113,7 @@ def add_to_chain(chain, u, v):
 
 @compiled
 def project_box(camera, tracing):
-    """Project the 8 corners of a box, cut off at the lens; return how many points there are.
+    """Project the 8 corners of a box into the picture, cut off at the lens; return the number of points.
 
     Corners whose numbers differ in one bit share an edge.
     """
@@ -131,7 +131,7 @@ def project_box(camera, tracing):
 
 @compiled
 def project_rectangle(camera, tracing):
-    """Project the first 4 corners, those of a rectangle, cut off at the lens; return how many points there are."""
+    """Project the first 4 corners, a rectangle, into the picture, cut off at the lens; return the number of points."""
     corners = tracing.corners
     points = tracing.points
     count = 0
@@ -144,14 +144,14 @@ def project_rectangle(camera, tracing):
 
 @compiled
 def add_point(points, count, u, v):
-    """Add a point of the picture; return how many there are."""
+    """Append a point of the picture to the points; return the new number."""
     points[count].u, points[count].v = u, v
     return count + 1
 
 
 @compiled
 def add_cut(camera, points, count, one, other):
-    """Add the point where an edge between two corners passes the lens, if it does; return how many there are."""
+    """Append the point where an edge between two corners passes the lens, if it does; return the number of points."""
     if (one.depth < LENS) == (other.depth < LENS):
         return count
     share = (LENS - one.depth) / (other.depth - one.depth)
@@ -161,7 +161,7 @@ def add_cut(camera, points, count, one, other):
 
 @compiled
 def enclose(outline, points, count):
-    """Make the outline the convex hull of the points, which it sorts.  [Andrew 1979, monotone chain]"""
+    """Set the outline to the convex hull of the points; sorts the points.  [Andrew 1979, monotone chain]"""
     sort_points(points, count)
     outline.upper.count = outline.lower.count = 0
     outline.left = outline.high = -inf
@@ -201,7 +201,7 @@ def keep_convex(chain, u, v, side):
 
 @compiled
 def piece_at(points, at, last, u):
-    """Return the piece of a chain over column u [px], from piece `at` on and up to the last; u lies in the outline."""
+    """Return the index of a chain's segment at column u [px], searched from `at` to `last`; u lies in the outline."""
     while at < last and points[at + 1].u < u:
         at += 1
     return at

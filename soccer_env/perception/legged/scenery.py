@@ -61,7 +61,7 @@ def draw_landmarks(sketch, side, k, s):
 
 @compiled
 def face_camera(panel, ahead, left, half_width):
-    """Put a panel at a place and turn it to the camera."""
+    """Set a panel at a place, ahead and left of the camera, and turn it to face the camera."""
     distance = max(length(ahead, left), 1e-9)
     panel.ahead, panel.left = ahead, left
     panel.across, panel.aside = -left / distance * half_width, ahead / distance * half_width
@@ -69,7 +69,7 @@ def face_camera(panel, ahead, left, half_width):
 
 @compiled
 def keep_largest(sketch, index):
-    """Keep the largest piece of a landmark, by the landmark's index."""
+    """Store the largest piece of a landmark under the landmark's index."""
     for i in range(sketch.counts[LANDMARK]):
         if sketch.pieces[LANDMARK, i].area > sketch.landmarks[index].area:
             sketch.landmarks[index] = sketch.pieces[LANDMARK, i]
@@ -79,7 +79,7 @@ def keep_largest(sketch, index):
 def draw_patches(sketch, match, side, k, s):
     """Draw the patches of the ball's colour that stand off the field in this match, behind the boards.
 
-    They stand in pairs, one opposite the other: what one team sees at a place, the other sees at its own.
+    Patches stand in opposite pairs, so that each team sees the same pattern from its own side.
     """
     key = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1)) ^ PATCH_KEY
     for pair in range(int(s.patches) // 2):
@@ -108,7 +108,7 @@ def unit(bits):
 
 @compiled
 def draw_patch(sketch, x, y, height, k, s):
-    """Draw a patch; boards hide the part of it below the line of sight over them."""
+    """Draw a patch; boards hide its part below the line of sight over the boards."""
     camera = sketch.camera
     panel = sketch.panel
     half = 0.5 * s.patch_size
@@ -126,7 +126,7 @@ def draw_patch(sketch, x, y, height, k, s):
 
 @compiled
 def share_to_boards(x, y, to_x, to_y, k):
-    """Return the share [1] of the way from a place on the field to one outside that lies before the boards."""
+    """Return the share [1], inside the boards, of the line from a place on the field to a place outside."""
     share = 1.0
     half_length = 0.5 * k.pitch_length
     half_width = 0.5 * k.pitch_width
@@ -139,6 +139,6 @@ def share_to_boards(x, y, to_x, to_y, k):
 
 @compiled
 def share_to_line(start, end, line):
-    """Return the share [1] of the way that lies before a line at +-line, at least a thousandth."""
+    """Return the share [1] of the way from start to end that lies before a line at +-line, at least a thousandth."""
     goal = line if end > 0.0 else -line
     return max((goal - start) / (end - start), 0.001) if end != start else 1.0

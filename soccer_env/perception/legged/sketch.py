@@ -118,9 +118,9 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
 
 @compiled
 def box_panel(camera, panel, tracing, outline):
-    """Bring a panel into the picture and fill in the box round it; return whether any of it lies before the lens.
+    """Project a panel and fill in its bounding box; return whether any part of the panel lies before the lens.
 
-    Chains are left to `trace_panel`, which few panels need, unless the panel is cut off at the lens.
+    `trace_panel` computes the chains for the few panels that need them; a panel cut off at the lens gets them here.
     """
     corners = tracing.corners
     nearest = inf
@@ -146,7 +146,7 @@ def box_panel(camera, panel, tracing, outline):
 
 @compiled
 def trace_panel(tracing, outline):
-    """Trace the chains of a panel that `box_panel` has brought into the picture."""
+    """Trace the chains of a panel that `box_panel` has projected."""
     corners = tracing.corners
     if min(min(corners[0].depth, corners[1].depth), min(corners[2].depth, corners[3].depth)) < LENS:
         return  # `box_panel` has traced them already
@@ -160,7 +160,7 @@ def trace_panel(tracing, outline):
 
 @compiled
 def quadrangle(tracing):
-    """Return the area [px] of the first four corners: half the product of the diagonals."""
+    """Return the area [px] of the quadrangle of the first four corners: half the cross product of the diagonals."""
     a, b, c, d = tracing.corners[0], tracing.corners[1], tracing.corners[2], tracing.corners[3]
     return 0.5 * abs((c.u - a.u) * (d.v - b.v) - (c.v - a.v) * (d.u - b.u))
 

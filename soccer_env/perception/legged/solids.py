@@ -22,7 +22,7 @@ def steep(component):
 
 @compiled
 def reach_sphere(x, y, z, dx, dy, dz, radius):
-    """Return the distance to a sphere about the origin [m]."""
+    """Return the distance along the ray to a sphere about the origin [m]."""
     outside = x * x + y * y + z * z - radius * radius
     if outside <= 0.0:
         return 0.0
@@ -35,7 +35,7 @@ def reach_sphere(x, y, z, dx, dy, dz, radius):
 
 @compiled
 def reach_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
-    """Return the distance to a box about the origin with its edges along the axes [m]."""
+    """Return the distance along the ray to a box about the origin with its edges along the axes [m]."""
     dx, dy, dz = steep(dx), steep(dy), steep(dz)
     # Where the ray enters and leaves each of the three slabs whose common part is the box.
     x_reach, y_reach, z_reach = half_length / abs(dx), half_width / abs(dy), half_height / abs(dz)
@@ -46,7 +46,7 @@ def reach_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
 
 @compiled
 def reach_post(x, y, z, dx, dy, dz, radius, height):
-    """Return the distance to an upright cylinder of a height that stands on the origin [m], from the side or above."""
+    """Return the distance along the ray [m] to an upright cylinder on the origin, from the side or from above."""
     level = max(dx * dx + dy * dy, LEAST)
     outside = x * x + y * y - radius * radius
     along = -(x * dx + y * dy)
@@ -62,13 +62,13 @@ def reach_post(x, y, z, dx, dy, dz, radius, height):
 
 @compiled
 def reach_carpet(z, dz):
-    """Return the distance to the ground [m]."""
+    """Return the distance along the ray to the ground [m]."""
     return max(z, 0.0) / -dz if dz < -LEAST else inf
 
 
 @compiled
 def reach_boards(x, y, z, dx, dy, dz, k, s):
-    """Return the distance to the boards of a walled pitch, or to the back or a side of a goal [m], from within.
+    """Return the distance along the ray, from within, to the boards of a walled pitch or the walls of a goal [m].
 
     Boards are s.board_height high, goals s.goal_height; a pitch without boards has goals alone.
     """
@@ -87,5 +87,5 @@ def reach_boards(x, y, z, dx, dy, dz, k, s):
 
 @compiled
 def low_enough(distance, height, most):
-    """Return the distance if it lies ahead and the ray passes there between the ground and a height, else inf."""
+    """Return the distance if it is positive and the ray's height there lies between 0 and `most`, else inf."""
     return distance if distance >= 0.0 and 0.0 <= height <= most else inf

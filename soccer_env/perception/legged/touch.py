@@ -26,7 +26,7 @@ GAP = 0.004  # [m] a ball this near presses the switch, assumed: the gap of a to
 
 @compiled
 def feel_touch(ball, robot, touch, k, s):
-    """Fill in the TOUCH of a robot.  MS06"""
+    """Fill in the readings of a robot's touch sensors (TOUCH).  MS06"""
     touch.head = 0
     touch.chin = 1 if chin_touches(ball, robot, k, s) else 0
     touch.back = robot.placed
@@ -35,7 +35,7 @@ def feel_touch(ball, robot, touch, k, s):
 
 @compiled
 def standing_paws(robot):
-    """Return how many paws stand on the ground: in a trot those of one diagonal."""
+    """Return how many paws stand on the ground: 4, 2 in a trot (one diagonal), 0 lying."""
     if robot.fallen > 0.0:
         return 0
     walks = robot.walk.forward != 0.0 or robot.walk.left != 0.0 or robot.walk.turn != 0.0

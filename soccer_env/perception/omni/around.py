@@ -26,7 +26,7 @@ NEAREST = 1e-9  # [m] below which a distance is not divided by
 
 @compiled
 def survey(robots, r, k, around):
-    """Fill `around` with the other active robots; return how many there are.
+    """Fill `around` with the other active robots as seen from robot r; return their number.
 
     Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
@@ -51,19 +51,19 @@ def survey(robots, r, k, around):
 
 @compiled
 def body_radius(k):
-    """Return the radius of a robot's round base [m]; of a hull or capsule its reach."""
+    """Return the radius of a robot's round base [m], or the reach of a hull or capsule."""
     return k.body_disc_radius if k.body_disc_radius > 0.0 and k.body_disc_back <= 0.0 else k.body_reach
 
 
 @compiled
 def half_angle(radius, distance):
-    """Return half of the angle [rad] that a disc fills: a quarter turn from inside it."""
+    """Return half of the angle [rad] that a disc fills as seen from a distance; a quarter turn from inside the disc."""
     return asin(min(radius / max(distance, NEAREST), 1.0))
 
 
 @compiled
 def visible_part(around, count, bearing, half, distance, height, k, s, handedness):
-    """Return how far the middle of a thing's visible part is off the thing's own middle [rad], and its share [1].  MH02
+    """Return the angle from a thing's middle to the middle of its visible part [rad], and its visible share [1].  MH02
 
     The thing fills `half` to both sides of `bearing`; nearer robots hide it where the line of sight over their heads
     passes it above `height` [m]. Share 0: all of it is hidden. Of two visible parts the larger one counts.

@@ -38,7 +38,7 @@ DARKEST = 40.0  # [1] exponent beyond which nothing is recognised at all
 
 @compiled
 def brightness(match, s):
-    """Return the light of a match now [1]: a slow sine whose phase follows from the seed.  MH07"""
+    """Return the brightness of a match's light now [1]: a slow sine whose phase follows from the seed.  MH07"""
     if s.light_drift <= 0.0:
         return 0.0
     bits = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1))
@@ -54,7 +54,7 @@ def measure_light(light, s, noise):
 
 @compiled
 def begin_table(table, measured, s, told):
-    """Return the light that the colour table is made for before a picture [1].  MH07
+    """Return the brightness [1] to which the colour table is adapted before a picture.  MH07
 
     A robot that has just been told its pose (`told`) needs no table: its first picture trains one. The fixed table
     stays as it was made.
@@ -66,7 +66,7 @@ def begin_table(table, measured, s, told):
 
 @compiled
 def train_table(table, measured, s, dt, placed):
-    """Return the light that the colour table is made for after a picture [1]; `placed`: the pose is known.  MH07"""
+    """Return the brightness [1] to which the colour table is adapted after a picture; `placed`: pose known.  MH07"""
     off = measured - table
     if s.colour_table != ADAPTIVE or not placed or abs(off) > CLASS_SPREAD * s.table_width:
         return table

@@ -53,7 +53,7 @@ def draw_map(map, k, s):
 
 @compiled
 def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour):
-    """Fill in the distance of the first white line in each direction, 0 where none; return how many are seen.
+    """Fill in the distance of the first white line in each direction, 0 for none; return the number of lines seen.
 
     MH02, MH07, MH08
     """
@@ -78,7 +78,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
 
 @compiled
 def see_how_far(free, around, count, k, s):
-    """Fill in how far the view goes in each direction [m]: to `line_range`, or to a robot in the way."""
+    """Fill in the length of the view in each direction [m]: to `line_range`, or to a robot that blocks it."""
     for i in range(s.lines):
         free[i] = s.line_range
     sector = 2.0 * pi / s.lines

@@ -33,7 +33,7 @@ TABLES = np.dtype(
 
 @lru_cache(maxsize=8)
 def line_tables(league: League) -> np.ndarray:
-    """Return the (1,) TABLES of a league.  MH08"""
+    """Return the tables of line distances of a league, a record TABLES (1,).  MH08"""
     pitch, table = league.pitch, np.zeros(1, TABLES)
     cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
     x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
@@ -46,7 +46,7 @@ def line_tables(league: League) -> np.ndarray:
 
 
 def nearest_line(pitch: Pitch, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Return the distance [m] of points in the team or field frame from the nearest white line."""
+    """Return the distance [m] of points x, y (team or field frame) from the nearest white line."""
     x, y = abs(x), abs(y)  # the lines are symmetric about both axes
     distances = [abs(np.sqrt(x * x + y * y) - pitch.circle)]
     for from_x, from_y, to_x, to_y in quarter(pitch):

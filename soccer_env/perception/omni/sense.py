@@ -2,7 +2,7 @@
 
     exposure -> pending, for `camera_delay` frames -> percept, with its age; what the body feels is current
 
-A robot that was just placed gets its first pictures without delay: those on their way show its old place.
+A robot that was just placed gets its first pictures without delay: pictures on their way show its old place.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -38,7 +38,7 @@ OMNI_SENSOR_STATE = record(
 
 @compiled
 def make_scratch(k, s):
-    """Return arrays to work in: bodies round the robot, and the map of the lines as the camera sees them."""
+    """Return scratch arrays: the bodies round the robot, and the map of the pitch's lines for the camera."""
     around, maps = records(2 * MAX_TEAM, AROUND), records(1, LINE_MAP)
     draw_map(maps[0], k, s)
     return around, maps
@@ -76,7 +76,7 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
 
 @compiled
 def take_picture(match, ball, robots, r, picture, state, pose, light, around, map, k, s):
-    """Fill in what the camera sees now; its colour table learns from every picture, delivered or not.  MH07"""
+    """Fill in the camera's picture of this frame; its colour table learns from it, delivered or not.  MH07"""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
     state.table = begin_table(state.table, picture.light, s, match.step == 0 or pose == POSE_TOLD)
@@ -95,7 +95,7 @@ def take_picture(match, ball, robots, r, picture, state, pose, light, around, ma
 
 @compiled
 def clear_picture(picture):
-    """Remove everything: a robot that is sent off stands beside the field and sees nothing."""
+    """Remove everything from a picture: a robot that is sent off stands beside the field and sees nothing."""
     clear(picture.ball)
     clear(picture.own_goal)
     clear(picture.opponent_goal)

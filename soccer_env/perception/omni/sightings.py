@@ -29,20 +29,20 @@ FOOT = 0.0  # [m] height of what is read where it touches the ground
 
 @compiled
 def to_pixel(place):
-    """Return the whole pixel nearest to a place in the image [px], the same on both sides of its centre."""
+    """Round a place in the image [px] to the nearest whole pixel, symmetrically about the centre."""
     return 1.0 * floor(place + 0.5) if place >= 0.0 else -1.0 * floor(0.5 - place)
 
 
 @compiled
 def clear(sighting):
-    """Take a thing out of the picture."""
+    """Mark a sighting as absent."""
     sighting.seen = sighting.teammate = 0
     sighting.distance = sighting.bearing = 0.0
 
 
 @compiled
 def find(sighting, distance, bearing, farthest, s, noise, handedness):
-    """Find a thing in the picture at a noisy, whole pixel; return whether it lies within `farthest` [px].  MH02"""
+    """Measure a thing at a noisy, whole pixel of the picture; return whether it lies within `farthest` [px].  MH02"""
     mirror = mirror_of(s)
     radius = image_radius(mirror, distance)
     error = s.pixel_noise * sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
@@ -60,13 +60,13 @@ def find(sighting, distance, bearing, farthest, s, noise, handedness):
 
 @compiled
 def chance(distance, reach, miss, s):
-    """Return the probability that a frame shows a thing [1]; at `reach` [m] it is half of what it is nearby."""
+    """Return the probability that a frame shows a thing [1]: 1 - `miss` nearby, half as much at `reach` [m]."""
     return (1.0 - miss) / (1.0 + exp(clip((distance - reach) / s.detection_width, -STEEPEST, STEEPEST)))
 
 
 @compiled
 def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colour):
-    """Look for the ball; `colour` [1] is the share of pixels that the colour table recognises.  MH02, MH07, MH24
+    """Fill in the ball's sighting; `colour` [1]: share of pixels that the colour table recognises.  MH02, MH07, MH24
 
     The own body hides everything within `hidden_radius`, other robots everything behind them. A blob that has lost its
     rim seems farther. A ball without colour is found by its shape, more rarely, in any light.
@@ -91,7 +91,7 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
 
 @compiled
 def mistake_for_ball(sighting, s, noise, handedness):
-    """Sometimes take something else for the ball, in any direction; the nearer of the two looks larger and is taken."""
+    """Add a rare false ball in a random direction; the nearer of ball and false ball looks larger and is taken."""
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
     if rate <= 0.0 or uniform(noise, FALSE_BLOBS) >= rate:
         return
@@ -108,7 +108,7 @@ def mistake_for_ball(sighting, s, noise, handedness):
 
 @compiled
 def find_players(percept, around, count, k, s, noise, handedness, colour):
-    """Look for the other robots, and sort them by apparent distance, nearest first.  MH02, MH07"""
+    """Fill in the sightings of other robots, sorted by apparent distance, nearest first.  MH02, MH07"""
     players, seen = percept.players, 0
     for j in range(count):
         other = around[j]
@@ -130,7 +130,7 @@ def find_players(percept, around, count, k, s, noise, handedness, colour):
 
 @compiled
 def sink(players, last):
-    """Move the last of some players forward to its place by distance, behind equally near ones."""
+    """Move the player at index `last` forward to its place by distance, behind players at equal distance."""
     one = players[last]
     distance = one.distance
     bearing = one.bearing
@@ -146,7 +146,7 @@ def sink(players, last):
 
 @compiled
 def find_goals(match, robot, percept, around, count, k, s, noise, handedness, colour):
-    """Look for the own goal and the opponents'.  MH02"""
+    """Fill in the sightings of the own goal and of the opponents' goal.  MH02"""
     end = 0.5 * direction_of(match, robot.team) * k.pitch_length
     find_goal(percept.own_goal, robot, -end, around, count, k, s, noise, handedness, colour)
     find_goal(percept.opponent_goal, robot, end, around, count, k, s, noise, handedness, colour)
@@ -154,7 +154,7 @@ def find_goals(match, robot, percept, around, count, k, s, noise, handedness, co
 
 @compiled
 def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour):
-    """Look for the goal whose line lies at x [m]: bearing of the middle of what is seen, distance of the line's middle.
+    """Fill in the sighting of the goal at x [m]: bearing of the visible part's middle, distance of the goal's middle.
 
     A goal is 1 m tall: it is visible from everywhere, over the heads of robots that are not near. Where its foot lies
     beyond the picture's edge, it is measured as if the picture went on (assumed).
@@ -172,5 +172,5 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
 
 @compiled
 def bearing_of(robot, x, y):
-    """Return the bearing [rad] of a point of the field frame."""
+    """Return the bearing [rad] from a robot to a point of the field frame."""
     return wrap(atan2(y - robot.y, x - robot.x) - robot.heading)

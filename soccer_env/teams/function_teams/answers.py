@@ -1,4 +1,4 @@
-"""Checks of what a user's function returns for the players of a team."""
+"""Checks of the actions and memory that a user's function returns for the players of a team."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,7 +13,7 @@ Who = Callable[[int, int], str]  # words for the robot of a match and a player
 
 
 def as_array(returned: Any) -> np.ndarray:
-    """Return numbers of any library as an array; a tensor of torch is taken off its graph and its device."""
+    """Convert numbers of any library to an array; a tensor of torch is detached and moved to the CPU."""
     if hasattr(returned, "detach"):
         returned = returned.detach().cpu()
     try:
@@ -23,7 +23,7 @@ def as_array(returned: Any) -> np.ndarray:
 
 
 def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, who: Who) -> np.ndarray:
-    """Return actions (D, P, 7) of what a team's function returned for `given`, the axes before the observation's.
+    """Convert the answer of a team's function to actions (D, P, 7); `given` is the leading shape of its observations.
 
     ValueError names the robot, what was returned and what is allowed.
     """
@@ -50,7 +50,7 @@ def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, w
 
 
 def check_rows(good: np.ndarray, rows: np.ndarray, team: str, allowed: str, players: int, who: Who) -> None:
-    """Raise ValueError for the first row of actions (D P, n) that is not good everywhere."""
+    """Raise ValueError for the first row of actions (D P, n) in which `good` is not all True."""
     if not good.all():
         row = int(np.argmin(good.all(axis=1)))
         robot = who(*divmod(row, players))

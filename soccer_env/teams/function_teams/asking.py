@@ -1,6 +1,7 @@
 """Ask the functions that play in a match for their decisions, before anybody moves.
 
-All of them are asked before the first answer is kept: if one raises or returns an invalid answer, nothing has changed.
+All functions are asked before the first answer is stored: if a function raises or returns an invalid answer, nothing
+has changed.
 """
 
 from collections.abc import Iterator
@@ -20,7 +21,7 @@ MOVES = ("step", "reset", "load")  # methods that move a match to another state
 
 
 def ask_functions(match: Match) -> None:
-    """Let the functions of M matches decide where a decision is due; ValueError for an invalid answer."""
+    """Ask the functions for the decisions due in M matches and store the answers; ValueError for an invalid answer."""
     squads = [squad for squad in match.squads if isinstance(squad.team, FunctionTeam)]
     answers = [decided(match, squad) for squad in squads]
     for squad, memory in zip(squads, answers, strict=True):
@@ -28,7 +29,7 @@ def ask_functions(match: Match) -> None:
 
 
 def decided(match: Match, squad: Squad) -> np.ndarray:
-    """Return the memory (M, P) of a squad after its function's decisions."""
+    """Ask a squad's function and return a copy of the squad's memory (M, P) with the new decisions."""
     team: FunctionTeam = squad.team
     memory: np.ndarray = squad.memory.copy()
     plays = np.ones(match.count, bool) if squad.plays is None else squad.plays
@@ -49,7 +50,7 @@ def decided(match: Match, squad: Squad) -> np.ndarray:
 
 @contextmanager
 def standing(match: Match, team: str) -> Iterator[None]:
-    """Let a match be read, copied and branched, but not moved, while a team's own Python runs."""
+    """Forbid steps and other changes of a match while a team's own Python runs; reading, copying and branching work."""
     asks = get_ident()
 
     def refuse(name: str, *args: Any, **kwargs: Any) -> Any:
@@ -68,7 +69,7 @@ def standing(match: Match, team: str) -> Iterator[None]:
 
 
 def begin(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
-    """Begin an episode in the memory (M, P) of some matches (M,): robots stand until the first decision."""
+    """Initialise the memory (M, P) in the `fresh` matches (M,), whose episode begins: robots stand until a decision."""
     if fresh.any():
         first = memory[fresh]
         first["begun"] = 1

@@ -1,11 +1,11 @@
 """A function of observations as a team.
 
     function(observations)             (D, P, n) float32 -> actions
-    function(observations, memory)     memory (D, P) or (D, P, ...), to be given in place
+    function(observations, memory)     memory (D, P) or (D, P, ...), to be changed in place
 
-D are the matches in which a decision is due, P the players of the team. Actions are (D, P, 4) numbers, (D, P, 7) with
-the head, or (D, P) whole numbers, each one of the discrete actions. With `flat` the function knows neither matches nor
-players: it gets (D P, n) and (D P, ...), and returns a row of actions for each.
+D is the number of matches in which a decision is due, P the number of the team's players. Actions are numbers (D, P, 4)
+or (D, P, 7) with the head, or whole numbers (D, P), the indices of discrete actions. With `flat` the function knows
+neither matches nor players: it gets (D P, n) and (D P, ...), and returns a row of actions for each.
 """
 
 from collections.abc import Callable
@@ -47,7 +47,7 @@ class FunctionTeam:
     fingerprint: str
 
     def __repr__(self) -> str:
-        """Return the name, what the team observes, and all settings that differ from their defaults."""
+        """Return the team's name, its kind of observations, and all settings that differ from their defaults."""
         given: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
         given |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
         given |= {"memory": str(self.memory)} if self.memory is not None else {}
@@ -57,18 +57,18 @@ class FunctionTeam:
 
     @property
     def memory_dtype(self) -> np.dtype[Any]:
-        """Return the record of a player: its decision, the steps until the next one, and the function's memory."""
+        """Return the dtype of a player's memory: decision, steps until the next decision, the function's memory."""
         return record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
 
     @property
     def settings(self) -> np.ndarray:
-        """Return the settings that a save must agree with, as bytes."""
+        """Return the settings, as bytes, which must equal those in a save that is loaded."""
         seen = self.observe if isinstance(self.observe, str) else kind_of(self.observe)
         text = f"{seen} {self.action_repeat} {self.at_once} {self.flat} {self.fingerprint}"
         return np.frombuffer(text.encode(), np.uint8)
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Return the commands (M, P, 7) that were decided; ValueError outside a match, which asks the function."""
+        """Return the commands (M, P, 7) stored in memory; ValueError outside a match, which asks the function."""
         if not memory["begun"].all():
             raise ValueError(
                 f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
@@ -78,7 +78,7 @@ class FunctionTeam:
         return commands
 
     def decide(self, observations: np.ndarray, memory: np.ndarray, who: Who) -> np.ndarray:
-        """Return the actions (D, P, 7) for observations (D, P, n); memory (D, P) is changed.
+        """Ask the function for actions and return them (D, P, 7), for observations (D, P, n); changes memory (D, P).
 
         ValueError names the robot (`who` of a match and a player), what the function returned, and what is allowed.
         """
@@ -107,7 +107,7 @@ def team_of_function(
     name: str | None = None,
     fingerprint: str = "",
 ) -> FunctionTeam:
-    """Return a function of observations as a team that plays wherever a team is expected.
+    """Make a team of a function of observations; the team plays wherever a team is expected.
 
     observe: what the observations are built from, as in `Match`: "truth" (with ideal senses), "percepts" (with
     sensors), "belief", or an object of your own. action_repeat: control steps for which a decision is kept. memory:
@@ -144,14 +144,14 @@ def check_observe(observe: Any) -> None:
 
 
 def check_text(what: str, text: Any, least: int) -> str:
-    """Return a printable text of one line, `least` characters or longer; ValueError for anything else."""
+    """Return a value if it is a printable text of one line, `least` characters or longer; else raise ValueError."""
     if not (isinstance(text, str) and text.isprintable() and len(text) >= least):
         refuse(what, "a plain text", text)
     return text
 
 
 def checked_memory(memory: Any) -> np.dtype[Any]:
-    """Return a dtype of plain numbers; ValueError for anything else."""
+    """Check that a memory is a dtype of plain numbers, and return the dtype; ValueError for anything else."""
     try:
         dtype: np.dtype[Any] = np.dtype(memory)
     except (TypeError, ValueError) as error:
