@@ -7,6 +7,6 @@ parsing.py           parse a command's words into its settings, or report the er
 left_out.py          how the help shows an optional value
 warm_up.py           compile everything ahead of time
 compiling_beside.py  compile in two processes when the cache is empty
-exit_codes.py        exit codes
+exit_codes.py        exit codes                       interrupts.py  Ctrl-C that Python swallows, sent once more
 watching/            a match or a replay in a window: `soccer watch`
 """

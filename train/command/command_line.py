@@ -6,17 +6,15 @@ and exit code 2; SOCCER_ENV_TRACEBACK=1 shows the traceback.
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import signal
 import sys
-import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.guards.names import unknown
 from soccer_env.train.command.exit_codes import BELOW, STOPPED, WRONG
+from soccer_env.train.command.interrupts import swallowed_interrupts_again
 from soccer_env.train.command.match_commands import recheck_sample, run_export, run_record, run_replay, run_watch
 from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, taken_out
 
@@ -29,7 +27,6 @@ if TYPE_CHECKING:
     from soccer_env.train.ppo.settings import TrainSettings
     from soccer_env.train.ppo.training import TrainResult
 
-AGAIN = 0.05  # [s] after which a swallowed Ctrl-C is sent again
 WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
@@ -96,28 +93,6 @@ def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
         if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
             raise
         return complain(reason_of(error))
-
-
-@contextlib.contextmanager
-def swallowed_interrupts_again() -> Iterator[None]:
-    """Repeat Ctrl-C if Python swallows the interrupt: destructors and callbacks of weak references cannot raise."""
-    timers: list[threading.Timer] = []
-    usual = sys.unraisablehook
-
-    def hook(unraisable: Any) -> None:
-        if issubclass(unraisable.exc_type, KeyboardInterrupt):
-            timers.append(threading.Timer(AGAIN, signal.raise_signal, (signal.SIGINT,)))
-            timers[-1].start()
-        else:
-            usual(unraisable)
-
-    sys.unraisablehook = hook
-    try:
-        yield
-    finally:
-        sys.unraisablehook = usual
-        for timer in timers:
-            timer.cancel()
 
 
 def complain(message: str) -> int:
