@@ -7,7 +7,7 @@ import pytest
 from pymunk._chipmunk_cffi import ffi
 
 from soccer_env import Match
-from soccer_env.physics.engine import prefetch, reseat
+from soccer_env.physics.engine import prefetch
 from soccer_env.physics.engine.memory import address_of
 from soccer_env.physics.engine.pools import BUFFER_SIZE, SPACE_DYNAMIC
 from soccer_env.physics.engine.pools import layout_fits as structs_known
@@ -53,7 +53,7 @@ def test_400_branches_in_scrums_go_on_as_with_new_spaces(league: str) -> None:
 
 
 def test_a_reset_puts_the_space_back_and_makes_none() -> None:
-    assert reseat.layout_fits(), "the counter of shapes is found in this pymunk"
+    assert structs_known(), "the counter of shapes is found in this pymunk"
     match, fresh = (Match(home=2, away=2, matches=2, seed=seed) for seed in (1, 5))
     spaces = list(match.batch.physics.spaces)
     match.reset(seed=5)

@@ -133,7 +133,7 @@ def test_mh18_plans_and_travels_are_drawn(scene: Any) -> None:
 
 def test_the_planner_knows_neither_team_nor_match() -> None:
     """It stands on the ground floor alone: what compiles, what checks, and itself."""
-    allowed = ("baselines.weigel_2001.planner.", "checking", "compiled", "geometry", "leagues.options")
+    allowed = ("baselines.weigel_2001.planner.", "guards.checking", "compiled", "geometry", "leagues.options")
     for file in sorted(Path(planner_room.__file__).parent.glob("*.py")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("soccer_env"):

@@ -107,7 +107,7 @@ def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves
     [
         (["evaluate", "--goals", "3"], "unknown option '--goals'"),
         (["evaluate", "--matchez", "4"], "unknown option '--matchez', did you mean '--matches'? known: --league"),
-        (["evaluate", "4"], "'4' belongs to no option; options: --league"),
+        (["evaluate", "4"], "unexpected argument '4'; options: --league"),
         (["evaluate", "--pose", "percpt"], "unknown --pose 'percpt', did you mean 'percept'? known: "),
         (["evaluate", "--minutes", "none"], "--minutes must be a number above 0 and below 10000 or full, got 'none'"),
         (["evaluate", "--matches="], "--matches must be a whole number of at least 2, got ''"),

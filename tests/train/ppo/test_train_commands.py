@@ -34,7 +34,7 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, rules, name, out"),
+        ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, players, opponents, steps"),
         ("[training]\nsteps = 3\n", "unknown setting 'training'"),
         ('steps = "many"\n', "steps must be a whole number of at least 0, got 'many'"),
         ("steps = 3.0\n", "steps must be a whole number of at least 0, got 3.0"),
