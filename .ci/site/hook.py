@@ -17,7 +17,7 @@ MADE = {
     "Reference": lambda: [{"Command line": "commands.md"}, *catalogue.navigation(), *reference.navigation()],
     "Explanation": claims.navigation,
 }
-PICTURES = ("soccer_env/pictures/*", "agents/policies/*.png")
+LINKED = ("soccer_env/pictures/*", "agents/policies/*.png", "CITATION.cff")
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
@@ -31,8 +31,8 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
-    """Add the pages and pictures of the repository, and the pages that are made."""
-    for pattern in (*PAGES, *PICTURES):
+    """Add the pages of the repository, the files that they link, and the pages that are made."""
+    for pattern in (*PAGES, *LINKED):
         for path in sorted(ROOT.glob(pattern)):
             if path.is_file():
                 uri = path.relative_to(ROOT).as_posix()

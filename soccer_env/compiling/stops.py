@@ -80,7 +80,10 @@ def stoppable() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _alone() -> Iterator[None]:
-    """Take the lock of numba's compiler; signals are delivered while another thread has the lock."""
+    """Take the lock of numba's compiler, and wait for LLVM in other threads; meanwhile signals are delivered."""
+    while _left and any(one.is_alive() for one in _left):
+        _left[-1].join(LOOK)
+        stop_here()
     while not numba_lock._lock.acquire(timeout=LOOK):
         stop_here()
     try:
