@@ -17,6 +17,7 @@ import json
 import platform
 import sys
 from collections.abc import Callable
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -124,8 +125,10 @@ def speed_table(table: dict[str, Any]) -> str:
 
 
 def with_footer(text: str, table: dict[str, Any]) -> str:
-    """Return a table with its footer."""
-    return f"{text}\n{footer(table['about'])}"
+    """Return a table with its footer, which has a hash of the settings of all its rows."""
+    hashes = [row["settings_hash"] for row in table.get("rows", []) if "settings_hash" in row]
+    settings = {"settings": sha256(" ".join(hashes).encode()).hexdigest()[:12]} if hashes else {}
+    return f"{text}\n{footer(table['about'] | settings)}"
 
 
 def footer(facts: dict[str, str]) -> str:
