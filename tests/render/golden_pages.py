@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from soccer_env.render import Picture, contact_sheet
-from soccer_env.render.overlays.cast import Cast, camera_of, cast_of, cast_of_replay, directions_of
+from soccer_env.render.overlays.cast import Cast, camera_of, cast_of, cast_of_replay, count_line_directions
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.onlooker import Onlooker
-from soccer_env.shows.browser.collect import collect
-from soccer_env.shows.browser.page import as_script
+from soccer_env.shows.browser.collect import collect_page_data
+from soccer_env.shows.browser.page import script_json
 from soccer_env.shows.film import FilmSettings, film_frames
 from tests.render.staged_replays import StagedReplay
 from tests.scenes.staging import LEGGED, MIDDLE
@@ -23,11 +23,11 @@ from tests.scenes.staging import LEGGED, MIDDLE
 
 def page(replay: StagedReplay, flags: OverlayFlags | None = None) -> str:
     """Return what a page holds, its tables as hashes of what was deflated: zlib's versions differ."""
-    found = collect(replay, flags=flags)
+    found = collect_page_data(replay, flags=flags)
     del found["version"]
     for name, table in found["tables"].items():
         found["tables"][name] = hashlib.md5(zlib.decompress(base64.b64decode(table))).hexdigest()
-    return as_script(found)
+    return script_json(found)
 
 
 def legged_page() -> str:
@@ -68,9 +68,9 @@ def casts() -> str:
                         ("neck_ahead", -1.5), ("neck_ahead", 1), ("resolution", "8x72"), ("lines", 24)):  # fmt: skip
         given: Mapping[str, Any] = {**known, name: value}
         camera = camera_of(given)
-        found.append([name, None if camera is None else [*camera, camera.focal], directions_of(given)])
-    lines = [directions_of({"lines": lines}) for lines in (0, 1, 32, 33, "24")]
-    return json.dumps([*found, camera_of("88x72"), camera_of(None), directions_of(None), lines], indent=1)
+        found.append([name, None if camera is None else [*camera, camera.focal], count_line_directions(given)])
+    lines = [count_line_directions({"lines": lines}) for lines in (0, 1, 32, 33, "24")]
+    return json.dumps([*found, camera_of("88x72"), camera_of(None), count_line_directions(None), lines], indent=1)
 
 
 def told(cast: Cast) -> list[Any]:
@@ -83,8 +83,7 @@ def told(cast: Cast) -> list[Any]:
         ]
         for row, part in cast.parts.items()
     }
-    constants = hashlib.md5(cast.constants.tobytes()).hexdigest()
-    return [list(cast.agents), cast.camera, cast.ranger, parts, constants, cast.why_no_notes, cast.line_directions]
+    return [list(cast.agents), cast.camera, cast.ranger, parts, cast.why_no_notes, cast.line_directions]
 
 
 def film() -> np.ndarray:

@@ -48,7 +48,7 @@ GOLDEN = {
     "middle_page": "1d6bd91c13ccb77a8f61a0275f2cb1d4",
     "page_of_the_truth": "01ca5cc993c891b5a29d3b651a650ae9",
     "notes": "37eb995407bd9109d2daa174e05cd2dd",
-    "casts": "e500087a04ded4755b4142f3050fc677",
+    "casts": "17df68a2ae57d8fe78e09d848da86886",
 }
 RENEW = "python -m tests.render.test_golden_drawings FOLDER"
 
