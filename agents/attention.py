@@ -57,12 +57,16 @@ def layout_of(inputs: Sequence[Entry]) -> Layout:
     rest: list[tuple[str, int, Entry]] = []
     for kind in PLAYERS:
         own = [entry for entry in inputs if entry.group == kind]
-        first = [_alike(entry) for entry in own if entry.slot == 0]
+        first = [_without_name_and_slot(entry) for entry in own if entry.slot == 0]
         slots.append(len({entry.slot for entry in own}))
         sizes.append(len(first))
         if first and first[0].present and len(own) == slots[-1] * len(first):
             rest += [(kind, slot, entry) for slot in range(slots[-1]) for entry in first]
-    if not fixed or not all(slots) or [(entry.group, entry.slot, _alike(entry)) for entry in inputs[fixed:]] != rest:
+    if (
+        not fixed
+        or not all(slots)
+        or [(entry.group, entry.slot, _without_name_and_slot(entry)) for entry in inputs[fixed:]] != rest
+    ):
         raise ValueError(
             "kind 'attention' needs inputs that end in slots for other players, of group 'teammate', then 'opponent', "
             "each beginning with its `present` entry, as observations of truth and belief do"
@@ -70,22 +74,22 @@ def layout_of(inputs: Sequence[Entry]) -> Layout:
     return Layout(fixed, (slots[0], slots[1]), (sizes[0], sizes[1]))
 
 
-def _alike(entry: Entry) -> Entry:
+def _without_name_and_slot(entry: Entry) -> Entry:
     """Return an entry without name and slot: equal for the same entry of all slots."""
     return replace(entry, name="", slot=None)
 
 
-def width_beside(hidden: Sequence[int]) -> int:
+def attention_width(hidden: Sequence[int]) -> int:
     """Return the width of attention for a network with these hidden layers."""
     return max(NARROWEST, hidden[0] // SHARE)
 
 
-def shape_of(layout: Layout, width: int) -> tuple[int, ...]:
-    """Return the SHAPE numbers that tell `attend` the layout and the width."""
+def shape_numbers(layout: Layout, width: int) -> tuple[int, ...]:
+    """Return the numbers, SHAPE of them, that tell `attend` the layout of observations and the width of the network."""
     return (layout.fixed, width, *layout.slots, *layout.entries)
 
 
-def flat(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
+def flatten_tensors(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
     """Return TENSORS as `attend` reads them: column by column, Q, W, b of team-mates, then of opponents."""
     parts: list[np.ndarray] = []
     for first in range(0, len(tensors), 3):
@@ -95,7 +99,7 @@ def flat(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
 
 
 @compiled
-def observed(numbers, shape):
+def observation_size(numbers, shape):
     """Return the number of entries of an observation, whose shape begins at index `shape`."""
     count = numbers[shape + FIXED]
     for kind in range(2):
@@ -113,9 +117,9 @@ def attend(numbers, shape, start, smooth, scratch):
     at, first = start, fixed
     for kind in range(2):
         slots, entries = int(numbers[shape + SLOTS + kind]), int(numbers[shape + ENTRIES + kind])
-        ask(numbers, at, fixed, width, scratch)
+        write_query(numbers, at, fixed, width, scratch)
         at += fixed * width
-        pool(numbers, at, first, slots, entries, width, kind * width, smooth, scratch)
+        pool_players(numbers, at, first, slots, entries, width, kind * width, smooth, scratch)
         at += (entries + 1) * width
         first += slots * entries
     for j in range(2 * width):
@@ -124,7 +128,7 @@ def attend(numbers, shape, start, smooth, scratch):
 
 
 @compiled
-def ask(numbers, at, fixed, width, scratch):
+def write_query(numbers, at, fixed, width, scratch):
     """Write the query q = Q fixed into scratch[0]."""
     for j in range(width):
         scratch[0, j] = 0.0
@@ -135,7 +139,7 @@ def ask(numbers, at, fixed, width, scratch):
 
 
 @compiled
-def pool(numbers, at, first, slots, entries, width, to, smooth, scratch):
+def pool_players(numbers, at, first, slots, entries, width, to, smooth, scratch):
     """Write the pooled vector of a kind of player into scratch[1] from `to` on; scratch[0] holds q and then each e.
 
     The weights are relative to the largest so far, so that no exponential overflows.

@@ -1,25 +1,25 @@
 """Teams that play a trained policy: `learned`, the bundled one, and every policy file.
 
 A decision is kept for `action_repeat` control steps. The walk of a legged robot is latched when a gait step ends, so
-decisions come just early enough for that: the first one `first_decision` control steps into an episode. Until then a
-robot stands.
+decisions come just early enough for that: the first one `first_decision_step` control steps into an episode.
+Until then a robot stands.
 """
 
 from pathlib import Path
 
 import numpy as np
 
-from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, given, pack, widest
+from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, pack_policy, widest_layer
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.compiled import compiled
 from soccer_env.guards.names import Made
-from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, ranged_record
 from soccer_env.leagues.league import League
 from soccer_env.teams import ObservingTeam
 
 BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
-MEMORY = record(
+MEMORY = ranged_record(
     [
         ("begun", "i8", FLAG),  # 1 once the episode has begun
         ("wait", "i8", COUNT),  # [control steps] until the next decision
@@ -35,33 +35,33 @@ class LearnedTeam(ObservingTeam):
     policy: Policy
 
     def __reduce__(self) -> Made:
-        """Copy by the policy's file."""
-        return team_again, (dump(self.policy), bool(self.settings[AT_ONCE]))
+        """Pickle or copy the team as the content of its policy file."""
+        return rebuild_team, (dump(self.policy), bool(self.settings[AT_ONCE]))
 
     def check_league(self, league: League) -> None:
         """Raise ValueError if the policy does not play this league; warn if its rules differ from the training."""
         self.policy.check_plays(league)
-        self.policy.tell_of_rules(league)
+        self.policy.warn_of_other_rules(league)
 
 
-def team_of(policy: Policy, at_once: bool = False) -> LearnedTeam:
+def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:
     """Return the team that plays a policy; `at_once`: its first decision is in the first step of an episode."""
     made = LearnedTeam(
-        policy.name, decide_slice, MEMORY, pack(policy, at_once), (policy.family,), observe=policy.observe
+        policy.name, decide_slice, MEMORY, pack_policy(policy, at_once), (policy.family,), observe=policy.observe
     )
     object.__setattr__(made, "policy", policy)
     return made
 
 
-def team_again(data: bytes, at_once: bool) -> LearnedTeam:
+def rebuild_team(data: bytes, at_once: bool) -> LearnedTeam:
     """Rebuild a pickled team from the content of its policy's file."""
-    return team_of(parse(data, "a pickled team"), at_once)
+    return team_from_policy(parse(data, "a pickled team"), at_once)
 
 
 def from_file(path: str | Path) -> LearnedTeam:
     """Return the team of a policy file; ValueError for a wrong file."""
     policy = load(Path(path))
-    return team_of(policy, policy.at_once)
+    return team_from_policy(policy, policy.at_once)
 
 
 def from_zip(
@@ -80,7 +80,7 @@ def from_zip(
         path, league=league, observe=observe, action_repeat=action_repeat, activation=activation, pose=pose,
         senses=senses, rules=rules,
     )  # fmt: skip
-    return team_of(policy, at_once)
+    return team_from_policy(policy, at_once)
 
 
 def team(strength: float = 1.0) -> LearnedTeam:
@@ -90,17 +90,17 @@ def team(strength: float = 1.0) -> LearnedTeam:
     return from_file(BUNDLED)
 
 
-def first_decision(delay_steps: int, repeat: int) -> int:
-    """Return the control steps until the first decision, a perception-to-motion delay before the end of a repeat."""
+def first_decision_step(delay_steps: int, repeat: int) -> int:
+    """Return the number of control steps until the first decision, whose delayed motion begins a gait step."""
     return -delay_steps % repeat
 
 
 @compiled
 def decide_slice(observations, memory, commands, players, constants, numbers, first, last):
     """Command every player of a slice of matches; memory (M, P) has a column for each of `players`."""
-    repeat, size = int(numbers[REPEAT]), given(numbers)
+    repeat, size = int(numbers[REPEAT]), action_size(numbers)
     delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
-    scratch = np.empty((3, widest(numbers)))
+    scratch = np.empty((3, widest_layer(numbers)))
     for m in range(first, last):
         for p in range(len(players)):
             kept = memory[m, p]
@@ -112,11 +112,11 @@ def decide_slice(observations, memory, commands, players, constants, numbers, fi
                 act(numbers, observations[m, players[p]], kept.action[:size], scratch)
                 kept.wait = repeat
             kept.wait -= 1
-            obey(commands[m, players[p]], kept.action)
+            write_action(commands[m, players[p]], kept.action)
 
 
 @compiled
-def obey(command, action):
+def write_action(command, action):
     """Write an action into a command."""
     command.forward, command.left, command.turn = action[0], action[1], action[2]
     command.kick = action[3]

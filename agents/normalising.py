@@ -11,14 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 
 KEYS = ("mean", "deviation", "limit")
 MOST = 1e30  # of a mean, a deviation and the limit: nothing can overflow
 LEAST = 1e-12  # of a deviation
 
 
-def table_of(normaliser: Any) -> dict[str, Any]:
+def normaliser_table(normaliser: Any) -> dict[str, Any]:
     """Return the table of the normaliser of the training; {} for None.
 
     normaliser: a table of KEYS, VecNormalize of stable-baselines3, or an object whose `obs_rms` has `mean` and `var`,
@@ -31,7 +31,7 @@ def table_of(normaliser: Any) -> dict[str, Any]:
         return plain if "limit" in plain else {**plain, "limit": MOST}
     seen: Any = getattr(normaliser, "obs_rms", None)
     if not (hasattr(seen, "mean") and hasattr(seen, "var")):
-        got = brief(normaliser)
+        got = short_repr(normaliser)
         raise ValueError(
             f"normalise must be a table of {', '.join(KEYS)}, or have obs_rms with mean and var, got {got}"
         )
@@ -46,13 +46,13 @@ def table_of(normaliser: Any) -> dict[str, Any]:
 def check_normalise(table: object, inputs: int) -> float:
     """Return the largest possible input of the network; ValueError unless the table is empty or has KEYS."""
     if not isinstance(table, Mapping) or (table and set(table) != set(KEYS)):
-        raise ValueError(f"normalise must be empty or a table of {', '.join(KEYS)}, got {brief(table)}")
+        raise ValueError(f"normalise must be empty or a table of {', '.join(KEYS)}, got {short_repr(table)}")
     if not table:
         return 1.0
     for key, least in (("mean", -MOST), ("deviation", LEAST)):
         values = table[key]
         if not isinstance(values, (list, tuple)) or len(values) != inputs:
-            raise ValueError(f"normalise[{key!r}] must have {inputs} numbers, got {brief(values)}")
+            raise ValueError(f"normalise[{key!r}] must have {inputs} numbers, got {short_repr(values)}")
         for value in values:
             check_number(key, value, least)
     check_number("limit", table["limit"], LEAST)
@@ -63,9 +63,9 @@ def check_normalise(table: object, inputs: int) -> float:
 def check_number(key: str, value: object, least: float) -> None:
     """Raise ValueError unless a value is a Python number from `least` to MOST."""
     if type(value) not in (int, float) or not isfinite(value) or not least <= value <= MOST:  # type: ignore[arg-type, operator]
-        raise ValueError(f"normalise[{key!r}] must hold numbers from {least:g} to {MOST:g}, got {brief(value)}")
+        raise ValueError(f"normalise[{key!r}] must hold numbers from {least:g} to {MOST:g}, got {short_repr(value)}")
 
 
-def numbers_of(table: Mapping[str, Any]) -> np.ndarray:
+def pack_table(table: Mapping[str, Any]) -> np.ndarray:
     """Return the table as numbers (1 + 2 inputs,): limit, means, deviations; an empty array for an empty table."""
     return np.array([table["limit"], *table["mean"], *table["deviation"]] if table else [], np.float64)

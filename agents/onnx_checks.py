@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from math import prod
 from typing import Any, NoReturn
 
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 
 MAX_FILE = 16 * 2**20  # [bytes] as of our own policy files
 MAX_PARTS = 50_000  # messages in a file; an export has a few for each operator
@@ -44,10 +44,10 @@ def checked_model(content: bytes) -> Any:
         model = onnx.ModelProto.FromString(content)
     except Exception:  # protobuf's own kinds of errors
         raise ValueError("is no ONNX file") from None
-    for part in parts_of(model):
+    for part in all_messages(model):
         if isinstance(part, onnx.TensorProto) and (part.external_data or part.data_location == part.EXTERNAL):
             name = next((entry.value for entry in part.external_data if entry.key == "location"), "")
-            raise ValueError(f"has weights in another file, {brief(name)}: {INSIDE}")
+            raise ValueError(f"has weights in another file, {short_repr(name)}: {INSIDE}")
     model.DiscardUnknownFields()
     graph = model.graph
     for what, extras in (("functions of its own", model.functions), ("sparse weights", graph.sparse_initializer)):
@@ -66,7 +66,7 @@ def checked_model(content: bytes) -> Any:
     return model
 
 
-def parts_of(model: Any) -> Iterator[Any]:
+def all_messages(model: Any) -> Iterator[Any]:
     """Yield all messages in a message, with inner graphs and functions; ValueError for too many."""
     waiting, count = [model], 0
     while waiting:
@@ -87,18 +87,18 @@ def check_operators(nodes: Any) -> None:
         if node.domain not in ("", "ai.onnx") or node.op_type not in OPERATORS:
             name = f"{node.domain}.{node.op_type}" if node.domain else node.op_type
             why = "it is not among those whose time and memory can be bounded (soccer_env.agents.onnx_checks.OPERATORS)"
-            raise ValueError(f"has the operator {brief(name)}: {why}")
+            raise ValueError(f"has the operator {short_repr(name)}: {why}")
 
 
 def check_input(model: Any) -> None:
     """Raise ValueError unless a model has one input (B, n), where n is a number."""
-    axes = {one.name: [axis.dim_param or axis.dim_value for axis in axes_of(one)] for one in inputs_of(model)}
+    axes = {one.name: [axis.dim_param or axis.dim_value for axis in declared_axes(one)] for one in inputs_of(model)}
     if [len(sizes) for sizes in axes.values()] != [2]:
         got = ", ".join(f"{name} {sizes}" for name, sizes in axes.items())
         raise ValueError(f"must have one input (B, n), got {got or 'none'}; see team_of_function")
     width = next(iter(axes.values()))[1]
     if not isinstance(width, int) or width < 1:
-        raise ValueError(f"must have one input (B, n) where n is a number, got {brief(width)}")
+        raise ValueError(f"must have one input (B, n) where n is a number, got {short_repr(width)}")
 
 
 def inputs_of(model: Any) -> list[Any]:
@@ -107,7 +107,7 @@ def inputs_of(model: Any) -> list[Any]:
     return [one for one in model.graph.input if one.name not in weights]
 
 
-def axes_of(value: Any) -> Any:
+def declared_axes(value: Any) -> Any:
     """Return the list of axes that the file declares for an array."""
     return value.type.tensor_type.shape.dim
 
@@ -118,24 +118,26 @@ def check_sizes(model: Any, rows: int) -> None:
 
     pinned = onnx.ModelProto()
     pinned.CopyFrom(model)
-    axes_of(inputs_of(pinned)[0])[0].dim_value = rows
+    declared_axes(inputs_of(pinned)[0])[0].dim_value = rows
     for output in pinned.graph.output:  # sizes in the file are not trusted
         output.type.tensor_type.ClearField("shape")
     try:
         graph = onnx.shape_inference.infer_shapes(pinned, check_type=True, strict_mode=True, data_prop=True).graph
     except Exception as error:
         raise ValueError(f"does not fit together: {error}") from None
-    arrays = {one.name: (size_of(one), kind_of(one)) for one in (*graph.input, *graph.value_info, *graph.output)}
+    arrays = {
+        one.name: (axis_sizes(one), element_type(one)) for one in (*graph.input, *graph.value_info, *graph.output)
+    }
     arrays |= {weight.name: (tuple(weight.dims), weight.data_type) for weight in graph.initializer}
     for name in (name for node in graph.node for name in node.output if name and name not in arrays):
-        refuse_unknown(name)
+        refuse_unknown_size(name)
     for name, (_, kind) in arrays.items():
         if kind not in NUMBERS:
-            raise ValueError(f"{brief(name)} holds no numbers")
+            raise ValueError(f"{short_repr(name)} holds no numbers")
     check_divisions(graph, {name: kind for name, (_, kind) in arrays.items()})
     sizes = {name: size for name, (size, _) in arrays.items()}
     check_cost(sum(map(prod, sizes.values())), "numbers", MAX_CONSTANT, MAX_VALUES, rows)
-    check_cost(sum(work_of(node, sizes) for node in graph.node), "multiplications", 0, MAX_WORK, rows)
+    check_cost(sum(count_multiplications(node, sizes) for node in graph.node), "multiplications", 0, MAX_WORK, rows)
 
 
 def check_cost(cost: int, what: str, once: int, each: int, rows: int) -> None:
@@ -154,32 +156,32 @@ def check_divisions(graph: Any, kinds: dict[str, int]) -> None:
         if node.op_type in ("Div", "Mod") and kinds[node.input[1]] in WHOLE:
             divisor = constants.get(node.input[1])
             if divisor is None or divisor.data_type not in WHOLE or not (to_array(divisor) > 0).all():
-                raise ValueError(f"{brief(node.output[0])} divides whole numbers by other than positive constants")
+                raise ValueError(f"{short_repr(node.output[0])} divides whole numbers by other than positive constants")
 
 
-def size_of(value: Any) -> tuple[int, ...]:
+def axis_sizes(value: Any) -> tuple[int, ...]:
     """Return the sizes of the axes of an array; ValueError if a size is unknown."""
     kind = value.type.tensor_type
     axes = tuple(axis.dim_value if axis.HasField("dim_value") else -1 for axis in kind.shape.dim)
     if not kind.HasField("shape") or min(axes, default=0) < 0:
-        refuse_unknown(value.name)
+        refuse_unknown_size(value.name)
     return axes
 
 
-def kind_of(value: Any) -> int:
+def element_type(value: Any) -> int:
     """Return the type of an array's elements."""
     kind: int = value.type.tensor_type.elem_type
     return kind
 
 
-def refuse_unknown(name: str) -> NoReturn:
+def refuse_unknown_size(name: str) -> NoReturn:
     """Raise ValueError for an array whose size does not follow from the size of the observations."""
     raise ValueError(
-        f"the size of {brief(name)} is not known before it plays: export it for a fixed size, simplified (onnxsim)"
+        f"the size of {short_repr(name)} is not known before it plays: export it for a fixed size, simplified (onnxsim)"
     )
 
 
-def work_of(node: Any, sizes: dict[str, tuple[int, ...]]) -> int:
+def count_multiplications(node: Any, sizes: dict[str, tuple[int, ...]]) -> int:
     """Return the number of multiplications in a product of matrices; 0 for other operators."""
     if node.op_type not in ("MatMul", "Gemm"):
         return 0

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import BOX, DISCRETE, FULL
-from soccer_env.agents.onnx_checks import MAX_FILE, axes_of, check_sizes, checked_model, inputs_of
-from soccer_env.agents.policy_file import file_name, one_line, read_plain
+from soccer_env.agents.onnx_checks import MAX_FILE, check_sizes, checked_model, declared_axes, inputs_of
+from soccer_env.agents.policy_file import one_line, read_limited_file, short_path
 from soccer_env.teams.function_teams import FunctionTeam, team_of_function
 
 HALVES = (2 * len(BOX), 2 * len(FULL))
@@ -36,7 +36,7 @@ class OnnxPolicy:
         self.runtime = f"onnxruntime {onnxruntime.__version__}"
         self._model = self._asked(partial(checked_model, content))
         self._input = inputs_of(self._model)[0]
-        self._size, self._width = (axis.dim_value for axis in axes_of(self._input))  # 0: any number of rows
+        self._size, self._width = (axis.dim_value for axis in declared_axes(self._input))  # 0: any number of rows
         self._known: set[int] = set()  # numbers of rows with checked sizes
         self._check(self._size or 1)
         options = onnxruntime.SessionOptions()
@@ -86,8 +86,8 @@ class OnnxPolicy:
 
 def from_onnx(path: str | Path, observe: str = "belief", action_repeat: int = 1, at_once: bool = True) -> FunctionTeam:
     """Return the team of an ONNX file, with the settings of `team_of_function`."""
-    content = read_plain(path, MAX_FILE)
-    policy = OnnxPolicy(content, file_name(path))
+    content = read_limited_file(path, MAX_FILE)
+    policy = OnnxPolicy(content, short_path(path))
     fingerprint = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"
     return team_of_function(
         policy, observe=observe, action_repeat=action_repeat, at_once=at_once, flat=True,

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from soccer_env.actions import BOX, DISCRETE_TABLE
-from soccer_env.agents.attention import SHAPE, attend, flat, layout_of, observed, shape_of
-from soccer_env.agents.normalising import numbers_of
+from soccer_env.agents.attention import SHAPE, attend, flatten_tensors, layout_of, observation_size, shape_numbers
+from soccer_env.agents.normalising import pack_table
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.observations.reflection import action_signs, observation_signs
@@ -33,19 +33,19 @@ NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("atten
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
 
-def pack(policy: Policy, at_once: bool = False) -> np.ndarray:
+def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
     """Return the numbers (n,) float64 of a policy's network; `at_once`: decide in an episode's first step."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
     output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
-    scaled = numbers_of(policy.normalise)
+    scaled = pack_table(policy.normalise)
     head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
     if policy.attention:
-        head += shape_of(layout_of(policy.entries), len(policy.attention[1]))
+        head += shape_numbers(layout_of(policy.entries), len(policy.attention[1]))
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
     turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
     parts = [np.array(head, np.float64), signs, turned, scaled]
-    parts += flat(policy.attention)
+    parts += flatten_tensors(policy.attention)
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
     return np.concatenate(parts)
@@ -58,7 +58,7 @@ def act(numbers, row, action, scratch):
     With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
     layers = int(numbers[LAYERS])
-    inputs, outputs = entries(numbers), int(numbers[SIZES + layers])
+    inputs, outputs = input_size(numbers), int(numbers[SIZES + layers])
     signs = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
     scale = signs + inputs + outputs
     start = scale + (1 + 2 * inputs if numbers[NORMALISED] != 0.0 else 0)
@@ -67,7 +67,7 @@ def act(numbers, row, action, scratch):
     normalise(numbers, scale, inputs, scratch)
     forward(numbers, layers, start, scratch)
     if numbers[OUTPUT] == CHOSEN:
-        choose(outputs, action, scratch)
+        choose_action(outputs, action, scratch)
         return
     for i in range(outputs):
         action[i] = scratch[0, i]
@@ -95,7 +95,7 @@ def normalise(numbers, scale, inputs, scratch):
 
 
 @compiled
-def choose(outputs, action, scratch):
+def choose_action(outputs, action, scratch):
     """Write the discrete action with the largest output in scratch[0]; of equal outputs the first counts."""
     best = 0
     for i in range(1, outputs):
@@ -127,20 +127,20 @@ def forward(numbers, layers, start, scratch):
 
 
 @compiled
-def entries(numbers):
+def input_size(numbers):
     """Return the number of entries of an observation."""
     if numbers[NETWORK] >= ATTENTION:
-        return observed(numbers, SIZES + int(numbers[LAYERS]) + 1)
+        return observation_size(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES])
 
 
 @compiled
-def given(numbers):
+def action_size(numbers):
     """Return the length of an action."""
     return CHOICE if numbers[OUTPUT] == CHOSEN else int(numbers[SIZES + int(numbers[LAYERS])])
 
 
 @compiled
-def widest(numbers):
+def widest_layer(numbers):
     """Return the width of the widest layer, inputs, outputs and the observation included."""
-    return max(entries(numbers), int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max()))
+    return max(input_size(numbers), int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max()))

@@ -22,12 +22,12 @@ import numpy as np
 from soccer_env.actions import BOX, DISCRETE, FULL
 from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
-from soccer_env.agents.rules_known import check_recorded, recorded, tell_of_rules
+from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
 from soccer_env.agents.trained_with import check_trained_with
-from soccer_env.guards.checking import brief, one_of, refuse
+from soccer_env.guards.checking import check_choice, raise_not_allowed, short_repr
 from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
-from soccer_env.observations import OBSERVE, Entry, entries_named, names_of
+from soccer_env.observations import OBSERVE, Entry, entries_named, entry_names
 from soccer_env.observations.reflection import observation_signs
 
 ACTIONS = {"box": len(BOX), "full": len(FULL), "discrete": len(DISCRETE)}  # number of outputs
@@ -79,32 +79,34 @@ class Policy:
         _check_text("name", self.name, NAME)
         _check_text("league", self.league, NAME)
         check_family("family", self.family)
-        _check_whole("control_rate", self.control_rate, MAX_RATE)
-        one_of("observe", self.observe, OBSERVE)
-        one_of("actions", self.actions, tuple(ACTIONS))
-        one_of("kind", self.kind, KINDS)
-        one_of("activation", self.activation, ACTIVATIONS)
+        _check_whole_number("control_rate", self.control_rate, MAX_RATE)
+        check_choice("observe", self.observe, OBSERVE)
+        check_choice("actions", self.actions, tuple(ACTIONS))
+        check_choice("kind", self.kind, KINDS)
+        check_choice("activation", self.activation, ACTIVATIONS)
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
-                raise ValueError(f"{name} must be True or False, got {brief(getattr(self, name))}")
+                raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
         if self.actions == "discrete" and (self.mirror or self.squash):
             raise ValueError("mirror and squash must be False where actions are discrete")
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
-        _check_whole("action_repeat", self.action_repeat, MAX_REPEAT)
+        _check_whole_number("action_repeat", self.action_repeat, MAX_REPEAT)
         _check_inputs(self.inputs)
-        _check_made(self.made)
-        check_recorded(self.rules)
+        _check_origin(self.made)
+        check_rules_table(self.rules)
         check_trained_with(self)
         if self.mirror:
             observation_signs(self.entries)
         features = _check_attention(self.kind, self.attention, self.entries)
         numbers = sum(array.size for array in self.attention)
         _check_layers(self.weights, self.biases, features, ACTIONS[self.actions], numbers)
-        largest = _check_pooled(self.attention, self.activation, check_normalise(self.normalise, len(self.inputs)))
-        _check_activity(self.weights, self.biases, self.activation, largest)
+        largest = _check_attention_overflow(
+            self.attention, self.activation, check_normalise(self.normalise, len(self.inputs))
+        )
+        _check_unit_overflow(self.weights, self.biases, self.activation, largest)
         for name in ("weights", "biases", "attention"):
-            object.__setattr__(self, name, tuple(_frozen(array) for array in getattr(self, name)))
+            object.__setattr__(self, name, tuple(_read_only_copy(array) for array in getattr(self, name)))
         for name in ("made", "rules", "normalise"):
             object.__setattr__(self, name, dict(getattr(self, name)))
 
@@ -119,7 +121,7 @@ class Policy:
         """Return the meaning of each input, as far as its name tells."""
         return entries_named(self.observe, self.inputs)
 
-    def tell_of_rules(self, league: League) -> None:
+    def warn_of_other_rules(self, league: League) -> None:
         """Warn, once in a process, if a league's rules differ from the rules of the training."""
         tell_of_rules(self.name, self.rules, league.rules)
 
@@ -137,7 +139,7 @@ class Policy:
                     f"policy {self.name!r} was trained in {self.league!r} of {what} {own}, "
                     f"{league.name!r} is of {what} {other}"
                 )
-        names = names_of(league, self.observe)
+        names = entry_names(league, self.observe)
         if list(self.inputs) == names:
             return
         pairs = zip(self.inputs, names)
@@ -150,12 +152,12 @@ class Policy:
         )
 
 
-def trained_in(league: League) -> dict[str, Any]:
+def training_fields(league: League) -> dict[str, Any]:
     """Return the fields of a policy for the league and the rules of its training."""
-    return {**league_of(league), "rules": recorded(league.rules)}
+    return {**league_fields(league), "rules": recorded(league.rules)}
 
 
-def league_of(league: League) -> dict[str, Any]:
+def league_fields(league: League) -> dict[str, Any]:
     """Return the fields of a policy for its league."""
     return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
 
@@ -164,19 +166,19 @@ def _check_text(what: str, value: object, pattern: re.Pattern[str]) -> None:
     """Raise ValueError unless a value is a short plain text."""
     if not isinstance(value, str) or not pattern.fullmatch(value):
         kinds = "letters, digits and _" if pattern is INPUT else "letters, digits, spaces and . _ + -"
-        refuse(what, f"1 to 64 characters ({kinds})", value)
+        raise_not_allowed(what, f"1 to 64 characters ({kinds})", value)
 
 
-def _check_whole(what: str, value: object, most: int) -> None:
+def _check_whole_number(what: str, value: object, most: int) -> None:
     """Raise ValueError unless a value is a whole number from 1 to `most`."""
     if type(value) is not int or not 1 <= value <= most:
-        refuse(what, f"1 to {most}", value)
+        raise_not_allowed(what, f"1 to {most}", value)
 
 
 def _check_inputs(inputs: object) -> None:
     """Raise ValueError unless the inputs are 1 to MAX_INPUTS names, each once."""
     if not isinstance(inputs, tuple) or not 1 <= len(inputs) <= MAX_INPUTS:
-        size = len(inputs) if isinstance(inputs, tuple) else brief(inputs)
+        size = len(inputs) if isinstance(inputs, tuple) else short_repr(inputs)
         raise ValueError(f"inputs must be a tuple of 1 to {MAX_INPUTS} names, got {size}")
     seen: set[str] = set()
     for number, name in enumerate(inputs):
@@ -186,18 +188,18 @@ def _check_inputs(inputs: object) -> None:
         seen.add(name)
 
 
-def _check_made(made: object) -> None:
+def _check_origin(made: object) -> None:
     """Raise ValueError unless `made` is a small table of plain texts."""
     if not isinstance(made, Mapping) or len(made) > MAX_MADE:
-        got = len(made) if isinstance(made, Mapping) else brief(made)
+        got = len(made) if isinstance(made, Mapping) else short_repr(made)
         raise ValueError(f"made must be a mapping of at most {MAX_MADE} texts, got {got}")
     for key, text in made.items():
         _check_text("a key of made", key, NAME)
         if not isinstance(text, str) or len(text) > MAX_TEXT:
-            size = f"{len(text)} characters" if isinstance(text, str) else brief(text)
+            size = f"{len(text)} characters" if isinstance(text, str) else short_repr(text)
             raise ValueError(f"made[{key!r}] must be a text of at most {MAX_TEXT} characters, got {size}")
         if not text.replace("\n", "").replace("\t", "").isprintable():
-            refuse(f"made[{key!r}]", "plain text", text)
+            raise_not_allowed(f"made[{key!r}]", "plain text", text)
 
 
 def _check_array(what: str, array: object) -> None:
@@ -253,7 +255,7 @@ def _check_layers(weights: object, biases: object, inputs: int, outputs: int, nu
             raise ValueError(f"layer{number} must be finite, it holds NaN or infinity")
 
 
-def _check_pooled(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
+def _check_attention_overflow(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
     """Return the largest possible input of the first layer; ValueError if attention could overflow."""
     largest = entering
     for first in range(0, len(attention), 3):
@@ -264,28 +266,28 @@ def _check_pooled(attention: tuple[np.ndarray, ...], activation: str, entering: 
             (TENSORS[first], encoded.max()),
             (TENSORS[first + 2], query.sum(axis=1) @ bounded * entering),
         ):
-            _check_reached(name, reached)
+            _check_below_limit(name, reached)
         largest = max(largest, float(bounded.max()))
     return largest
 
 
-def _check_activity(
+def _check_unit_overflow(
     weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str, largest: float
 ) -> None:
     """Raise ValueError if inputs up to `largest` could make a unit overflow."""
     for number, (weight, bias) in enumerate(zip(weights, biases)):
         reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
-        _check_reached(f"layer{number}", reached.max())
+        _check_below_limit(f"layer{number}", reached.max())
         largest = 1.0 if activation == "tanh" else float(reached.max())
 
 
-def _check_reached(what: str, reached: float) -> None:
+def _check_below_limit(what: str, reached: float) -> None:
     """Raise ValueError unless the largest value of the units stays below the limit."""
     if not reached < MAX_ACTIVITY:
         raise ValueError(f"{what} must stay below {MAX_ACTIVITY:g}, its units could reach {reached:g}")
 
 
-def _frozen(array: np.ndarray) -> np.ndarray:
+def _read_only_copy(array: np.ndarray) -> np.ndarray:
     """Return a read-only copy of an array as float32."""
     copy = np.array(array, dtype=np.float32, order="C", subok=False)
     copy.setflags(write=False)

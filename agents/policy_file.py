@@ -27,9 +27,9 @@ from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
 from soccer_env.agents.attention import TENSORS
-from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_of
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_fields
 from soccer_env.guards import whole_files
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import version
 
@@ -77,27 +77,27 @@ def dump(policy: Policy) -> bytes:
 
 def load(path: str | os.PathLike[str]) -> Policy:
     """Read a policy file; ValueError names the file and the reason."""
-    return parse(read_plain(path, MAX_FILE), file_name(path))
+    return parse(read_limited_file(path, MAX_FILE), short_path(path))
 
 
 def parse(data: bytes, where: str) -> Policy:
     """Return the policy of a file's content; ValueError names `where` and the reason."""
     try:
         header = _header(data)
-        table = _table(header)
-        _check_tensors(header, _more(table))
+        table = _read_policy_fields(header)
+        _check_tensors(header, _attention_tensor_names(table))
         return _policy(table, tensors_of(data))
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
 
 
-def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
+def read_limited_file(path: str | os.PathLike[str], limit: int) -> bytes:
     """Return the content of a regular file of at most `limit` bytes; ValueError, which names it, for other files."""
     try:
-        return whole_files.read_plain(path, limit)
+        return whole_files.read_regular_file(path, limit)
     except (OSError, ValueError, TypeError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else error
-        raise ValueError(f"policy file {file_name(path)!r}: {one_line(reason)}") from None
+        raise ValueError(f"policy file {short_path(path)!r}: {one_line(reason)}") from None
 
 
 def one_line(reason: object) -> str:
@@ -114,7 +114,7 @@ def strict_json(data: bytes | str, what: str, finite: bool = True) -> Any:
         table = dict(pairs)
         if len(table) < len(pairs):
             twice = Counter(key for key, _ in pairs).most_common(1)[0][0]
-            raise ValueError(f"{what} has the key {brief(twice)} twice")
+            raise ValueError(f"{what} has the key {short_repr(twice)} twice")
         return table
 
     def whole(digits: str) -> int:
@@ -136,7 +136,7 @@ def strict_json(data: bytes | str, what: str, finite: bool = True) -> Any:
         raise ValueError(f"{what} is not JSON: {error}") from None
 
 
-def file_name(path: object) -> str:
+def short_path(path: object) -> str:
     """Return a path as text, short enough for a message."""
     text = os.fsdecode(path) if isinstance(path, (str, bytes, Path)) else str(path)
     return text if len(text) <= 300 else f"...{text[-297:]}"
@@ -159,7 +159,7 @@ def _header(data: bytes) -> dict[str, Any]:
     return header
 
 
-def _table(header: Mapping[str, Any]) -> dict[str, Any]:
+def _read_policy_fields(header: Mapping[str, Any]) -> dict[str, Any]:
     """Return the fields of the policy, checked against the schema."""
     metadata = header.get("__metadata__")
     if not isinstance(metadata, dict) or set(metadata) != {KEY} or not isinstance(metadata[KEY], str):
@@ -169,21 +169,23 @@ def _table(header: Mapping[str, Any]) -> dict[str, Any]:
         raise ValueError(f"{KEY} must be a JSON object")
     version = table.get("version")
     if type(version) is not int or not 1 <= version <= VERSION:
-        raise ValueError(f"is of format version {brief(version)}{maker(table)} reads versions 1 to {VERSION}")
-    fields: dict[str, Any] = table if version == VERSION else _of_older(table, version)
+        raise ValueError(
+            f"is of format version {short_repr(version)}{describe_maker(table)} reads versions 1 to {VERSION}"
+        )
+    fields: dict[str, Any] = table if version == VERSION else _upgrade_table(table, version)
     missing = [key for key in SCHEMA if key not in fields]
     unknown = [key for key in fields if key not in SCHEMA]
     if missing:
         raise ValueError(f"{KEY} lacks {', '.join(missing)}")
     if unknown:
-        raise ValueError(f"{KEY} has an unknown key {brief(unknown[0])}; known: {', '.join(SCHEMA)}")
+        raise ValueError(f"{KEY} has an unknown key {short_repr(unknown[0])}; known: {', '.join(SCHEMA)}")
     for key, kind in SCHEMA.items():
         if type(fields[key]) is not kind:
-            raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {brief(fields[key])}")
+            raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {short_repr(fields[key])}")
     return fields
 
 
-def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
+def _upgrade_table(table: dict[str, Any], version: int) -> dict[str, Any]:
     """Return the fields of an older file, completed: no rules, and the league by its name."""
     unexpected = [key for key in LACKS[version] if key in table]
     if unexpected:
@@ -192,11 +194,13 @@ def _of_older(table: dict[str, Any], version: int) -> dict[str, Any]:
         return {**LATEST, **({"rules": {}} if version == 2 else {}), **table}
     known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
     if known is None:
-        raise ValueError(f"is of version 1, which says nothing of leagues of one's own: {brief(table.get('league'))}")
-    return {**LATEST, **table, **league_of(known), "rules": {}}
+        raise ValueError(
+            f"is of version 1, which says nothing of leagues of one's own: {short_repr(table.get('league'))}"
+        )
+    return {**LATEST, **table, **league_fields(known), "rules": {}}
 
 
-def maker(table: Mapping[str, Any]) -> str:
+def describe_maker(table: Mapping[str, Any]) -> str:
     """Describe which version of the package made a policy, if its file names one, and the present version."""
     made = table.get("made")
     by = made.get("soccer_env") if isinstance(made, dict) else None
@@ -204,7 +208,7 @@ def maker(table: Mapping[str, Any]) -> str:
     return f"{origin}; this soccer_env ({version()})"
 
 
-def _more(table: Mapping[str, Any]) -> tuple[str, ...]:
+def _attention_tensor_names(table: Mapping[str, Any]) -> tuple[str, ...]:
     """Return the names of a policy's tensors other than layers: the tensors of attention."""
     return TENSORS if table["kind"] == "attention" else ()
 
@@ -217,25 +221,25 @@ def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
     for name in sorted(expected - entries.keys()):
         raise ValueError(f"lacks the tensor {name!r}")
     for name in sorted(entries.keys() - expected):
-        raise ValueError(f"has a tensor {brief(name)} that belongs to no complete layer of 1 to {MAX_LAYERS}")
+        raise ValueError(f"has a tensor {short_repr(name)} that belongs to no complete layer of 1 to {MAX_LAYERS}")
     for name, entry in entries.items():
         if not isinstance(entry, dict) or set(entry) != TENSOR:
             raise ValueError(f"{name} must have {', '.join(sorted(TENSOR))} and nothing else")
         if entry["dtype"] != "F32":
-            raise ValueError(f"{name} must be of dtype 'F32', got {brief(entry['dtype'])}")
+            raise ValueError(f"{name} must be of dtype 'F32', got {short_repr(entry['dtype'])}")
         shape, axes = entry["shape"], 1 if name.endswith("bias") else 2
         sizes = isinstance(shape, list) and all(type(size) is int and 1 <= size <= MAX_INPUTS for size in shape)
         if not sizes or len(shape) != axes:
-            raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {brief(shape)}")
+            raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {short_repr(shape)}")
 
 
 def _policy(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
     """Return the policy of a checked table and its tensors."""
-    layers = range((len(tensors) - len(_more(table))) // 2)
+    layers = range((len(tensors) - len(_attention_tensor_names(table))) // 2)
     return Policy(
         **{key: table[key] for key in SCHEMA if key not in ("version", "inputs")},
         inputs=tuple(table["inputs"]),
         weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
         biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
-        attention=tuple(tensors[name] for name in _more(table)),
+        attention=tuple(tensors[name] for name in _attention_tensor_names(table)),
     )

@@ -11,7 +11,7 @@ from functools import cache
 from math import isfinite
 from typing import Any
 
-from soccer_env.guards.checking import brief, refuse
+from soccer_env.guards.checking import raise_not_allowed, short_repr
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import SWITCHES, Rules, rule_set
@@ -22,7 +22,7 @@ NOT_RULES = ("name", "half_minutes")  # how long a match lasts is a setting of i
 LOG = logging.getLogger("soccer_env.agents")
 
 
-def league_under(league: str | League, rules: str) -> League:
+def league_with_rules(league: str | League, rules: str) -> League:
     """Return a league with these rules."""
     preset = find_league(league)
     return replace(preset, rules=rule_set(preset.rules, rules))
@@ -33,33 +33,33 @@ def recorded(rules: Rules) -> dict[str, Any]:
     return {item.name: getattr(rules, item.name) for item in fields(Rules) if item.name != "half_minutes"}
 
 
-def check_recorded(rules: object) -> None:
+def check_rules_table(rules: object) -> None:
     """Raise ValueError unless rules are a table of switches and finite numbers with a name, or empty."""
     if not isinstance(rules, Mapping) or len(rules) > MAX_RULES:
-        refuse("rules", f"a table of at most {MAX_RULES} entries", rules)
+        raise_not_allowed("rules", f"a table of at most {MAX_RULES} entries", rules)
     if rules and not (isinstance(rules.get("name"), str) and len(rules["name"]) <= MAX_NAME):
-        refuse("rules['name']", f"a text of at most {MAX_NAME} characters", rules.get("name"))
+        raise_not_allowed("rules['name']", f"a text of at most {MAX_NAME} characters", rules.get("name"))
     if rules and not rules["name"].isprintable():
-        refuse("rules['name']", "plain text", rules["name"])
+        raise_not_allowed("rules['name']", "plain text", rules["name"])
     for name, value in rules.items():
         if not (isinstance(name, str) and name.isidentifier() and len(name) <= 64):
-            refuse("a key of rules", "the name of a rule", name)
+            raise_not_allowed("a key of rules", "the name of a rule", name)
         if name != "name" and not (type(value) in (bool, int, float) and isfinite(value)):
-            raise ValueError(f"rules[{name!r}] must be True, False or a finite number, got {brief(value)}")
+            raise ValueError(f"rules[{name!r}] must be True, False or a finite number, got {short_repr(value)}")
 
 
-def differences(known: Mapping[str, Any], rules: Rules) -> list[str]:
+def rule_differences(known: Mapping[str, Any], rules: Rules) -> list[str]:
     """Return each rule that differs as "pushing (on, off)": in the policy and here; switches first."""
     here = {name: value for name, value in recorded(rules).items() if name not in NOT_RULES}
     names = [*SWITCHES, *(name for name in here if name not in SWITCHES), *(name for name in known if name not in here)]
     return [
-        f"{name} ({written(known.get(name))}, {written(here.get(name))})"
+        f"{name} ({rule_in_words(known.get(name))}, {rule_in_words(here.get(name))})"
         for name in names
         if name not in NOT_RULES and known.get(name) != here.get(name)
     ]
 
 
-def written(value: Any) -> str:
+def rule_in_words(value: Any) -> str:
     """Return the value of a rule in words."""
     if value is None:
         return "not there"
@@ -74,7 +74,7 @@ def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
             "record them, write the file with save_policy or convert_sb3 and rules=..., or give FILE.zip:rules=league"
         )
         return
-    differing = differences(known, rules)
+    differing = rule_differences(known, rules)
     if differing:
         warn_once(
             f"policy {name!r} was trained under the rules {known['name']!r} and plays under {rules.name!r}; "

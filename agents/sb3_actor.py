@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from soccer_env.agents.policy import MAX_INPUTS
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 
 Layers = tuple[np.ndarray, ...]
 NAMES = "PPO, A2C, SAC, TD3, DDPG and DQN"
@@ -51,9 +51,9 @@ def algorithm_of(state: Mapping[str, np.ndarray]) -> Algorithm:
             for key in state:
                 layer = f"{re.escape(one.hidden)}[0-9]{{1,3}}" + (f"|{re.escape(one.last)}" if one.last else "")
                 if not (re.fullmatch(rf"({layer})\.(weight|bias)", key) or one.unused.fullmatch(key)):
-                    raise ValueError(f"has the parameter {brief(key)}: only MlpPolicy of {NAMES} is supported")
+                    raise ValueError(f"has the parameter {short_repr(key)}: only MlpPolicy of {NAMES} is supported")
             return one
-    first = brief(next(iter(state), None))
+    first = short_repr(next(iter(state), None))
     raise ValueError(f"has the parameter {first} and no actor: only MlpPolicy of {NAMES} is supported")
 
 
@@ -69,7 +69,7 @@ def layers_of(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> tuple[La
     ]
     numbers = sorted({int(number) for number in indices})
     if numbers != list(range(0, 2 * len(numbers), 2)):
-        raise ValueError(f"layers of {algorithm.hidden[:-1]} must be 0, 2, 4 ..., got {brief(numbers)}")
+        raise ValueError(f"layers of {algorithm.hidden[:-1]} must be 0, 2, 4 ..., got {short_repr(numbers)}")
     names = [f"{algorithm.hidden}{number}" for number in numbers] + [algorithm.last] * bool(algorithm.last)
     for name in names:
         weight, bias = (state.get(f"{name}.{part}") for part in ("weight", "bias"))

@@ -22,16 +22,16 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import DISCRETE
-from soccer_env.agents.normalising import table_of
-from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_of, trained_in
-from soccer_env.agents.policy_file import dump, file_name, one_line, read_plain, strict_json
-from soccer_env.agents.rules_known import league_under
+from soccer_env.agents.normalising import normaliser_table
+from soccer_env.agents.policy import ACTIONS, ACTIVATIONS, Policy, league_fields, training_fields
+from soccer_env.agents.policy_file import dump, one_line, read_limited_file, short_path, strict_json
+from soccer_env.agents.rules_known import league_with_rules
 from soccer_env.agents.sb3_actor import algorithm_of, is_discrete, layers_of
-from soccer_env.agents.trained_with import known_senses, tell_of_truth
-from soccer_env.guards.checking import brief, one_of
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.agents.trained_with import known_senses, warn_if_observing_truth
+from soccer_env.guards.checking import check_choice, short_repr
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.leagues import League, find_league
-from soccer_env.observations import OBSERVE, names_of
+from soccer_env.observations import OBSERVE, entry_names
 
 MAX_FILE = 256 * 2**20  # [bytes] most of it the optimiser's state, which is not read
 MAX_MEMBER = 64 * 2**20  # [bytes] unpacked, policy.pth and its records
@@ -69,30 +69,31 @@ def load_sb3(
     """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
 
     `name`: default the file's name. `activation`: for zips of users' own policy classes that do not name theirs; None:
-    from the zip, else from the algorithm. `normalise`: the VecNormalize of the training, see `normalising.table_of`.
-    `at_once`, `pose`, `senses`, `rules`: of the training, see `Policy`; rules None: unknown. ValueError names the file
-    and the reason; ImportError without torch.
+    from the zip, else from the algorithm. `normalise`: the VecNormalize of the training, see
+    `normalising.normaliser_table`. `at_once`, `pose`, `senses`, `rules`: of the training, see `Policy`; rules None:
+    unknown. ValueError names the file and the reason; ImportError without torch.
     """
-    preset = find_league(league) if rules is None else league_under(league, rules)
-    one_of("observe", observe, OBSERVE)
+    preset = find_league(league) if rules is None else league_with_rules(league, rules)
+    check_choice("observe", observe, OBSERVE)
     if activation is not None:
-        one_of("activation", activation, ACTIVATIONS)
-    content = read_plain(path, MAX_FILE)
+        check_choice("activation", activation, ACTIVATIONS)
+    content = read_limited_file(path, MAX_FILE)
     try:
         read = _network(content, activation)
-        inputs = names_of(preset, observe)
+        inputs = entry_names(preset, observe)
         if read["weights"][0].shape[1] != len(inputs):
             taken = read["weights"][0].shape[1]
-            fitting = [other for other in OBSERVE if len(names_of(preset, other)) == taken]
+            fitting = [other for other in OBSERVE if len(entry_names(preset, other)) == taken]
             hint = f"give observe={fitting[0]}" if fitting else "was it trained in another league, or with state=True?"
             raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}: {hint}")
         return Policy(
-            **read, **(league_of if rules is None else trained_in)(preset), name=_stem(path) if name is None else name,
+            **read, **(league_fields if rules is None else training_fields)(preset),
+            name=_stem(path) if name is None else name,
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
-            at_once=at_once, normalise=table_of(normalise), **known_senses(senses, pose),
+            at_once=at_once, normalise=normaliser_table(normalise), **known_senses(senses, pose),
         )  # fmt: skip
     except ValueError as error:
-        raise ValueError(f"policy file {file_name(path)!r}: {one_line(error)}") from None
+        raise ValueError(f"policy file {short_path(path)!r}: {one_line(error)}") from None
 
 
 def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **settings: Any) -> Policy:
@@ -103,14 +104,14 @@ def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **set
     if Path(out).suffix != ".safetensors":
         raise ValueError(f"a policy file must end in .safetensors, got {os.fspath(out)!r}")
     policy = load_sb3(path, **{"at_once": True, **settings})
-    write_whole(Path(out), dump(policy))
-    tell_of_truth(policy)
+    write_atomically(Path(out), dump(policy))
+    warn_if_observing_truth(policy)
     return policy
 
 
 def _network(content: bytes, activation: str | None) -> dict[str, Any]:
     """Return the fields of a policy that its zip holds: the network, the kind of actions, and the origin."""
-    settings = _plain_data(content)
+    settings = _read_run_settings(content)
     state = _parameters(_member(content, "policy.pth", MAX_MEMBER))
     algorithm = algorithm_of(state)
     weights, biases = layers_of(algorithm, state)
@@ -119,12 +120,12 @@ def _network(content: bytes, activation: str | None) -> dict[str, Any]:
         raise ValueError("its action_space is not of the kind that its network gives")
     kwargs = settings["policy_kwargs"]
     return {
-        "actions": "discrete" if discrete else _actions(len(biases[-1])),
+        "actions": "discrete" if discrete else _action_kind(len(biases[-1])),
         "activation": _activation(kwargs, activation, algorithm.activation),
         "squash": algorithm.squash or (str(kwargs.get("squash_output", False)) == "True" and not discrete),
         "weights": weights,
         "biases": biases,
-        "made": _made(settings, content),
+        "made": _origin_from_zip(settings, content),
     }
 
 
@@ -154,7 +155,7 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
         raise ValueError(f"is no sound zip: {one_line(error) or type(error).__name__}") from None
 
 
-def _plain_data(content: bytes) -> dict[str, Any]:
+def _read_run_settings(content: bytes) -> dict[str, Any]:
     """Return the settings of the run; ValueError for an unsupported policy."""
     settings = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
     if not isinstance(settings, dict):
@@ -163,15 +164,19 @@ def _plain_data(content: bytes) -> dict[str, Any]:
         space = settings.get(key)
         kind = space.get(":type:") if isinstance(space, dict) else None
         if not (isinstance(kind, str) and kind.endswith(kinds)):
-            raise ValueError(f"its {key} must be a Box{' or Discrete' if len(kinds) > 1 else ''}, got {brief(kind)}")
+            raise ValueError(
+                f"its {key} must be a Box{' or Discrete' if len(kinds) > 1 else ''}, got {short_repr(kind)}"
+            )
     _check_actions(settings["action_space"])
     kwargs = settings.get("policy_kwargs")
     if not isinstance(kwargs, dict):
         raise ValueError("data says no policy_kwargs: it is no model of an algorithm that is known")
     for key in kwargs.keys() - {":type:", ":serialized:"} - HARMLESS:
-        raise ValueError(f"policy_kwargs has {brief(key)}, which is not supported")
+        raise ValueError(f"policy_kwargs has {short_repr(key)}, which is not supported")
     if kwargs.get("features_extractor_class", FLATTEN) != FLATTEN:
-        raise ValueError(f"its features are made by {brief(kwargs['features_extractor_class'])}, not only flattened")
+        raise ValueError(
+            f"its features are made by {short_repr(kwargs['features_extractor_class'])}, not only flattened"
+        )
     return settings
 
 
@@ -181,13 +186,13 @@ def _check_actions(space: Mapping[str, Any]) -> None:
         for key, wanted in DISCRETE_SPACE.items():
             if str(space.get(key)) != wanted:
                 raise ValueError(
-                    f"its discrete actions must be {len(DISCRETE)} from 0, got {key} {brief(space.get(key))}"
+                    f"its discrete actions must be {len(DISCRETE)} from 0, got {key} {short_repr(space.get(key))}"
                 )
         return
     for bound, text in (("low", "-1."), ("high", "1.")):
         words = space.get(bound)
         if isinstance(words, str) and set(words.strip("[] ").split()) != {text}:
-            raise ValueError(f"its actions must lie in [-1, 1], got {bound} {brief(words)}")
+            raise ValueError(f"its actions must lie in [-1, 1], got {bound} {short_repr(words)}")
 
 
 def _activation(kwargs: Any, given: str | None, default: str) -> str:
@@ -196,7 +201,7 @@ def _activation(kwargs: Any, given: str | None, default: str) -> str:
     if text is None:
         return given or default
     if not isinstance(text, str) or text not in ACTIVATION_TEXTS:
-        raise ValueError(f"activation_fn must be Tanh or ReLU, got {brief(text)}")
+        raise ValueError(f"activation_fn must be Tanh or ReLU, got {short_repr(text)}")
     named = ACTIVATION_TEXTS[text]
     if given not in (None, named):
         raise ValueError(f"its activation is {named}, not {given}")
@@ -205,7 +210,7 @@ def _activation(kwargs: Any, given: str | None, default: str) -> str:
 
 def _parameters(pth: bytes) -> dict[str, np.ndarray]:
     """Return the parameters in policy.pth as arrays that share torch's memory."""
-    copied = _copied(pth)
+    copied = _copy_checked_records(pth)
     try:
         import torch
     except ImportError:
@@ -217,13 +222,13 @@ def _parameters(pth: bytes) -> dict[str, np.ndarray]:
         parameters = dict(dict.items(state))  # dict.items: a pickle can hide state.items behind a value of its own
         for key, tensor in parameters.items():
             if not isinstance(key, str) or not isinstance(tensor, torch.Tensor):
-                raise TypeError(f"it must hold tensors with names, got {brief(key)}")
+                raise TypeError(f"it must hold tensors with names, got {short_repr(key)}")
         return {key: tensor.detach().numpy() for key, tensor in parameters.items()}
     except Exception as error:  # torch raises many types of error for broken archives
         raise ValueError(f"policy.pth cannot be read: {one_line(error)[:150]}") from None
 
 
-def _copied(pth: bytes) -> bytes:
+def _copy_checked_records(pth: bytes) -> bytes:
     """Return policy.pth as a new archive that holds only the checked records."""
     if not pth.startswith(b"PK\x03\x04"):
         raise ValueError("policy.pth is not an archive of torch 1.6 or later")
@@ -252,7 +257,7 @@ def _check_pickle(content: bytes) -> None:
         raise ValueError(f"data.pkl of policy.pth has {len(opcodes)} instructions, the limit is {MAX_OPCODES}")
     for opcode, argument in opcodes:
         if opcode == "GLOBAL" and argument not in ALLOWED:
-            raise ValueError(f"policy.pth names {brief(argument)}, which is no tensor of float32")
+            raise ValueError(f"policy.pth names {short_repr(argument)}, which is no tensor of float32")
         if opcode not in OPCODES:
             raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode}")
 
@@ -262,7 +267,7 @@ def _stem(path: str | os.PathLike[str]) -> str:
     return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
 
 
-def _actions(size: int) -> str:
+def _action_kind(size: int) -> str:
     """Return the kind of actions that have `size` numbers."""
     kinds = {ACTIONS[kind]: kind for kind in ("box", "full")}
     if size not in kinds:
@@ -270,7 +275,7 @@ def _actions(size: int) -> str:
     return kinds[size]
 
 
-def _made(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
+def _origin_from_zip(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
     """Return the origin of the policy, from plain values of the zip."""
     made = {"from": "stable-baselines3", "sha256": sha256(content).hexdigest()}
     return made | {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}

@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.actions import BOX, FULL
 from soccer_env.agents.policy import ACTIVATIONS
-from soccer_env.guards.checking import one_of
+from soccer_env.guards.checking import check_choice
 
 SKIPPED = ("Identity", "Flatten", "Dropout")  # layers without effect when a policy plays
 HALVED = (2 * len(BOX), 2 * len(FULL))  # outputs: means, then deviations
@@ -28,11 +28,11 @@ def network_of(module: Any, activation: str | None) -> Network:
     import torch
 
     if activation is not None:
-        one_of("activation", activation, ACTIVATIONS)
-    parts = list(chain_of(module))
+        check_choice("activation", activation, ACTIVATIONS)
+    parts = list(iterate_layers(module))
     layers: list[Any] = [part for part in parts if isinstance(part, torch.nn.Linear)]
     if not layers or parts[0] is not layers[0]:
-        raise ValueError(f"the module must begin with a Linear layer, got {named(parts[:1])}{OTHERWISE}")
+        raise ValueError(f"the module must begin with a Linear layer, got {class_names(parts[:1])}{OTHERWISE}")
     used, squash = activations_of(parts, activation)
     weights = [as_numbers(layer.weight) for layer in layers]
     biases = [np.zeros(len(w), np.float32) if x.bias is None else as_numbers(x.bias) for x, w in zip(layers, weights)]
@@ -50,18 +50,18 @@ def activations_of(parts: list[Any], given: str | None) -> tuple[str, bool]:
     if not used <= set(ACTIVATIONS) or len(used) > 1 or last not in ("", "tanh,"):
         raise ValueError(
             f"the module must have one activation, Tanh or ReLU, between its Linear layers and at most a Tanh behind "
-            f"the last, got {named(parts)}; give activation= if `forward` applies it{OTHERWISE}"
+            f"the last, got {class_names(parts)}; give activation= if `forward` applies it{OTHERWISE}"
         )
     return str(used.pop()), last != ""
 
 
-def chain_of(module: Any) -> Iterator[Any]:
+def iterate_layers(module: Any) -> Iterator[Any]:
     """Yield the Linear layers and activations of a module, or of several modules in a row, in order."""
     import torch
 
     if isinstance(module, (list, tuple)):
         for part in module:
-            yield from chain_of(part)
+            yield from iterate_layers(part)
     elif not isinstance(module, torch.nn.Module):
         raise ValueError(f"module must be a torch module, or several in a list, got {type(module).__name__}")
     elif isinstance(module, (torch.nn.Linear, torch.nn.Tanh, torch.nn.ReLU)):
@@ -71,10 +71,10 @@ def chain_of(module: Any) -> Iterator[Any]:
         if not children or isinstance(module, torch.nn.ModuleDict):
             kind = type(module).__name__
             raise ValueError(f"a policy file holds Linear layers with Tanh or ReLU between, no {kind}{OTHERWISE}")
-        yield from chain_of(children)
+        yield from iterate_layers(children)
 
 
-def named(parts: list[Any]) -> str:
+def class_names(parts: list[Any]) -> str:
     """Return the class names of modules as text."""
     return ", ".join(type(part).__name__ for part in parts) or "nothing"
 
@@ -85,7 +85,7 @@ def as_numbers(tensor: Any) -> np.ndarray:
     return numbers
 
 
-def applied(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
+def apply_module(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
     """Return the outputs of `function`, which may be a module or several in a row, for observations (B, n), as in play.
 
     Of several outputs the first counts; of a distribution its mean.

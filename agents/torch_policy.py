@@ -12,18 +12,18 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import DISCRETE_TABLE
-from soccer_env.agents.normalising import table_of
-from soccer_env.agents.perceptron import act, given, pack, widest
-from soccer_env.agents.policy import ACTIONS, Policy, trained_in
+from soccer_env.agents.normalising import normaliser_table
+from soccer_env.agents.perceptron import act, action_size, pack_policy, widest_layer
+from soccer_env.agents.policy import ACTIONS, Policy, training_fields
 from soccer_env.agents.policy_file import dump
-from soccer_env.agents.rules_known import league_under
-from soccer_env.agents.torch_layers import Network, applied, network_of
-from soccer_env.agents.trained_with import known_senses, tell_of_truth
-from soccer_env.guards.checking import one_of
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.agents.rules_known import league_with_rules
+from soccer_env.agents.torch_layers import Network, apply_module, network_of
+from soccer_env.agents.trained_with import known_senses, warn_if_observing_truth
+from soccer_env.guards.checking import check_choice
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.leagues import League
 from soccer_env.match.arguments import version
-from soccer_env.observations import OBSERVE, names_of
+from soccer_env.observations import OBSERVE, entry_names
 
 ENDING = ".safetensors"
 PROBES = 256  # observations of the comparison
@@ -42,33 +42,33 @@ def save_policy(
     module: a torch module, or several in a row: Linear layers with Tanh or ReLU between. 4 or 7 outputs are the mean of
     the actions, twice as many are mean and deviation (left out), 12 are values of the discrete actions. league,
     observe, action_repeat, rules: of the training. squash: actions are the tanh of the outputs, as in SAC or with a
-    Tanh at the end. normalise: the normaliser of the observations, such as VecNormalize, see `normalising.table_of`.
-    activation: "tanh" or "relu" if `forward` applies it and no module does. outputs: a function of observations (B, n)
-    for the comparison, default the module itself. at_once: episodes began with a decision, as in the APIs; False: as in
-    `SoccerVecEnv`. name: default the file's name. pose, senses: of the training, for evaluations; None: unknown. An
-    existing file is overwritten.
+    Tanh at the end. normalise: such as VecNormalize, see `normalising.normaliser_table`. activation: "tanh" or "relu"
+    if `forward` applies it and no module does. outputs: a function of observations (B, n) for the comparison, default
+    the module itself. at_once: episodes began with a decision, as in the APIs; False: as in `SoccerVecEnv`. name:
+    default the file's name. pose, senses: of the training, for evaluations; None: unknown. An existing file is
+    overwritten.
     """
     if Path(path).suffix != ENDING:
         raise ValueError(f"a policy file must end in {ENDING}, got {os.fspath(path)!r}")
-    preset = league_under(league, rules)
-    inputs = tuple(names_of(preset, one_of("observe", observe, OBSERVE)))
+    preset = league_with_rules(league, rules)
+    inputs = tuple(entry_names(preset, check_choice("observe", observe, OBSERVE)))
     network = network_of(module, activation)
-    if network.weights[0].shape[1] != len(inputs):
-        taken = network.weights[0].shape[1]
+    if (taken := network.weights[0].shape[1]) != len(inputs):
         raise ValueError(f"the module takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
     policy = Policy(
-        name=Path(path).stem if name is None else name, **trained_in(preset), observe=observe, inputs=inputs,
-        actions=kind_of(network), action_repeat=action_repeat, kind="slots", activation=network.activation,
-        mirror=False, weights=network.weights, biases=network.biases, made=made_of(module),
-        squash=squash or network.squash, at_once=at_once, normalise=table_of(normalise), **known_senses(senses, pose),
+        name=Path(path).stem if name is None else name, **training_fields(preset), observe=observe, inputs=inputs,
+        actions=action_kind(network), action_repeat=action_repeat, kind="slots", activation=network.activation,
+        mirror=False, weights=network.weights, biases=network.biases, made=policy_origin(module), at_once=at_once,
+        squash=squash or network.squash, normalise=normaliser_table(normalise), **known_senses(senses, pose),
     )  # fmt: skip
-    compare(policy, network.squash, lambda rows: applied(module if outputs is None else outputs, rows, module))
-    write_whole(Path(path), dump(policy))
-    tell_of_truth(policy)
+    function = module if outputs is None else outputs
+    compare_outputs(policy, network.squash, lambda rows: apply_module(function, rows, module))
+    write_atomically(Path(path), dump(policy))
+    warn_if_observing_truth(policy)
     return policy
 
 
-def kind_of(network: Network) -> str:
+def action_kind(network: Network) -> str:
     """Return the kind of actions of a network; ValueError names the allowed numbers of outputs."""
     size = len(network.biases[-1])
     for kind, numbers in ACTIONS.items():
@@ -77,14 +77,14 @@ def kind_of(network: Network) -> str:
     raise ValueError(f"the module must have {', '.join(map(str, ACTIONS.values()))} outputs, or 8 or 14, got {size}")
 
 
-def made_of(module: Any) -> dict[str, str]:
+def policy_origin(module: Any) -> dict[str, str]:
     """Return the origin of a policy for its file."""
     import torch
 
     return {"from": f"torch {type(module).__name__}"[:64], "torch": torch.__version__, "soccer_env": version()}
 
 
-def compare(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarray]) -> None:
+def compare_outputs(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarray]) -> None:
     """Raise ValueError unless policy and module agree (`ask`: (B, n) -> outputs of the module).
 
     squashed: the module's outputs have passed through tanh.
@@ -92,7 +92,7 @@ def compare(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarr
     rng, inputs = np.random.default_rng(0), len(policy.inputs)
     rows = rng.uniform(-1.0, 1.0, (PROBES, inputs)).astype(np.float32)
     rows[: PROBES // 4] = rng.integers(-1, 2, (PROBES // 4, inputs))  # many entries are flags and zeros
-    theirs, ours = ask(normalised(policy, rows)), outputs_of(policy, rows)
+    theirs, ours = ask(normalise_observations(policy, rows)), outputs_of(policy, rows)
     if theirs.ndim != 2 or len(theirs) != PROBES or theirs.shape[1] not in (ours.shape[1], 2 * ours.shape[1]):
         raise ValueError(f"the module must give outputs {ours.shape}, got {theirs.shape}: give outputs=, a function")
     theirs = theirs[:, : ours.shape[1]]
@@ -101,13 +101,13 @@ def compare(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarr
     if policy.actions == "discrete":
         chosen = np.sort(theirs, axis=1)
         clear = chosen[:, -1] - chosen[:, -2] > CLOSE * largest
-        check_close("actions", played(policy, rows)[clear], DISCRETE_TABLE[theirs.argmax(axis=1)][clear], 0.0)
+        check_close("actions", compute_actions(policy, rows)[clear], DISCRETE_TABLE[theirs.argmax(axis=1)][clear], 0.0)
         return
     means = np.tanh(theirs) if policy.squash and not squashed else np.clip(theirs, -1.0, 1.0)
-    check_close("actions", played(policy, rows), means, TOLERANCE * largest)
+    check_close("actions", compute_actions(policy, rows), means, TOLERANCE * largest)
 
 
-def normalised(policy: Policy, rows: np.ndarray) -> np.ndarray:
+def normalise_observations(policy: Policy, rows: np.ndarray) -> np.ndarray:
     """Return observations (B, n) as inputs of a policy's network, float32."""
     table = policy.normalise
     if not table:
@@ -118,7 +118,7 @@ def normalised(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
     """Return the outputs of a policy's network for observations (B, n), before clipping, tanh or choice."""
-    values = normalised(policy, rows).astype(np.float64)
+    values = normalise_observations(policy, rows).astype(np.float64)
     last = len(policy.weights) - 1
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
         values = values @ weight.T.astype(np.float64) + bias
@@ -127,11 +127,11 @@ def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
     return values
 
 
-def played(policy: Policy, rows: np.ndarray) -> np.ndarray:
+def compute_actions(policy: Policy, rows: np.ndarray) -> np.ndarray:
     """Return the actions (B, 4 or 7) of a policy for observations (B, n), by the kernels that play it."""
-    numbers = pack(policy)
-    actions = np.zeros((len(rows), given(numbers)))
-    scratch = np.zeros((3, widest(numbers)))
+    numbers = pack_policy(policy)
+    actions = np.zeros((len(rows), action_size(numbers)))
+    scratch = np.zeros((3, widest_layer(numbers)))
     for row, action in zip(rows, actions, strict=True):
         act(numbers, row, action, scratch)
     return actions

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 from soccer_env.agents.rules_known import warn_once
-from soccer_env.guards.checking import one_of
+from soccer_env.guards.checking import check_choice
 from soccer_env.match.arguments import Pose, Senses
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class Difference(NamedTuple):
 def check_trained_with(policy: Policy) -> None:
     """Raise ValueError unless senses and pose of a policy are known values, or empty."""
     for setting, known in KNOWN.items():
-        one_of(setting, getattr(policy, setting), known)
+        check_choice(setting, getattr(policy, setting), known)
 
 
 def known_senses(senses: str | None, pose: str | None) -> dict[str, Any]:
@@ -52,7 +52,7 @@ def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
     return {"senses": senses if share in (0.0, 1.0) else "", "pose": pose}
 
 
-def trained_with(policy: Policy) -> dict[str, str]:
+def training_senses(policy: Policy) -> dict[str, str]:
     """Return senses and pose of a policy's training, from its fields or from the settings of its run."""
     fields = {setting: getattr(policy, setting) for setting in KNOWN}
     if any(fields.values()):
@@ -72,11 +72,11 @@ def policies_in(team: Any) -> Iterator[Policy]:
             yield policy
 
 
-def differences(team: Any, senses: str, pose: str) -> list[Difference]:
+def training_differences(team: Any, senses: str, pose: str) -> list[Difference]:
     """Return each difference between the training of a team's policies and the given senses and pose."""
     differing = []
     for policy in policies_in(team):
-        known = trained_with(policy)
+        known = training_senses(policy)
         if known["senses"] not in ("", senses):
             differing.append(Difference(policy, "senses", known["senses"], senses))
         if senses != IDEAL and known["pose"] not in ("", pose):
@@ -84,7 +84,7 @@ def differences(team: Any, senses: str, pose: str) -> list[Difference]:
     return differing
 
 
-def tell_of_truth(policy: Policy) -> None:
+def warn_if_observing_truth(policy: Policy) -> None:
     """Warn, once in a process, if a policy observes the truth: such a policy needs ideal senses."""
     if policy.observe == "truth":
         warn_once(

@@ -6,13 +6,13 @@
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import NUMBER, record
-from soccer_env.random_numbers import uniform
+from soccer_env.guards.ranges import NUMBER, ranged_record
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.teams import CompiledTeam
 from soccer_env.teams.kernels import STRENGTH, per_blind_player
 from soccer_env.types import RobotStream
 
-MEMORY = record(
+MEMORY = ranged_record(
     [
         ("seconds", "f8", NUMBER),  # [s] until the next draw
         ("forward", "f8", NUMBER),  # [-1, 1]
@@ -36,11 +36,11 @@ def wander(memory, noise, command, k, settings):
     strength = settings.strength
     memory.seconds -= k.dt
     if memory.seconds <= 0.0:
-        memory.seconds = LONGEST * uniform(noise, TEAM)
-        memory.forward = strength * (2.0 * uniform(noise, TEAM) - 1.0)
-        memory.left = strength * (2.0 * uniform(noise, TEAM) - 1.0)
-        memory.turn = strength * (2.0 * uniform(noise, TEAM) - 1.0)
-        memory.kick = 2.0 * uniform(noise, TEAM) - 2.0 + strength
+        memory.seconds = LONGEST * draw_uniform(noise, TEAM)
+        memory.forward = strength * (2.0 * draw_uniform(noise, TEAM) - 1.0)
+        memory.left = strength * (2.0 * draw_uniform(noise, TEAM) - 1.0)
+        memory.turn = strength * (2.0 * draw_uniform(noise, TEAM) - 1.0)
+        memory.kick = 2.0 * draw_uniform(noise, TEAM) - 2.0 + strength
     command.forward, command.left = memory.forward, memory.left
     command.turn, command.kick = memory.turn, memory.kick
     command.head = -1.0

@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.guards.checking import one_of
+from soccer_env.guards.checking import check_choice
 
 BOX = ("forward", "left", "turn", "kick")
 FULL = (*BOX, "head", "pan", "tilt")
@@ -49,7 +49,7 @@ class ActionKind:
     name: str
 
     def __post_init__(self) -> None:
-        one_of("actions", self.name, KINDS)
+        check_choice("actions", self.name, KINDS)
 
     @property
     def size(self) -> int:
@@ -91,7 +91,9 @@ def discrete_index(action: Any, agent: str) -> int:
     return index
 
 
-def numbers_for(kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int) -> np.ndarray:
+def actions_to_numbers(
+    kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int
+) -> np.ndarray:
     """Convert the actions of M matches to (M, R, 4 or 7) float64; ValueError names the first agent with a wrong action.
 
     Rows of robots that teams play (`learns` (R,) is 0) may hold anything.
@@ -138,7 +140,7 @@ def all_finite(numbers):
 
 
 @compiled
-def take_actions(robots, actions, first, last, learns):
+def write_learner_commands(robots, actions, first, last, learns):
     """Clip actions (M, R, 4 or 7) into the commands of the robots that learn (R,); the rest keep their command."""
     full = actions.shape[2] > 4
     for m in range(first, last):

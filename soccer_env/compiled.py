@@ -56,13 +56,13 @@ def inlined(function: F) -> F:
     return cast(F, made)
 
 
-def records(count: int, dtype: Any) -> Any:
+def scratch_records(count: int, dtype: Any) -> Any:
     """Return `count` zeroed scratch records for compiled functions; their fields are attributes in plain Python too."""
     return np.zeros(count, dtype).view(np.recarray)
 
 
-@overload(records)
-def _compiled_records(count, dtype):  # type: ignore[no-untyped-def]  # numba compares the signatures
+@overload(scratch_records)
+def _compiled_scratch_records(count, dtype):  # type: ignore[no-untyped-def]  # numba compares the signatures
     return lambda count, dtype: np.zeros(count, dtype)
 
 
@@ -85,7 +85,9 @@ def _as_python(function: Callable[..., Any]) -> Callable[..., Any]:
         _depth.value += 1
         try:
             with np.errstate(all="ignore"):
-                return function(*map(with_attributes, arguments), **{k: with_attributes(v) for k, v in named.items()})
+                return function(
+                    *map(view_with_attributes, arguments), **{k: view_with_attributes(v) for k, v in named.items()}
+                )
         finally:
             _depth.value -= 1
 
@@ -93,7 +95,7 @@ def _as_python(function: Callable[..., Any]) -> Callable[..., Any]:
     return call
 
 
-def with_attributes(value: Any) -> Any:
+def view_with_attributes(value: Any) -> Any:
     """Return a structured array or record as a view whose fields are attributes, any other value unchanged."""
     if isinstance(value, np.ndarray):
         is_plain = value.dtype.names is not None and not isinstance(value, np.recarray)
@@ -102,6 +104,6 @@ def with_attributes(value: Any) -> Any:
         is_plain = value.dtype.names is not None and not isinstance(value, np.record)
         return value.view((np.record, value.dtype)) if is_plain else value
     if isinstance(value, tuple):
-        parts = [with_attributes(part) for part in value]
+        parts = [view_with_attributes(part) for part in value]
         return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
     return value

@@ -32,7 +32,7 @@ def length(x, y):
 
 
 @compiled
-def toward(value, goal, step):
+def step_toward(value, goal, step):
     """Return the value moved towards the goal by at most `step`."""
     if goal > value:
         return goal if goal - value <= step else value + step
@@ -61,6 +61,6 @@ def point_of_frame(x, y, ahead, left, cosine, sine):
 
 
 @compiled
-def direction_of(match, team):
+def attack_direction(match, team):
     """Return +1 if the team attacks +x in this half, -1 if -x: the factor from field frame to team frame."""
     return match.home_direction if team == HOME else -match.home_direction

@@ -11,11 +11,18 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 
-from soccer_env.api.shown import Shown
+from soccer_env.api.shown import ShowsMatch
 from soccer_env.guards.checking import check_names
 from soccer_env.guards.names import Made
-from soccer_env.guards.turns import held
-from soccer_env.match.arguments import LearnerSetup, MatchSetup, SoloArguments, by_settings, made_from, part_of
+from soccer_env.guards.turns import with_signals_held
+from soccer_env.match.arguments import (
+    LearnerSetup,
+    MatchSetup,
+    SoloArguments,
+    init_takes_fields_of,
+    reduce_by_settings,
+    select_fields,
+)
 
 
 def choose_learner(arguments: LearnerSetup) -> tuple[str, dict[str, Any]]:
@@ -36,11 +43,11 @@ def choose_learner(arguments: LearnerSetup) -> tuple[str, dict[str, Any]]:
             raise ValueError(
                 f"{agent} is the one learner, so a team has to play {other_agent}: give opponents, teammates"
             )
-    settings = {**part_of(arguments, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
+    settings = {**select_fields(arguments, MatchSetup), "opponents": None, "teammates": None, "controllers": players}
     return agent, settings
 
 
-class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
+class SoloSoccer(ShowsMatch, gymnasium.Env[np.ndarray, Any]):
     """One learner in one match: a `soccer_v0.parallel_env` in which teams play all other robots.
 
     `help(SoloSoccer.__init__)` explains the settings, the fields of `SoloArguments`; ValueError names a wrong setting.
@@ -49,7 +56,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
     metadata: dict[str, Any] = {"render_modes": ["rgb_array", "human"]}
     _spec: EnvSpec | None = None
 
-    @made_from(SoloArguments)
+    @init_takes_fields_of(SoloArguments)
     def __init__(self, arguments: SoloArguments) -> None:
         from soccer_env.soccer_v0 import parallel_env
 
@@ -72,7 +79,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
         steps = self.match.settings.max_cycles
         self._spec = spec if spec is None or steps is None else replace(spec, max_episode_steps=steps)
 
-    @held
+    @with_signals_held
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
@@ -92,7 +99,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
         """Return a save of the episode, see `ParallelSoccer.save`; the physics is rebuilt."""
         return self._parallel.save()
 
-    @held
+    @with_signals_held
     def load(self, saved: bytes) -> tuple[np.ndarray, dict[str, Any]]:
         """Go on from a save, see `ParallelSoccer.load`; return observation and info."""
         observations, infos = self._parallel.load(saved)
@@ -105,7 +112,7 @@ class SoloSoccer(Shown, gymnasium.Env[np.ndarray, Any]):
 
     def __reduce__(self) -> Made:
         """Pickle the env by its settings: a copy needs a reset."""
-        return by_settings(SoloSoccer, part_of(self.arguments, SoloArguments))
+        return reduce_by_settings(SoloSoccer, select_fields(self.arguments, SoloArguments))
 
     def render(self) -> Any:
         """Return a picture of the match or show it in a window, see `ParallelSoccer.render`."""

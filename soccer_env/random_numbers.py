@@ -21,7 +21,7 @@ TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
 
 
 @compiled
-def mix(value):
+def mix_bits(value):
     """Return 64 pseudorandom bits: the mixing function of SplitMix64 on a 64-bit counter."""
     value = (value ^ (value >> np.uint64(30))) * MIX_1
     value = (value ^ (value >> np.uint64(27))) * MIX_2
@@ -29,17 +29,17 @@ def mix(value):
 
 
 @compiled
-def uniform(noise, stream):
+def draw_uniform(noise, stream):
     """Draw a number from [0, 1) with stream `stream` of the states `noise` (NOISE_STREAMS,)."""
     noise[stream] = noise[stream] + GOLDEN
-    return np.float64(mix(noise[stream]) >> np.uint64(11)) * TO_UNIT
+    return np.float64(mix_bits(noise[stream]) >> np.uint64(11)) * TO_UNIT
 
 
 @compiled
-def normal(noise, stream):
+def draw_normal(noise, stream):
     """Draw from the normal distribution of mean 0 and deviation 1 (Box-Muller, two draws a value)."""
-    radius = sqrt(-2.0 * log(1.0 - uniform(noise, stream)))
-    return radius * cos(2.0 * pi * uniform(noise, stream))
+    radius = sqrt(-2.0 * log(1.0 - draw_uniform(noise, stream)))
+    return radius * cos(2.0 * pi * draw_uniform(noise, stream))
 
 
 @compiled
@@ -48,10 +48,10 @@ def start_streams(noise, seed, episode, owner):
 
     The owner is 0 for the match and 1 + 2 number + team for a robot, independent of the size of teams.
     """
-    key = mix(np.uint64(seed) + GOLDEN * np.uint64(episode + 1))
-    key = mix(key ^ (GOLDEN * np.uint64(owner + 1)))
+    key = mix_bits(np.uint64(seed) + GOLDEN * np.uint64(episode + 1))
+    key = mix_bits(key ^ (GOLDEN * np.uint64(owner + 1)))
     for stream in range(NOISE_STREAMS):
-        noise[stream] = mix(key + MIX_1 * np.uint64(stream + 1))
+        noise[stream] = mix_bits(key + MIX_1 * np.uint64(stream + 1))
 
 
 def check_seeds(seeds: Any, matches: int) -> np.ndarray:

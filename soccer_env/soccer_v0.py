@@ -29,33 +29,33 @@ from gymnasium.spaces import Box
 from pettingzoo import AECEnv, ParallelEnv
 
 from soccer_env.actions import discrete_index
-from soccer_env.api.infos import report_of
-from soccer_env.api.opponents import Met, against
-from soccer_env.api.report import (
-    OPTIONS,
-    RENDER_MODES,
-    Infos,
-    Screen,
-    check_agents,
-    check_options,
-    check_render_mode,
-    kind_of_infos,
-)
-from soccer_env.api.shown import Shown
+from soccer_env.api import report
+from soccer_env.api.infos import make_report
+from soccer_env.api.opponents import OpponentNames, with_opponents
+from soccer_env.api.report import Infos
+from soccer_env.api.shown import ShowsMatch
 from soccer_env.api.turn_env import OrderedSoccer, TurnSoccer
 from soccer_env.guards.names import Made
-from soccer_env.guards.turns import held
+from soccer_env.guards.turns import with_signals_held
 from soccer_env.match import Match
-from soccer_env.match.arguments import EnvArguments, InfoKind, MatchArguments, MatchSetup, by_settings, part_of, takes
-from soccer_env.observations.own import copied, pick, space_of
+from soccer_env.match.arguments import (
+    EnvArguments,
+    InfoKind,
+    MatchArguments,
+    MatchSetup,
+    reduce_by_settings,
+    select_fields,
+    takes_fields_of,
+)  # fmt: skip
+from soccer_env.observations.own import copy_arrays, index_arrays, space_from_form
 
 FLOATS = "fd"  # dtype characters of float32 and float64
 
 
-class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
+class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
     """A PettingZoo ParallelEnv of one match (M = 1, autoreset "off"); `parallel_env` makes match and env together."""
 
-    metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*RENDER_MODES], "is_parallelizable": True}
+    metadata: dict[str, Any] = {"name": "soccer_v0", "render_modes": [*report.RENDER_MODES], "is_parallelizable": True}
 
     def __init__(self, match: Match, render_mode: str | None = None, infos: Any = "flat", overlays: Any = None) -> None:
         if match.count != 1 or match.autoreset != "off":
@@ -63,19 +63,19 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         if not match.learns.any():
             raise ValueError("teams play all robots, so no agent is left: step a Match instead, or watch")
         self.match, self.arguments = match, match.arguments
-        self.render_mode = check_render_mode(render_mode)
-        self.screen = Screen(match, overlays)
+        self.render_mode = report.check_render_mode(render_mode)
+        self.screen = report.MatchScreen(match, overlays)
         self.metadata = {**self.metadata, "render_fps": self.screen.fps}
         rows = np.flatnonzero(match.learns)
         self.possible_agents = [match.agents[row] for row in rows]
         self.agents: list[str] = []
         forms = {match.agents[row]: match.seen.group_of(row).form for row in rows.tolist()}
-        self.observation_spaces: dict[str, Any] = {agent: space_of(form) for agent, form in forms.items()}
+        self.observation_spaces: dict[str, Any] = {agent: space_from_form(form) for agent, form in forms.items()}
         self.action_spaces = {agent: match.settings.actions.space() for agent in self.possible_agents}
         self.state_space = Box(-1.0, 1.0, match.state().shape[1:], np.float32)
-        self.info_kind = kind_of_infos(infos)
-        self._met = Met(match, rows)
-        self._report = report_of(self.info_kind, match, rows, self._met)
+        self.info_kind = report.check_infos_kind(infos)
+        self._met = OpponentNames(match, rows)
+        self._report = make_report(self.info_kind, match, rows, self._met)
         self._rows = slice(rows[0], rows[-1] + 1) if len(rows) == rows[-1] - rows[0] + 1 else rows
         self._discrete = match.settings.actions.name == "discrete"
         self._action_shape = () if self._discrete else (match.settings.actions.size,)
@@ -91,7 +91,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         """Return the agent's action space, the same object at each call."""
         return self.action_spaces[agent]
 
-    @held
+    @with_signals_held
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], Infos]:
@@ -102,31 +102,31 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         name or a Lineup that plays against the learners from now on; `match` is then another object. ValueError, and
         the running episode goes on, for anything else.
         """
-        wanted = check_options(options, OPTIONS)
+        wanted = report.check_options(options, report.OPTIONS)
         if seed is not None and "match_seed" in wanted:
             raise ValueError("reset takes a seed or the option match_seed, got both")
-        match = against(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
+        match = with_opponents(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
         match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
-        self._turn_to(match)
+        self._switch_match(match)
         self.agents, self._begun = list(self.possible_agents), True
         self._show()
         return self._observations(), self._infos()
 
-    def _turn_to(self, match: Match) -> None:
+    def _switch_match(self, match: Match) -> None:
         """Switch the env to a match whose episode has just begun."""
         if match is not self.match:
             self.match.close()
             self.match = match
             self.screen.turn_to(match)
-        self._tell_who_plays()
+        self._store_opponents()
 
-    def _tell_who_plays(self) -> None:
+    def _store_opponents(self) -> None:
         """Store the opponents of an episode that has begun or was loaded."""
         self._met.turn_to(self.match)
         if self._report is not None:
             self._report.turn_to(self.match)
 
-    @held
+    @with_signals_held
     def step(
         self, actions: Mapping[str, Any]
     ) -> tuple[dict[str, np.ndarray], dict[str, float], dict[str, bool], dict[str, bool], Infos]:
@@ -138,7 +138,7 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         if not self.agents:
             raise RuntimeError(f"step {'after the end of the episode' if self._begun else 'before reset'}: call reset")
         agents, match = self.agents, self.match
-        match.step(self._gather(actions))
+        match.step(self._gather_actions(actions))
         terminated, truncated = bool(match.terminated[0]), bool(match.truncated[0])
         rewards = dict(zip(agents, match.rewards[0, self._rows].tolist(), strict=True))
         infos = self._infos()
@@ -157,14 +157,14 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
             raise RuntimeError("save before reset: call reset")
         return self.match.save()
 
-    @held
+    @with_signals_held
     def load(self, saved: bytes) -> tuple[dict[str, np.ndarray], Infos]:
         """Go on from a save of this or an equal env, even after the end; return observations and infos by agent.
 
         ValueError, and the running episode goes on, for anything else.
         """
         self.match.load(saved)
-        self._tell_who_plays()
+        self._store_opponents()
         over = self.match.terminated[0] or self.match.truncated[0]
         self.agents, self._begun = [] if over else list(self.possible_agents), True
         self._show()
@@ -179,24 +179,24 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         by_agent = {
             agent: match.seen.of_robot(match.observations, row) for agent, row in zip(agents, rows, strict=True)
         }
-        return {agent: copied(pick(seen, 0)) for agent, seen in by_agent.items()}
+        return {agent: copy_arrays(index_arrays(seen, 0)) for agent, seen in by_agent.items()}
 
     def _infos(self) -> Infos:
         return {agent: {} for agent in self.possible_agents} if self._report is None else self._report.infos()
 
-    def _gather(self, actions: Any) -> np.ndarray:
+    def _gather_actions(self, actions: Any) -> np.ndarray:
         """Return the actions in the form of `Match.step`; ValueError names the wrong action."""
-        usual = self._usual(actions)
+        usual = self._fast_actions(actions)
         if usual is not None and self._flat is not None:
             np.concatenate(usual, out=self._flat)
             return self._actions
         if usual is None:
-            check_agents(actions, self.agents)
+            report.check_agents(actions, self.agents)
             usual = [self.check_action(agent, actions[agent]) for agent in self.agents]
         self._actions[0, self._rows] = np.array(usual)
         return self._actions
 
-    def _usual(self, actions: Any) -> list[np.ndarray] | None:
+    def _fast_actions(self, actions: Any) -> list[np.ndarray] | None:
         """Return the actions in order if all are float arrays of the right shape, else None; a fast path."""
         if self._discrete or type(actions) is not dict or len(actions) != len(self.agents):
             return None
@@ -261,8 +261,8 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
 
     def __reduce__(self) -> Made:
         """Pickle the env by its settings: a copy needs a reset."""
-        settings = {**part_of(self.match.arguments, MatchArguments), "render_mode": self.render_mode}
-        return by_settings(_env_of, {**settings, "infos": self.info_kind, "overlays": self.screen.overlays})
+        settings = {**select_fields(self.match.arguments, MatchArguments), "render_mode": self.render_mode}
+        return reduce_by_settings(_rebuild_env, {**settings, "infos": self.info_kind, "overlays": self.screen.overlays})
 
     @property
     def unwrapped(self) -> ParallelSoccer:
@@ -270,29 +270,29 @@ class ParallelSoccer(Shown, ParallelEnv[str, np.ndarray, Any]):
         return self
 
 
-def _env_of(*, render_mode: str | None, infos: InfoKind, overlays: Any, **settings: Any) -> ParallelSoccer:
+def _rebuild_env(*, render_mode: str | None, infos: InfoKind, overlays: Any, **settings: Any) -> ParallelSoccer:
     """Make the env again from its pickled settings."""
     return ParallelSoccer(Match(**settings), render_mode, infos, overlays)
 
 
-@takes(EnvArguments)
+@takes_fields_of(EnvArguments)
 def parallel_env(arguments: EnvArguments) -> ParallelSoccer:
     """Return one match as a PettingZoo ParallelEnv; ValueError names the wrong setting and the allowed values."""
     return ParallelSoccer(
-        Match(**part_of(arguments, MatchSetup)), arguments.render_mode, arguments.infos, arguments.overlays
+        Match(**select_fields(arguments, MatchSetup)), arguments.render_mode, arguments.infos, arguments.overlays
     )
 
 
-@takes(EnvArguments)
+@takes_fields_of(EnvArguments)
 def raw_env(arguments: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return one match as a PettingZoo AECEnv, with the settings of `parallel_env`."""
-    return TurnSoccer(parallel_env(**part_of(arguments, EnvArguments)))
+    return TurnSoccer(parallel_env(**select_fields(arguments, EnvArguments)))
 
 
-@takes(EnvArguments)
+@takes_fields_of(EnvArguments)
 def env(arguments: EnvArguments) -> AECEnv[str, np.ndarray, Any]:
     """Return `raw_env` with PettingZoo's check of the order of calls, with the settings of `parallel_env`."""
-    return OrderedSoccer(raw_env(**part_of(arguments, EnvArguments)))
+    return OrderedSoccer(raw_env(**select_fields(arguments, EnvArguments)))
 
 
 __all__ = ["ParallelSoccer", "TurnSoccer", "env", "parallel_env", "raw_env"]

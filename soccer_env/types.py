@@ -31,7 +31,7 @@ from soccer_env.guards.ranges import (
     STEP,
     UNIT,
     Range,
-    record,
+    ranged_record,
 )
 
 MAX_TEAM = 11  # players a side that a match has room for, at most
@@ -113,7 +113,7 @@ FOUL = Range(0, max(Foul))
 EPISODE = Range(0, (1 << 40) - 1)  # branches that draw anew count on from its end
 HALF_LENGTH = Range(1e-6, inf)  # [s]
 
-COMMAND = record(
+COMMAND = ranged_record(
     [
         ("forward", "f8", UNIT),  # [-1, 1] of the league's top speed ahead
         ("left", "f8", UNIT),  # [-1, 1] of the league's top speed to the left
@@ -125,7 +125,7 @@ COMMAND = record(
     ]
 )
 
-WALK = record(
+WALK = ranged_record(
     [
         ("forward", "f8", NUMBER),  # [m/s] robot frame
         ("left", "f8", NUMBER),  # [m/s] robot frame
@@ -133,14 +133,14 @@ WALK = record(
     ]
 )
 
-GAZE = record(
+GAZE = ranged_record(
     [
         ("pan", "f8", NUMBER),  # [rad] where the head would look by itself, left positive
         ("tilt", "f8", NUMBER),  # [rad] up positive
     ]
 )
 
-MATCH = record(
+MATCH = ranged_record(
     [
         ("seed", "u8", ANY),  # from which the whole match follows
         ("episode", "i8", EPISODE),  # episodes begun with this seed, the first is 0
@@ -181,7 +181,7 @@ MATCH = record(
     ]
 )
 
-BALL = record(
+BALL = ranged_record(
     [
         ("x", "f8", NUMBER),  # [m] field frame
         ("y", "f8", NUMBER),  # [m] field frame
@@ -194,7 +194,7 @@ BALL = record(
     ]
 )
 
-ROBOT = record(
+ROBOT = ranged_record(
     [
         ("x", "f8", NUMBER),  # [m] field frame
         ("y", "f8", NUMBER),  # [m] field frame
@@ -251,7 +251,7 @@ ROBOT = record(
     ]
 )
 
-EVENTS = record(
+EVENTS = ranged_record(
     [  # what happened to a match in this step
         ("goal", "i8", TEAM_OR_NONE),  # the team that scored, or NO_TEAM
         ("scorer", "i8", ROW_OR_NONE),  # row of the robot that touched the ball last before the goal, or -1
@@ -277,7 +277,7 @@ QUIET = np.zeros((), EVENTS)  # the events of a step in which nothing happened
 for _name in ("goal", "scorer", "restart_team", "touch_team", "foul_team"):
     QUIET[_name] = NO_TEAM
 
-ROBOT_EVENTS = record(
+ROBOT_EVENTS = ranged_record(
     [  # what happened to a robot in this step
         ("touch", "i2", FLAG),  # 1: touched the ball
         ("kick", "i2", FLAG),  # 1: a kick reached the ball

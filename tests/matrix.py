@@ -49,7 +49,7 @@ def versions(folder: Path) -> str:
     return ", ".join(f"{name} {locked[name]}" for name in SHOWN)
 
 
-def outcomes(tests: list[str]) -> Iterator[tuple[str, bool]]:
+def run_environments(tests: list[str]) -> Iterator[tuple[str, bool]]:
     """Yield a line for each environment, and whether its tests passed."""
     for version in PYTHONS:
         base = interpreter(version)
@@ -67,7 +67,7 @@ def outcomes(tests: list[str]) -> Iterator[tuple[str, bool]]:
 
 
 def main(tests: list[str]) -> int:
-    played = list(outcomes(tests or ["-n", "auto", "--dist", "worksteal", "@tests/quick.txt"]))
+    played = list(run_environments(tests or ["-n", "auto", "--dist", "worksteal", "@tests/quick.txt"]))
     print("\n".join(line for line, _ in played))
     return 0 if all(passed for _, passed in played) else 1
 

@@ -10,7 +10,7 @@ from numba.core.runtime import _nrt_python, rtsys
 from numba.extending import intrinsic
 
 from soccer_env.compiled import compiled, config
-from soccer_env.compiling.borrowing import borrowed, keep
+from soccer_env.compiling.borrowing import borrow_arrays, keep_alive
 
 RECORD = np.dtype([("x", "f8"), ("n", "i8")])
 Pair = namedtuple("Pair", ("records", "number"))
@@ -21,7 +21,7 @@ needs_compiler = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="plain Pyth
 @compiled
 def fill(given, add):
     """Write into records (M, R) and an array of a nested tuple, all borrowed."""
-    pair, (numbers, _) = borrowed(given)
+    pair, (numbers, _) = borrow_arrays(given)
     for m in range(pair.records.shape[0]):
         row = pair.records[m]
         for r in range(row.shape[0]):
@@ -40,13 +40,13 @@ def test_what_is_written_to_a_borrowed_array_is_in_the_owners():
 def sum_of_own(count):
     """Return the sum of the squares below `count`, worked out in an array that the kernel makes and borrows."""
     own = np.empty(count), np.empty(1, np.int64)
-    squares, _ = borrowed(own)
+    squares, _ = borrow_arrays(own)
     for i in range(count):
         squares[i] = i * i
     total = 0.0
     for i in range(count):
         total += squares[i]
-    keep(own)
+    keep_alive(own)
     return total
 
 
@@ -72,12 +72,12 @@ def has_owner(typing_context, array):
 
 
 @compiled
-def owners(records):
+def has_owner_when_borrowed(records):
     """Tell of an array and of a row of it whether they have owners, first as it is given and then borrowed."""
-    view = borrowed(records)
+    view = borrow_arrays(records)
     return has_owner(records), has_owner(records[0]), has_owner(view), has_owner(view[0])
 
 
 @needs_compiler
 def test_neither_a_borrowed_array_nor_a_row_of_it_is_counted():
-    assert owners(np.zeros((2, 3), RECORD)) == (True, True, False, False)
+    assert has_owner_when_borrowed(np.zeros((2, 3), RECORD)) == (True, True, False, False)

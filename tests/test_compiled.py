@@ -8,7 +8,7 @@ import numba
 import numpy as np
 import pytest
 
-from soccer_env.compiled import compiled, config, inlined, with_attributes
+from soccer_env.compiled import compiled, config, inlined, view_with_attributes
 from soccer_env.compiling.sources import ROOT
 
 POINT = np.dtype([("x", "f8"), ("y", "f8")])
@@ -94,13 +94,13 @@ def test_six_arrays_of_nested_records_go_into_one_function():
 
 def test_a_view_with_attributes_writes_through():
     robots = np.zeros((2, 2), ROBOT)
-    view = with_attributes(robots)
+    view = view_with_attributes(robots)
     view[1, 0].tracks[2].place.x = 4.0
-    with_attributes(robots[0, 1]).place.y = 5.0
+    view_with_attributes(robots[0, 1]).place.y = 5.0
     assert robots["tracks"]["place"]["x"][1, 0, 2] == 4.0
     assert robots["place"]["y"][0, 1] == 5.0
-    assert with_attributes(view) is view
-    assert with_attributes(3) == 3
+    assert view_with_attributes(view) is view
+    assert view_with_attributes(3) == 3
 
 
 def long_work(values, x):

@@ -9,7 +9,7 @@ import numba
 import pytest
 
 from soccer_env.compiling.sources import ROOT as PACKAGE
-from soccer_env.compiling.sources import sources
+from soccer_env.compiling.sources import source_hashes
 from soccer_env.geometry import wrap
 
 # A small package: lower.py and numbers.py are what upper.py stands on, beside.py stands alone.
@@ -256,7 +256,7 @@ print(double(4), pathlib.Path("cache").exists())
 
 def test_the_physics_kernels_depend_on_their_imports_and_on_nothing_beside_them():
     physics = PACKAGE / "physics"
-    found = sources("soccer_env.physics.engine.chipmunk", physics / "engine" / "chipmunk.py")
+    found = source_hashes("soccer_env.physics.engine.chipmunk", physics / "engine" / "chipmunk.py")
     engine = {f"engine/{name}.py" for name in ("chipmunk", "memory", "pools", "prefetch", "pymunk_parts")}
     engine |= {"engine/space.py", "engine/surfaces.py"}
     solver = {f"solver/{file.name}" for file in (physics / "solver").glob("*.py")} - {"solver/__init__.py"}

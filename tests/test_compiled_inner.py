@@ -40,7 +40,7 @@ def beside(x):
 
 @pytest.fixture(autouse=True)
 def afresh(monkeypatch, tmp_path):
-    monkeypatch.setattr("soccer_env.compiling.cache.folders", lambda: (tmp_path / "cache",))
+    monkeypatch.setattr("soccer_env.compiling.cache.cache_folders", lambda: (tmp_path / "cache",))
     for function in (least, half, middle, outer, beside):
         function._make_finalizer()()
         function._reset_overloads()

@@ -27,15 +27,15 @@ ROOT = Path(__file__).parents[1]
 SOLO = "soccer_env/Legged2001-2v2-v0"
 
 
-def pickled(one: Any) -> Any:
+def pickle_copy(one: Any) -> Any:
     return pickle.loads(pickle.dumps(one))
 
 
-def clouded(one: Any) -> Any:
+def cloudpickle_copy(one: Any) -> Any:
     return pickle.loads(pytest.importorskip("cloudpickle").dumps(one))
 
 
-WAYS = [pickled, clouded, copy.deepcopy, copy.copy]
+WAYS = [pickle_copy, cloudpickle_copy, copy.deepcopy, copy.copy]
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -75,7 +75,7 @@ def test_in_scrums_too(league: str, home: int, seconds: float) -> None:
     copies = 0
     while copies < 500:  # of matches in which robots touch each other at that moment
         copies += int(match.robot_events["collision"].any(axis=1).sum())
-        other = pickled(match)
+        other = pickle_copy(match)
         for _ in range(rate // 2):
             match.step()
             other.step()
@@ -86,7 +86,7 @@ def test_in_scrums_too(league: str, home: int, seconds: float) -> None:
 
 def test_that_the_original_is_rebuilt_is_logged(caplog: pytest.LogCaptureFixture) -> None:
     with caplog.at_level(logging.INFO, logger="soccer_env"):
-        pickled(Match(controllers={"home": "still", "away": "still"}))
+        pickle_copy(Match(controllers={"home": "still", "away": "still"}))
     assert "its physics is rebuilt" in caplog.text
 
 
@@ -105,7 +105,7 @@ def test_a_copy_of_a_pettingzoo_env_is_reset_before_it_plays(way: Callable[[Any]
 
 def test_copies_draw_seeds_of_their_own_and_pass_the_api_test() -> None:
     env = soccer_v0.parallel_env(home=1, away=1, opponents="random", max_cycles=20)
-    one, two = pickled(env), pickled(env)
+    one, two = pickle_copy(env), pickle_copy(env)
     first, second = one.reset()[0]["home_0"], two.reset()[0]["home_0"]
     states = [e.unwrapped.match.seeds.tolist() for e in (env, one, two)]
     assert states[1] != states[2] and first.shape == second.shape
@@ -116,10 +116,10 @@ def test_gymnasium_envs_are_copied_by_their_settings() -> None:
     env = gymnasium.make(SOLO, opponents="still", teammates="chaser@0.5", max_cycles=9)
     vector = gymnasium.make_vec(SOLO, num_envs=3, opponents="still", autoreset_mode="SameStep")
     for one in (env, vector):
-        other: Any = pickled(one)
+        other: Any = pickle_copy(one)
         assert np.array_equal(one.reset(seed=3)[0], other.reset(seed=3)[0])
         assert other.observation_space == one.observation_space
-    assert pickled(vector).num_envs == 3
+    assert pickle_copy(vector).num_envs == 3
 
 
 def test_workers_that_are_spawned_play() -> None:
@@ -170,14 +170,14 @@ def test_another_process_goes_on_with_a_match_whose_teams_are_objects(tmp_path: 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_shipped_team_keeps_its_kernel(name: str) -> None:
     team = make_team(name)
-    found = pickled(team)
+    found = pickle_copy(team)
     assert found.kernel is team.kernel and found.settings.tobytes() == team.settings.tobytes()
     assert len(pickle.dumps(team)) < 200_000
 
 
 def test_a_policy_is_copied_whole() -> None:
     policy = load(BUNDLED)
-    assert dump(pickled(policy)) == dump(policy)
+    assert dump(pickle_copy(policy)) == dump(policy)
 
 
 def test_what_another_version_pickled_says_so(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,7 +4,7 @@ from math import cos, pi, sin
 
 import pytest
 
-from soccer_env.geometry import into_frame, out_of_frame, point_of_frame, toward, wrap
+from soccer_env.geometry import into_frame, out_of_frame, point_of_frame, step_toward, wrap
 
 QUARTER = cos(pi / 2), sin(pi / 2)  # a frame whose heading is a quarter turn to the left
 
@@ -33,4 +33,8 @@ def test_angles_wrap_into_one_turn_whose_end_is_pi() -> None:
 
 
 def test_a_value_moves_towards_its_goal_by_one_step_and_never_beyond() -> None:
-    assert toward(0.0, 1.0, 0.25) == 0.25 and toward(0.9, 1.0, 0.25) == 1.0 and toward(1.0, -1.0, 0.5) == 0.5
+    assert (
+        step_toward(0.0, 1.0, 0.25) == 0.25
+        and step_toward(0.9, 1.0, 0.25) == 1.0
+        and step_toward(1.0, -1.0, 0.5) == 0.5
+    )

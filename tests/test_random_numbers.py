@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.random_numbers import GOLDEN, mix, normal, seeds_for, start_streams, uniform
+from soccer_env.random_numbers import GOLDEN, draw_normal, draw_uniform, mix_bits, seeds_for, start_streams
 from soccer_env.types import NOISE_STREAMS, RobotStream
 
 MASK = (1 << 64) - 1
@@ -24,7 +24,7 @@ def test_the_sequence_is_the_published_one() -> None:
     ]  # fmt: skip
     state, found = 1234567, []
     for _ in published:
-        found.append(int(mix(np.uint64((state + int(GOLDEN)) & MASK))))
+        found.append(int(mix_bits(np.uint64((state + int(GOLDEN)) & MASK))))
         assert found[-1] == reference(state)
         state = (state + int(GOLDEN)) & MASK
     assert found == published
@@ -33,8 +33,8 @@ def test_the_sequence_is_the_published_one() -> None:
 def test_uniform_and_normal_have_their_moments() -> None:
     noise = np.zeros(NOISE_STREAMS, np.uint64)
     start_streams(noise, np.uint64(7), 0, 0)
-    flat = np.array([uniform(noise, 0) for _ in range(100_000)])
-    bell = np.array([normal(noise, 1) for _ in range(100_000)])
+    flat = np.array([draw_uniform(noise, 0) for _ in range(100_000)])
+    bell = np.array([draw_normal(noise, 1) for _ in range(100_000)])
     assert flat.min() >= 0.0 and flat.max() < 1.0
     assert abs(flat.mean() - 0.5) < 0.004 and abs(flat.var() - 1 / 12) < 0.001
     assert abs(bell.mean()) < 0.013 and abs(bell.std() - 1.0) < 0.01
@@ -47,8 +47,8 @@ def test_streams_do_not_shift_each_other() -> None:
     for noise in (one, two):
         start_streams(noise, np.uint64(1), 3, 2)
     for _ in range(10):
-        uniform(two, 5)
-    assert [uniform(one, 4) for _ in range(5)] == [uniform(two, 4) for _ in range(5)]
+        draw_uniform(two, 5)
+    assert [draw_uniform(one, 4) for _ in range(5)] == [draw_uniform(two, 4) for _ in range(5)]
     assert len({int(state) for state in one}) == NOISE_STREAMS
 
 
@@ -79,7 +79,7 @@ def test_no_two_robots_share_noise_nor_do_matches_or_episodes() -> None:
 def test_streams_of_two_robots_are_unrelated(one: tuple[int, int], other: tuple[int, int]) -> None:
     """Neither the same draws, nor the same a few draws later, nor correlated ones."""
     noise = Match(home=3, away=3, matches=2, seed=9).robots["noise"]
-    first, second = (np.array([uniform(noise[m, r], 0) for _ in range(4000)]) for m, r in (one, other))
+    first, second = (np.array([draw_uniform(noise[m, r], 0) for _ in range(4000)]) for m, r in (one, other))
     assert not set(first) & set(second)
     assert abs(np.corrcoef(first, second)[0, 1]) < 4.0 / np.sqrt(4000)
 

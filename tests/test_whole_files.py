@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from soccer_env.guards.whole_files import folder_aside, write_whole, written_aside
+from soccer_env.guards.whole_files import atomic_file, atomic_folder, write_atomically
 
 
 def test_a_file_is_replaced_whole_and_a_failed_write_leaves_the_old_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "result.json"
-    write_whole(path, "older")
-    write_whole(path, b"old")
+    write_atomically(path, "older")
+    write_atomically(path, b"old")
     assert path.read_text() == "old"
 
     def full(_: int) -> None:
@@ -22,7 +22,7 @@ def test_a_file_is_replaced_whole_and_a_failed_write_leaves_the_old_one(
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(OSError, match="No space left on device: '.*result.json'"):
-        write_whole(path, "new")
+        write_atomically(path, "new")
     assert path.read_text() == "old"
     assert os.listdir(tmp_path) == ["result.json"]
 
@@ -32,10 +32,10 @@ def test_a_folder_is_replaced_whole_and_one_that_fails_leaves_the_old_one(
 ) -> None:
     path = tmp_path / "match.cdf"
     for content in ("older", "old"):
-        with folder_aside(path) as aside:
+        with atomic_folder(path) as aside:
             (aside / content).write_text(content)
     assert os.listdir(path) == ["old"]
-    with pytest.raises(KeyError), folder_aside(path) as aside:
+    with pytest.raises(KeyError), atomic_folder(path) as aside:
         (aside / "new").write_text("new")
         raise KeyError
     rename = os.rename
@@ -46,7 +46,7 @@ def test_a_folder_is_replaced_whole_and_one_that_fails_leaves_the_old_one(
         rename(source, target)
 
     monkeypatch.setattr(os, "rename", full)
-    with pytest.raises(OSError, match="No space left"), folder_aside(path):
+    with pytest.raises(OSError, match="No space left"), atomic_folder(path):
         pass
     assert os.listdir(path) == ["old"]
     assert os.listdir(tmp_path) == ["match.cdf"]
@@ -57,11 +57,11 @@ def test_the_file_written_aside_follows_no_link(tmp_path: Path, monkeypatch: pyt
     mine, path = tmp_path / "mine", tmp_path / "result.json"
     mine.write_text("mine")
     (tmp_path / f".result.json.{os.getpid()}.tmp").symlink_to(mine)
-    write_whole(path, "new")
+    write_atomically(path, "new")
     monkeypatch.setattr("soccer_env.guards.whole_files.token_hex", lambda _: "guessed")
     (tmp_path / ".result.json.guessed.tmp").symlink_to(mine)
     with pytest.raises(FileExistsError, match="result.json"):
-        write_whole(path, "newer")
+        write_atomically(path, "newer")
     assert (mine.read_text(), path.read_text()) == ("mine", "new")
 
 
@@ -72,7 +72,7 @@ def test_threads_that_write_one_file_leave_one_of_the_contents_whole(tmp_path: P
     def write(content: str) -> None:
         try:
             for _ in range(10):
-                write_whole(path, content)
+                write_atomically(path, content)
                 assert path.read_text() in contents
         except BaseException as error:
             wrong.append(error)
@@ -88,10 +88,10 @@ def test_threads_that_write_one_file_leave_one_of_the_contents_whole(tmp_path: P
 
 def test_a_new_file_has_the_rights_that_the_user_gives_new_files(tmp_path: Path) -> None:
     (tmp_path / "plain").touch()
-    write_whole(tmp_path / "whole", "")
+    write_atomically(tmp_path / "whole", "")
     assert (tmp_path / "whole").stat().st_mode == (tmp_path / "plain").stat().st_mode
 
 
 def test_an_error_of_another_file_keeps_its_name(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="elsewhere"), written_aside(tmp_path / "result.json"):
+    with pytest.raises(FileNotFoundError, match="elsewhere"), atomic_file(tmp_path / "result.json"):
         (tmp_path / "elsewhere").read_text()

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from soccer_env.guards.whole_files import read_plain
+from soccer_env.guards.whole_files import read_regular_file
 
 LARGEST = 1 << 30  # [bytes] of a file of results
 
@@ -23,7 +23,7 @@ def append_lines(path: Path, records: Iterable[dict[str, Any]]) -> None:
 def read_bounded(path: Path) -> bytes:
     """Return the contents of a file of results; ValueError if it is no regular file, or larger than LARGEST."""
     try:
-        return read_plain(path, LARGEST)
+        return read_regular_file(path, LARGEST)
     except ValueError as error:
         raise ValueError(f"{path} {error}") from error
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.compiling.sources import ROOT, file_of, sources
+from soccer_env.compiling.sources import ROOT, source_file, source_hashes
 from soccer_env.guards.names import MODULE_PATH
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
@@ -22,7 +22,7 @@ DIGITS = 12  # of a hash, in hexadecimal
 UNKNOWN = "unknown"  # in place of the hash of a team whose state cannot be hashed
 
 
-def of_modules(names: Iterable[str]) -> dict[str, str]:
+def module_hashes(names: Iterable[str]) -> dict[str, str]:
     """Return a hash of the code of each module that a name of the form MODULE:NAME refers to, by module."""
     paths = {MODULE_PATH.fullmatch(name.partition("@")[0]) for name in names}
     modules = {path[1] for path in paths if path is not None and path[1] in sys.modules}
@@ -47,8 +47,8 @@ def version_of(package: str) -> str:
 
 def module_hash(module: str) -> str:
     """Return a hash over a module and all files of the package that it imports; "" for a module without a file."""
-    path = file_of(module, module)
-    return digest("".join(sorted(sources(module, path).values()))) if path else ""
+    path = source_file(module, module)
+    return digest("".join(sorted(source_hashes(module, path).values()))) if path else ""
 
 
 def team_hash(team: str | Team) -> str:
@@ -91,7 +91,7 @@ def as_text(value: Any) -> list[str]:
     return [str(value.dtype), str(value.shape), hashlib.sha256(value.tobytes()).hexdigest()]
 
 
-def check_told_apart(made: dict[str, str]) -> None:
+def check_team_hashes(made: dict[str, str]) -> None:
     """Raise ValueError for a team without a hash: a folder could mistake another team's results for its own."""
     if UNKNOWN in made.values():
         raise ValueError(
@@ -100,7 +100,7 @@ def check_told_apart(made: dict[str, str]) -> None:
         )
 
 
-def made_now() -> dict[str, str]:
+def date_and_commit() -> dict[str, str]:
     """Return the present date and commit."""
     return {"date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(), "commit": commit()}
 

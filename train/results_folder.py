@@ -16,8 +16,8 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, TypeVar, get_origin, get_type_hints
 
-from soccer_env.guards.checking import brief
-from soccer_env.guards.whole_files import read_plain, write_whole
+from soccer_env.guards.checking import short_repr
+from soccer_env.guards.whole_files import read_regular_file, write_atomically
 from soccer_env.train.files import LARGEST, append_lines, read_lines
 from soccer_env.train.provenance import settings_hash
 
@@ -31,7 +31,7 @@ PARTS = ("conditions", "made_with", "about")  # of settings.json
 
 
 @dataclass(frozen=True)
-class Kind:
+class RunKind:
     """The files of one kind of run in its folder."""
 
     what: str  # in messages: "an evaluation"
@@ -50,7 +50,7 @@ class ResultsFolder:
     """
 
     def __init__(
-        self, path: Path | None, kind: Kind, conditions: Mapping[str, Any], made_with: dict[str, str],
+        self, path: Path | None, kind: RunKind, conditions: Mapping[str, Any], made_with: dict[str, str],
         about: dict[str, Any], anew: bool = False, defaults: Mapping[str, Any] | None = None,
     ) -> None:  # fmt: skip
         mine = json.loads(json.dumps({"conditions": dict(conditions), "made_with": made_with, "about": about}))
@@ -92,7 +92,7 @@ class ResultsFolder:
             remove_run(path, self.kind, before)
         elif before is not None:
             before = {**before, "conditions": {**defaults, **before["conditions"]}}
-            sizes = self._grown(before, mine)
+            sizes = self._accept_smaller_run(before, mine)
             check_same(path, self.kind.what, before, mine)
             sizes += [size for size in before["about"].get(GROWN) or () if isinstance(size, int)]
             asked = mine["conditions"]
@@ -102,9 +102,9 @@ class ResultsFolder:
                 return
             mine["about"][GROWN] = sizes
             self.about = mine["about"]
-        write_whole(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
+        write_atomically(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
 
-    def _grown(self, before: dict[str, Any], mine: dict[str, Any]) -> list[Any]:
+    def _accept_smaller_run(self, before: dict[str, Any], mine: dict[str, Any]) -> list[Any]:
         """Accept a folder whose run is smaller, if runs of this kind may grow: return [its size], else []."""
         name = self.kind.grows
         was, now = before["conditions"].get(name), mine["conditions"].get(name)
@@ -143,7 +143,7 @@ class ResultsFolder:
         """Write a file of the folder, or of a folder in it, whole or not at all."""
         if self.path is not None:
             (self.path / name).parent.mkdir(exist_ok=True)
-            write_whole(self.path / name, content)
+            write_atomically(self.path / name, content)
 
 
 def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
@@ -152,7 +152,7 @@ def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
     for name, value in record.items():
         wanted = get_origin(hints[name]) or hints[name]
         if wanted in (int, str, dict) and (not isinstance(value, wanted) or isinstance(value, bool)):
-            raise ValueError(f"{path}: {name} of a line must be {NAMED[wanted]}, got {brief(value)}")
+            raise ValueError(f"{path}: {name} of a line must be {NAMED[wanted]}, got {short_repr(value)}")
 
 
 def make_folder(path: Path) -> None:
@@ -164,7 +164,7 @@ def make_folder(path: Path) -> None:
     path.mkdir(parents=True, exist_ok=True)
 
 
-def settings_before(path: Path, kind: Kind, anew: bool = False) -> dict[str, Any] | None:
+def settings_before(path: Path, kind: RunKind, anew: bool = False) -> dict[str, Any] | None:
     """Return the contents of settings.json in a folder; None if the folder holds no run.
 
     ValueError if the folder holds something else; also if settings.json cannot be read, except with `anew`.
@@ -188,7 +188,7 @@ def settings_before(path: Path, kind: Kind, anew: bool = False) -> dict[str, Any
 def read_settings(path: Path) -> dict[str, Any]:
     """Return the contents of a settings file; ValueError if it is damaged."""
     try:
-        found = json.loads(read_plain(path, LARGEST))
+        found = json.loads(read_regular_file(path, LARGEST))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} cannot be read as JSON ({error}); {ELSE}") from error
     return found if isinstance(found, dict) else {}
@@ -207,7 +207,7 @@ def check_same(path: Path, what: str, theirs: dict[str, Any], mine: dict[str, An
         raise ValueError(f"{path} holds {what} with other settings ({which}); {ELSE}")
 
 
-def remove_run(path: Path, kind: Kind, before: dict[str, Any] | None) -> None:
+def remove_run(path: Path, kind: RunKind, before: dict[str, Any] | None) -> None:
     """Remove the files of a run, settings.json last, because a folder of results without it is refused."""
     patterns = kind.more(before["conditions"] if before else {})
     for found in (one for pattern in patterns for one in sorted(path.glob(pattern))):

@@ -8,7 +8,7 @@ from collections.abc import Collection
 from dataclasses import fields
 from typing import Any
 
-from soccer_env.guards.checking import FROM_ZERO, Checked, Range, refuse
+from soccer_env.guards.checking import FROM_ZERO, CheckedFields, Range, raise_not_allowed
 from soccer_env.match.arguments import Pose
 from soccer_env.types import MAX_TEAM
 
@@ -17,7 +17,7 @@ SENSING = "sensors"  # a team that is not named
 POSES: tuple[Pose, ...] = ("particles", "percept")  # the first of an evaluation
 
 
-class CommandSettings(Checked):
+class CommandSettings(CheckedFields):
     """The settings of a command: a frozen dataclass whose fields are its flags."""
 
     TITLED = False
@@ -32,7 +32,7 @@ def split_players(players: int | str | None, default: int) -> tuple[int, int]:
     except ValueError:
         sizes = []
     if len(sizes) not in (1, 2) or not all(1 <= size <= MAX_TEAM for size in sizes) or isinstance(players, bool):
-        refuse("players", f"1 to {MAX_TEAM}, or two such numbers as in 3v5", players)
+        raise_not_allowed("players", f"1 to {MAX_TEAM}, or two such numbers as in 3v5", players)
     return sizes[0], sizes[-1]
 
 
@@ -43,11 +43,11 @@ def split_senses(senses: str) -> tuple[str, str]:
         (named.get("home", SENSING), named.get("away", SENSING)) if set(named) <= {"home", "away"} else (senses, senses)
     )
     if not set(both) <= set(SENSES):
-        refuse("senses", f"one of {', '.join(SENSES)}, or home=ideal,away=sensors", senses)
+        raise_not_allowed("senses", f"one of {', '.join(SENSES)}, or home=ideal,away=sensors", senses)
     return both
 
 
-def command_with(command: str, settings: Any, always: Collection[str] = ()) -> str:
+def command_line(command: str, settings: Any, always: Collection[str] = ()) -> str:
     """Return the command line with these settings, a dataclass; defaults are left out, except fields in `always`.
 
     `anew` is left out, too, because it would remove the run to resume; and `json`, which changes no result.
@@ -60,25 +60,25 @@ def command_with(command: str, settings: Any, always: Collection[str] = ()) -> s
         if isinstance(value, bool):
             words += [flag if value else f"--no-{flag[2:]}"]
         else:
-            words += [flag, written(value)]
+            words += [flag, as_argument(value)]
     return shlex.join(words)
 
 
-def written(value: object) -> str:
+def as_argument(value: object) -> str:
     """Return a value as an argument of a command line: a float in its shortest exact form."""
     short = f"{value:g}" if isinstance(value, float) else str(value)
     return short if not isinstance(value, float) or float(short) == value else repr(value)
 
 
-def different(name: str, text: str) -> tuple[str, ...]:
+def split_distinct_names(name: str, text: str) -> tuple[str, ...]:
     """Return the names in a text, between commas; ValueError if a name stands there twice."""
-    names = split(text, name)
+    names = split_names(text, name)
     if len(set(names)) < len(names):
-        refuse(name, "different", text)
+        raise_not_allowed(name, "different", text)
     return names
 
 
-def split(text: str, name: str) -> tuple[str, ...]:
+def split_names(text: str, name: str) -> tuple[str, ...]:
     """Split a text at commas, but keep a part such as NAME:switch=value,switch=value whole."""
     parts: list[str] = []
     for part in text.split(","):
@@ -87,7 +87,7 @@ def split(text: str, name: str) -> tuple[str, ...]:
         else:
             parts.append(part.strip())
     if not all(parts):
-        refuse(name, "names with commas between them", text)
+        raise_not_allowed(name, "names with commas between them", text)
     return tuple(parts)
 
 
@@ -98,5 +98,5 @@ def layer_sizes(name: str, text: str) -> tuple[int, ...]:
     except ValueError:
         sizes = ()
     if not 1 <= len(sizes) <= 6 or not all(1 <= size <= 1024 for size in sizes):
-        refuse(name, "one to six layer sizes of 1 to 1024, as in 64,64", text)
+        raise_not_allowed(name, "one to six layer sizes of 1 to 1024, as in 64,64", text)
     return sizes

@@ -1,8 +1,8 @@
 """Show the fields of every dataclass, enumeration and record of numpy as a table, from the source itself.
 
 An extension of griffe, which mkdocstrings reads the packages with. A field's meaning is the text below it, the help of
-its `setting(...)` or the comment behind it, whose [unit] gets a column of its own. A function under `takes(KIND)` or
-`made_from(KIND)` is shown as it is called: with the fields of KIND.
+its `declare_setting(...)` or the comment behind it, whose [unit] gets a column of its own. A function under
+`takes_fields_of(KIND)` or `init_takes_fields_of(KIND)` is shown as it is called: with the fields of KIND.
 """
 
 from __future__ import annotations
@@ -81,10 +81,12 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 def default_and_text(value: str, module: griffe.Module) -> tuple[str, str]:
     """Return the default and the help in the value of a field."""
     tree = ast.parse(value, mode="eval").body
-    if not (isinstance(tree, ast.Call) and isinstance(tree.func, ast.Name) and tree.func.id in ("field", "setting")):
+    if not (
+        isinstance(tree, ast.Call) and isinstance(tree.func, ast.Name) and tree.func.id in ("field", "declare_setting")
+    ):
         return value, ""
     named = {word.arg: word.value for word in tree.keywords}
-    if tree.func.id == "setting":
+    if tree.func.id == "declare_setting":
         text = ast.unparse(tree.args[1])  # the help itself, or a name of it
         return ast.unparse(tree.args[0]), ast.literal_eval(value_in(module, text) or text)
     default = ast.unparse(named["default"]) if "default" in named else ""
@@ -168,7 +170,7 @@ def enum_table(found: griffe.Class) -> str:
 
 
 def record_rows(value: ast.expr, file: Path) -> Iterator[tuple[str, str, str, str, str, str]]:
-    """Yield field, type, range, shape, unit and meaning of each entry of `record([...])`."""
+    """Yield field, type, range, shape, unit and meaning of each entry of `ranged_record([...])`."""
     for item in value.elts if isinstance(value, ast.List) else ():
         if not (isinstance(item, ast.Tuple) and isinstance(item.elts[0], ast.Constant)):
             continue
@@ -183,7 +185,7 @@ def record_rows(value: ast.expr, file: Path) -> Iterator[tuple[str, str, str, st
 def record_table(attribute: griffe.Attribute) -> str:
     """Return the table of a record's fields, "" for an attribute that is none."""
     file, first = attribute.filepath, attribute.lineno
-    if not (isinstance(file, Path) and first and str(attribute.value).startswith("record(")):
+    if not (isinstance(file, Path) and first and str(attribute.value).startswith("ranged_record(")):
         return ""
     for node in ast.parse(file.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.Assign) and node.lineno == first and isinstance(node.value, ast.Call):
@@ -198,8 +200,9 @@ def record_table(attribute: griffe.Attribute) -> str:
 
 
 def declared(function: griffe.Function) -> str:
-    """Return the name of the class that `takes` or `made_from` names above a function, "" for none."""
-    found = [re.fullmatch(r"(?:takes|made_from)\((\w+)\)", str(mark.value)) for mark in function.decorators]
+    """Return the name of the class that `takes_fields_of` names above a function, "" for none."""
+    marks = [str(mark.value) for mark in function.decorators]
+    found = [re.fullmatch(r"(?:init_)?takes_fields_of\((\w+)\)", mark) for mark in marks]
     return next((match[1] for match in found if match), "")
 
 
@@ -265,7 +268,7 @@ class FieldTables(griffe.Extension):
             self.told += [found.attributes[row.name] for row in rows if row.name in found.attributes]
             defaults = {row.name: row.default for row in rows}
             for parameter in found.parameters:
-                if str(parameter.default).startswith(("setting(", "field(")):
+                if str(parameter.default).startswith(("declare_setting(", "field(")):
                     parameter.default = defaults.get(parameter.name)
 
     def of_function(self, function: griffe.Function) -> None:

@@ -5,24 +5,24 @@
 
 from math import acos, atan2, sqrt
 
-from soccer_env.baselines.chaser.boards import go_into_corner, lies_in_trouble, sweep
+from soccer_env.baselines.chaser.boards import approach_cornered_ball, is_ball_cornered, sweep_along_board
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_OMNI
 from soccer_env.skills.carrying import SLOW, is_opposed, line_speed, turn_to_goal
 from soccer_env.skills.moves import (
     braking_speed,
+    choose_dribble_direction,
     choose_shot,
-    choose_way,
+    clearing_direction,
     go,
     push,
+    rotate_vector,
     shot_room,
     turn_by,
-    turned,
-    way_clear,
 )
-from soccer_env.skills.set_pieces import strength_for
-from soccer_env.skills.sight import rolls_to, side_of
+from soccer_env.skills.set_pieces import kick_strength_for
+from soccer_env.skills.sight import predict_ball, side_of
 
 MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
 MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
@@ -41,22 +41,22 @@ ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the o
 def attack(command, sight, memory, k, play):
     """Bring the ball to the goal, with the first skill of the ladder that applies."""
     ux, uy = choose_aim(sight, k, play)
-    ux, uy = turned(ux, uy, memory.aim_error)
+    ux, uy = rotate_vector(ux, uy, memory.aim_error)
     if memory.sweep > 0.0:
-        sweep(command, sight, memory, k)
-    elif lies_in_trouble(sight.ball_x, sight.ball_y, k):
-        free_from_corner(command, sight, memory, k, play)
+        sweep_along_board(command, sight, memory, k)
+    elif is_ball_cornered(sight.ball_x, sight.ball_y, k):
+        free_ball_from_corner(command, sight, memory, k, play)
     elif memory.wriggle > 0.0:
-        wriggle(command, sight, memory, k, play)
+        free_stuck_ball(command, sight, memory, k, play)
     elif sight.held == 1:
         turn_to_goal(command, sight, memory, k, play, ux, uy)
-    elif comes_to_me(sight, k):
-        receive(command, sight, k, play)
+    elif ball_comes_to_me(sight, k):
+        receive_ball(command, sight, k, play)
     else:
         approach(command, sight, memory, k, play, ux, uy, MEET)
     if wants_to_shoot(sight, memory, k, play):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
-        command.kick = strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
+        command.kick = kick_strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
 
 
 @compiled
@@ -66,12 +66,12 @@ def choose_aim(sight, k, play):
     A robot on wheels plays a ball near its own goal clear, never across the goal's mouth.
     """
     if k.walled == 0 and length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
-        return way_clear(sight, k)
+        return clearing_direction(sight, k)
     if 0.5 * k.pitch_length - sight.ball_x < play.shot_range:
         ux, uy, room = choose_shot(sight, k)
         if room > play.room:
             return ux, uy
-    return choose_way(sight, k, play)
+    return choose_dribble_direction(sight, k, play)
 
 
 @compiled
@@ -81,12 +81,12 @@ def wants_to_shoot(sight, memory, k, play):
         return False
     if k.kicker_wind_up > 0.0 and sight.held == 0:
         return False
-    ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
+    ux, uy = rotate_vector(sight.now_cosine, sight.now_sine, memory.aim_error)
     return 0.5 * k.pitch_length - sight.ball_x < play.shot_range and shot_room(sight, k, ux, uy) > play.room
 
 
 @compiled
-def comes_to_me(sight, k):
+def ball_comes_to_me(sight, k):
     """Tell whether the ball rolls towards a player that can move sideways and would bounce off the player."""
     speed = length(sight.ball_vx, sight.ball_vy)
     if k.drive_sideways <= 0.0 or k.walled == 1 or speed < RECEIVED:
@@ -99,7 +99,7 @@ def comes_to_me(sight, k):
 
 
 @compiled
-def receive(command, sight, k, play):
+def receive_ball(command, sight, k, play):
     """Receive a rolling ball: face it, move sideways into its path, and back off so that it does not bounce off."""
     speed = length(sight.ball_vx, sight.ball_vy)
     ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
@@ -123,37 +123,37 @@ def approach(command, sight, memory, k, play, ux, uy, most):
     `MEET` it drives into the ball.
     """
     gap = max(sight.distance - sight.touch, 0.0)
-    x, y = rolls_to(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
-    x, y = reachable(x, y, k)
-    ux, uy = clear_of_boards(x, y, ux, uy, sight, k)
+    x, y = predict_ball(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
+    x, y = nearest_reachable_point(x, y, k)
+    ux, uy = turn_clear_of_boards(x, y, ux, uy, sight, k)
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
     own_goal = lies_before_own_goal(x, y, k, 2.0 * sight.touch)
     near = away < play.near * sight.touch
     if behind > (ALONG_LINE if own_goal else play.near_cosine if near else play.run_in_cosine):
-        run_in(command, sight, k, play, x, y, ux, uy, most)
+        run_at_ball(command, sight, k, play, x, y, ux, uy, most)
     elif own_goal and away < sight.touch + play.clearance:  # paws that step aside or turn push it on
         ahead, left = into_frame(away_x / away, away_y / away, sight.cosine, sight.sine)
         push(command, sight, k, ahead, left, k.drive_forward)
     else:
-        go_round(command, sight, memory, k, play, x, y, ux, uy)
+        go_round_ball(command, sight, memory, k, play, x, y, ux, uy)
 
 
 @compiled
-def run_in(command, sight, k, play, x, y, ux, uy, most):
+def run_at_ball(command, sight, k, play, x, y, ux, uy, most):
     """Run at a ball from behind it; a base that can move sideways faces the direction (ux, uy) of play."""
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
         if sight.distance < NEAR_BALL and most <= MEET:
-            meet(command, sight, k, x - into * ux - sight.x, y - into * uy - sight.y)
+            run_into_ball(command, sight, k, x - into * ux - sight.x, y - into * uy - sight.y)
     else:
         go(command, sight, k, play, x, y, atan2(y - sight.y, x - sight.x), play.bump)
 
 
 @compiled
-def meet(command, sight, k, x, y):
+def run_into_ball(command, sight, k, x, y):
     """Run along (x, y) into the ball, with a limited closing speed so that the ball hardly bounces off.
 
     Only the relative speed is limited: a player that tackles a ball carried past runs along with the ball.
@@ -173,7 +173,7 @@ def meet(command, sight, k, x, y):
 
 
 @compiled
-def reachable(x, y, k):
+def nearest_reachable_point(x, y, k):
     """Return the point [m] nearest to a ball at (x, y) that a paw can reach while the robot rubs along the boards."""
     if k.walled == 0:
         return x, y
@@ -191,7 +191,7 @@ def lies_before_own_goal(x, y, k, far):
 
 
 @compiled
-def clear_of_boards(x, y, ux, uy, sight, k):
+def turn_clear_of_boards(x, y, ux, uy, sight, k):
     """Return the direction in which to push a ball, turned so that there is room for a robot behind it.
 
     A corner leaves no such room: the player runs along one board and turns along the other with the ball. A ball in the
@@ -212,23 +212,23 @@ def clear_of_boards(x, y, ux, uy, sight, k):
 
 
 @compiled
-def go_round(command, sight, memory, k, play, x, y, ux, uy):
+def go_round_ball(command, sight, memory, k, play, x, y, ux, uy):
     """Go round the ball at (x, y) to the point behind it, at a distance that avoids touching the ball."""
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     radius = sight.touch + play.clearance
     angle = acos(clip(-(away_x * ux + away_y * uy) / away, -1.0, 1.0))
-    way = side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius)
+    way = choose_side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius)
     step = min(angle, play.orbit_step + acos(min(radius / away, 1.0)))
-    to_x, to_y = turned(away_x / away, away_y / away, way * step)
+    to_x, to_y = rotate_vector(away_x / away, away_y / away, way * step)
     facing = atan2(uy, ux) if play.square_up > 0.0 else atan2(-away_y, -away_x)
     go(command, sight, k, play, x + radius * to_x, y + radius * to_y, facing, play.orbit_speed)
     if k.drive_kind == WHEELS_OMNI:
-        pass_ball(command, sight, k, play)
+        limit_closing_speed(command, sight, k, play)
 
 
 @compiled
-def pass_ball(command, sight, k, play):
+def limit_closing_speed(command, sight, k, play):
     """Limit the closing speed to the ball so that the player can still brake within the gap."""
     away = max(sight.distance, 1e-6)
     ux, uy = into_frame((sight.ball_x - sight.x) / away, (sight.ball_y - sight.y) / away, sight.cosine, sight.sine)
@@ -241,15 +241,15 @@ def pass_ball(command, sight, k, play):
 
 
 @compiled
-def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
+def choose_side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
     """Return the sense in which to go round a ball, +1 counter-clockwise: clear of a near board, else the shorter."""
     way = side_of(away_y * ux - away_x * uy)
     if k.walled == 1 and angle > 1.6:
         room = radius + k.body_tip_y + k.body_tip_radius
         if 0.5 * k.pitch_width - abs(y) < room:
-            return side_inside(away_x, away_y, ux, uy, 0.0, -side_of(y))
+            return choose_inner_side(away_x, away_y, ux, uy, 0.0, -side_of(y))
         if 0.5 * k.pitch_length - abs(x) < room:
-            return side_inside(away_x, away_y, ux, uy, -side_of(x), 0.0)
+            return choose_inner_side(away_x, away_y, ux, uy, -side_of(x), 0.0)
     if angle > 2.6 and memory.way != 0.0:
         way = memory.way
     memory.way = way
@@ -257,7 +257,7 @@ def side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
 
 
 @compiled
-def side_inside(away_x, away_y, ux, uy, inner_x, inner_y):
+def choose_inner_side(away_x, away_y, ux, uy, inner_x, inner_y):
     """Return the sense in which to go round a ball, +1 or -1, that never takes the player between ball and board.
 
     (away_x, away_y): the player relative to the ball [m]; (ux, uy): unit vector along which the ball will be played;
@@ -269,16 +269,16 @@ def side_inside(away_x, away_y, ux, uy, inner_x, inner_y):
 
 
 @compiled
-def free_from_corner(command, sight, memory, k, play):
+def free_ball_from_corner(command, sight, memory, k, play):
     """Get the ball out of a corner; after a failed attempt, step back from the ball first."""
     if memory.wriggle > 0.0:
         command.forward = -sight.pace
     else:
-        go_into_corner(command, sight, memory, k, play)
+        approach_cornered_ball(command, sight, memory, k, play)
 
 
 @compiled
-def wriggle(command, sight, memory, k, play):
+def free_stuck_ball(command, sight, memory, k, play):
     """Free a stuck ball: push against it and turn at full rate towards the remembered side."""
     push(command, sight, k, play.wriggle_ahead, 0.0, k.drive_forward)
     command.turn = memory.wriggle_side * sight.pace

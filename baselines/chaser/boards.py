@@ -27,42 +27,42 @@ AWAY = 0.35  # [m] from the corner at which the ball is out of it, assumed
 
 
 @compiled
-def lies_in_trouble(x, y, k):
+def is_ball_cornered(x, y, k):
     """Tell whether a ball at (x, y) lies in an own corner, or at the opponents' end board beside the goal."""
     if k.walled == 0:
         return False
-    end, aside = end_gap(x, k), side_gap(y, k)
+    end, aside = end_board_gap(x, k), side_board_gap(y, k)
     if x > 0.0:
         return end < CORNER and abs(y) > 0.5 * k.pitch_goal_width
     return end < CORNER and aside < CORNER
 
 
 @compiled
-def end_gap(x, k):
+def end_board_gap(x, k):
     """Return the gap between a ball and the nearer end board [m]."""
     return 0.5 * k.pitch_length - k.ball_radius - abs(x)
 
 
 @compiled
-def side_gap(y, k):
+def side_board_gap(y, k):
     """Return the gap between a ball and the board of the nearer touchline [m]."""
     return 0.5 * k.pitch_width - k.ball_radius - abs(y)
 
 
 @compiled
-def ways_of_sweep(x, y, k):
+def sweep_directions(x, y, k):
     """Return two directions [rad], team frame: of the approach to a ball in a corner, of the sweep with the ball."""
     side = side_of(y)
     if x > 0.0:
-        slant = SLANT + (SQUARE - SLANT) * clip(side_gap(y, k) / CORNER, 0.0, 1.0)
+        slant = SLANT + (SQUARE - SLANT) * clip(side_board_gap(y, k) / CORNER, 0.0, 1.0)
         return side * slant, -side * 0.5 * pi
     return wrap(side * (0.5 * pi + SLANT)), 0.0
 
 
 @compiled
-def go_into_corner(command, sight, memory, k, play):
+def approach_cornered_ball(command, sight, memory, k, play):
     """Approach a ball in a corner: go to its line of approach, then along the line; begin the sweep on contact."""
-    way, out = ways_of_sweep(sight.ball_x, sight.ball_y, k)
+    way, out = sweep_directions(sight.ball_x, sight.ball_y, k)
     ux, uy = cos(way), sin(way)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
     off = wrap(way - sight.heading)
@@ -78,7 +78,7 @@ def go_into_corner(command, sight, memory, k, play):
 
 
 @compiled
-def sweep(command, sight, memory, k):
+def sweep_along_board(command, sight, memory, k):
     """Turn with the ball towards the direction of the sweep while walking, then walk along the board."""
     memory.sweep -= sight.elapsed
     memory.stuck = 0.0
@@ -90,5 +90,5 @@ def sweep(command, sight, memory, k):
     else:
         command.turn = clip(error, -1.0, 1.0) * sight.pace
     gap = length(0.5 * k.pitch_length - abs(sight.ball_x), 0.5 * k.pitch_width - abs(sight.ball_y))
-    if gap > AWAY and not lies_in_trouble(sight.ball_x, sight.ball_y, k) or sight.distance > 2.0 * sight.touch:
+    if gap > AWAY and not is_ball_cornered(sight.ball_x, sight.ball_y, k) or sight.distance > 2.0 * sight.touch:
         memory.sweep = 0.0

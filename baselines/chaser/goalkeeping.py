@@ -12,8 +12,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.skills.carrying import turn_to_goal
 from soccer_env.skills.keeping_rules import is_in_own_area
-from soccer_env.skills.moves import faces, go, way_clear
-from soccer_env.skills.sight import rolls_to
+from soccer_env.skills.moves import clearing_direction, faces, go
+from soccer_env.skills.sight import predict_ball
 
 AT_GOAL = 0.2  # cosine of the angle to its own goal line within which a keeper on legs faces it, assumed
 FOREVER = 60.0  # [s] any ball has stopped by then
@@ -27,7 +27,7 @@ def keep_goal(command, sight, memory, k, play):
     if coming:
         go(command, sight, k, play, line, crossing, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), play.dive)
     elif may_clear(sight, k, play):
-        clear(command, sight, memory, k, play)
+        clear_ball(command, sight, memory, k, play)
     else:
         guard(command, sight, k, play, line)
 
@@ -37,7 +37,7 @@ def shot_crosses(sight, k, play, line):
     """Return whether the ball will cross the keeper's line towards the goal, and at which y [m]."""
     if sight.ball_vx > -play.shot_speed or sight.ball_x < line:
         return False, 0.0
-    end_x, _ = rolls_to(sight, k, FOREVER)
+    end_x, _ = predict_ball(sight, k, FOREVER)
     crossing = sight.ball_y + sight.ball_vy * (line - sight.ball_x) / sight.ball_vx
     widest = 0.5 * k.pitch_goal_width
     return end_x < line and abs(crossing) < widest + k.body_reach, clip(crossing, -widest, widest)
@@ -55,12 +55,12 @@ def guard(command, sight, k, play, line):
     out = play.keeper_out * k.body_reach
     stand_x = max(-0.5 * k.pitch_length + out * x / away, line)
     widest = 0.5 * k.pitch_goal_width - 0.5 * k.body_reach
-    stand_y = clip(part_angle(sight, k, stand_x) if k.walled == 0 else out * y / away, -widest, widest)
+    stand_y = clip(bisect_shot_angle(sight, k, stand_x) if k.walled == 0 else out * y / away, -widest, widest)
     go(command, sight, k, play, stand_x, stand_y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 
 @compiled
-def part_angle(sight, k, x):
+def bisect_shot_angle(sight, k, x):
     """Return the y [m] at which the bisector of the angle from the ball to both posts crosses the keeper's x [m]."""
     ahead, half = -0.5 * k.pitch_length - sight.ball_x, 0.5 * k.pitch_goal_width
     left, right = length(ahead, half - sight.ball_y), length(ahead, -half - sight.ball_y)
@@ -93,13 +93,13 @@ def may_clear(sight, k, play):
 
 
 @compiled
-def clear(command, sight, memory, k, play):
+def clear_ball(command, sight, memory, k, play):
     """Play the ball away from the own goal, with a kick once the keeper faces that way.
 
     A keeper on legs goes round a ball at its feet, on the side of its own goal, since turning with the ball would also
     carry it forward.
     """
-    ux, uy = way_clear(sight, k)
+    ux, uy = clearing_direction(sight, k)
     if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
         turn_to_goal(command, sight, memory, k, play, ux, uy)
         command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0

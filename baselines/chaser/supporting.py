@@ -10,7 +10,7 @@ from soccer_env.geometry import clip, length
 from soccer_env.skills.keeping_rules import ROOM as AREA_ROOM
 from soccer_env.skills.keeping_rules import out_of_own_area
 from soccer_env.skills.moves import go
-from soccer_env.skills.set_pieces import out_of_area, round_ball
+from soccer_env.skills.set_pieces import move_out_of_area, waypoint_round_ball
 from soccer_env.skills.sight import side_of
 
 ROOM = 2.5  # [body reaches] between the first two players that keep away from the opponents' restart, assumed
@@ -42,8 +42,8 @@ def support_point(sight, memory, k, play, ring, keeps_out):
     if keeps_out:
         x, y = out_of_own_area(x, y, k, k.body_reach + play.berth + AREA_ROOM)
     if memory.rank > 0 or ring == 0.0:
-        x, y = out_of_area(sight, k, x, y, ring)
-    return round_ball(sight, k, x, y)
+        x, y = move_out_of_area(sight, k, x, y, ring)
+    return waypoint_round_ball(sight, k, x, y)
 
 
 @compiled

@@ -26,23 +26,30 @@ from soccer_env.baselines.chaser.goalkeeping import keep_goal
 from soccer_env.baselines.chaser.supporting import support
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
-from soccer_env.guards.checking import check_names, number
-from soccer_env.guards.ranges import NUMBER, UNIT, record
+from soccer_env.guards.checking import check_finite_number, check_names
+from soccer_env.guards.ranges import NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League
-from soccer_env.random_numbers import uniform
-from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, free_ring, keep_decision, must_decide
-from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, mind_pushing, wait_at_area
-from soccer_env.skills.searching import LOST, end_search, search
-from soccer_env.skills.set_pieces import HOLDS_OFF, holds_off, leave_ball, note_set_piece, take_restart, wait_for_pass
+from soccer_env.random_numbers import draw_uniform
+from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, keep_decision, must_decide, required_ball_distance
+from soccer_env.skills.keeping_rules import avoid_pushing_foul, is_in_own_area, leave_area, may_not_enter, wait_at_area
+from soccer_env.skills.searching import LOST, end_search, search_for_ball
+from soccer_env.skills.set_pieces import (
+    HOLDS_OFF,
+    leave_ball,
+    note_set_piece,
+    should_block_opponent,
+    take_restart,
+    wait_for_pass,
+)
 from soccer_env.skills.settings import FOLLOWS as SKILLS_FOLLOW
 from soccer_env.skills.settings import NUMBERS as SKILL_NUMBERS
-from soccer_env.skills.settings import fitted, rows_of
-from soccer_env.skills.sight import SIGHT, look, side_of
+from soccer_env.skills.settings import fitted, settings_rows
+from soccer_env.skills.sight import SIGHT, fill_sight, side_of
 from soccer_env.teams import CompiledTeam
 from soccer_env.teams.kernels import per_player
 from soccer_env.types import PLAYERS
 
-MEMORY = record(
+MEMORY = ranged_record(
     [
         ("wait", "f8", NUMBER),  # [s] until the next decision
         ("rank", "i8", PLAYERS),  # field team-mates nearer to the ball: 0 the attacker
@@ -133,18 +140,18 @@ def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
     `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`.
     """
     check_names("setting of chaser", changes, NUMBERS)
-    given = {name: 3 * (number(f"{name} of chaser", value),) for name, value in changes.items()}
-    settings = rows_of({"strength": 3 * (strength,), **NUMBERS, **given})
-    return CompiledTeam("chaser", CHASER, MEMORY, settings, fit=fit)
+    given = {name: 3 * (check_finite_number(f"{name} of chaser", value),) for name, value in changes.items()}
+    settings = settings_rows({"strength": 3 * (strength,), **NUMBERS, **given})
+    return CompiledTeam("chaser", CHASER, MEMORY, settings, fit=scale_settings)
 
 
-def fit(settings: np.ndarray, league: League) -> np.ndarray:
+def scale_settings(settings: np.ndarray, league: League) -> np.ndarray:
     """Scale the team's settings to a league and return them."""
     return fitted(settings, league, FOLLOWS)
 
 
 @compiled
-def chase(belief, tracks, memory, noise, command, k, play, sight):
+def decide_or_repeat(belief, tracks, memory, noise, command, k, play, sight):
     """Decide, or repeat the last decision until it is time for the next."""
     decides = must_decide(belief, memory, command, k)
     look_up(belief, command, memory, k, play)
@@ -152,7 +159,7 @@ def chase(belief, tracks, memory, noise, command, k, play, sight):
         return
     weakness = 1.0 - play.strength
     apply_strength(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
-    look(sight, belief, tracks, k)
+    fill_sight(sight, belief, tracks, k)
     decide(belief, command, sight, memory, noise, k, play)
     command.kick *= 1.0 - weakness * (1.0 - play.softest)
     keep_decision(memory, command)
@@ -166,14 +173,14 @@ def decide(belief, command, sight, memory, noise, k, play):
     if keeps_out and leave_area(command, sight, k, play, play.berth):
         return
     if belief.ball.age > LOST:
-        search(belief, command, sight, memory, k, play)
+        search_for_ball(belief, command, sight, memory, k, play)
         return
     end_search(memory)
     if situation.keeper == 1:
         keep_goal(command, sight, memory, k, play)
     else:
         play_in_field(situation, command, sight, memory, noise, k, play, keeps_out)
-        mind_pushing(belief.obstacle, command, sight, memory, k, play.retreat)
+        avoid_pushing_foul(belief.obstacle, command, sight, memory, k, play.retreat)
 
 
 @compiled
@@ -181,7 +188,7 @@ def play_in_field(situation, command, sight, memory, noise, k, play, keeps_out):
     """Play as a field player that knows the ball's place; `keeps_out`: it must stay out of its own penalty area."""
     choose_rank(sight, memory, play)
     note_set_piece(situation, sight, memory, k)
-    watch_ball(sight, memory, noise, k, play)
+    time_stuck_ball(sight, memory, noise, k, play)
     play_role(situation, command, sight, memory, k, play, keeps_out)
 
 
@@ -196,17 +203,17 @@ def play_role(situation, command, sight, memory, k, play, keeps_out):
     elif memory.set_piece > 0.0:
         leave_ball(command, sight, k, play)
     elif memory.rank > (1 if memory.set_piece < 0.0 else 0) or (situation.phase != PLAY and situation.ours < 0.0):
-        support(command, sight, memory, k, play, free_ring(situation, k), keeps_out)
+        support(command, sight, memory, k, play, required_ball_distance(situation, k), keeps_out)
     elif keeps_out and is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius):
         wait_at_area(command, sight, k, play)
-    elif holds_off(sight, k):
+    elif should_block_opponent(sight, k):
         support(command, sight, memory, k, play, HOLDS_OFF, keeps_out)
     else:
         attack(command, sight, memory, k, play)
 
 
 @compiled
-def way_to_ball(sight, play, x, y, vx, vy):
+def path_length_to_ball(sight, play, x, y, vx, vy):
     """Return a player's path length to behind the ball [m], less some for a player that already runs towards it."""
     ahead, left = sight.ball_x - x, sight.ball_y - y
     away = max(length(ahead, left), 1e-6)
@@ -216,11 +223,13 @@ def way_to_ball(sight, play, x, y, vx, vy):
 @compiled
 def choose_rank(sight, memory, play):
     """Update the player's rank, the number of field team-mates nearer to the ball, once a change has lasted."""
-    own = way_to_ball(sight, play, sight.x, sight.y, sight.vx, sight.vy)
+    own = path_length_to_ball(sight, play, sight.x, sight.y, sight.vx, sight.vy)
     rank = 0
     for i in range(sight.others):
         if sight.mate[i] == 1 and sight.field[i] == 1:
-            other = way_to_ball(sight, play, sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i])
+            other = path_length_to_ball(
+                sight, play, sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i]
+            )
             if other < own:
                 rank += 1
     memory.rank_age = memory.rank_age + sight.elapsed if rank != memory.rank else 0.0
@@ -229,19 +238,19 @@ def choose_rank(sight, memory, play):
 
 
 @compiled
-def watch_ball(sight, memory, noise, k, play):
+def time_stuck_ball(sight, memory, noise, k, play):
     """Time how long the ball is stuck at the player's feet, and begin to free it when the patience is over."""
     memory.wriggle = max(memory.wriggle - sight.elapsed, 0.0)
     if memory.patience == 0.0:
-        memory.patience = play.patience * (0.7 + 0.6 * uniform(noise, TEAM))
+        memory.patience = play.patience * (0.7 + 0.6 * draw_uniform(noise, TEAM))
     near = sight.distance < sight.touch + k.body_reach
     slow = length(sight.ball_vx, sight.ball_vy) < play.still
     memory.stuck = memory.stuck + sight.elapsed if near and slow else 0.0
     if memory.stuck > memory.patience:
-        memory.stuck, memory.patience = 0.0, play.patience * (0.7 + 0.6 * uniform(noise, TEAM))
+        memory.stuck, memory.patience = 0.0, play.patience * (0.7 + 0.6 * draw_uniform(noise, TEAM))
         memory.wriggle = play.wriggle_time
         goal = atan2(-sight.ball_y, 0.5 * k.pitch_length - sight.ball_x)
         memory.wriggle_side = side_of(wrap(goal - sight.heading))
 
 
-CHASER = per_player(chase, SIGHT)
+CHASER = per_player(decide_or_repeat, SIGHT)

@@ -8,11 +8,11 @@ from math import atan2, inf
 from soccer_env.baselines.chaser.attacking import (
     DEFENDED,
     approach,
+    ball_comes_to_me,
     choose_aim,
-    comes_to_me,
-    receive,
+    free_stuck_ball,
+    receive_ball,
     wants_to_shoot,
-    wriggle,
 )
 from soccer_env.baselines.heinemann_2006.dribbling import dribble, way_round
 from soccer_env.baselines.heinemann_2006.driving import drive_to
@@ -21,9 +21,9 @@ from soccer_env.baselines.heinemann_2006.passing import choose_pass, is_at_kicke
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.skills.carrying import is_pressed
-from soccer_env.skills.moves import shot_room, turned
-from soccer_env.skills.set_pieces import strength_for
-from soccer_env.skills.sight import rolls_to
+from soccer_env.skills.moves import rotate_vector, shot_room
+from soccer_env.skills.set_pieces import kick_strength_for
+from soccer_env.skills.sight import predict_ball
 
 BEHIND = 0.3  # [m] more than touching it that the place behind the ball lies from it, assumed
 
@@ -36,22 +36,22 @@ def attack(command, memory, k, play, scratch):
     passes, far = False, 0.0
     if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, play)):
         passes, ux, uy, far = pass_or_aim(sight, k, play, ux, uy)
-    if sight.held == 1 and not passes and dribbles_on(sight, k, play, ux, uy):
+    if sight.held == 1 and not passes and should_dribble(sight, k, play, ux, uy):
         ux, uy = way_round(k, play, scratch)
-    ux, uy = turned(ux, uy, skill.aim_error)
+    ux, uy = rotate_vector(ux, uy, skill.aim_error)
     if skill.wriggle > 0.0:
-        wriggle(command, sight, skill, k, skills)
+        free_stuck_ball(command, sight, skill, k, skills)
     elif sight.held == 1:
         dribble(command, sight, memory, k, play, ux, uy)
-    elif play.intercepts == 1 and comes_to_me(sight, k):
-        receive(command, sight, k, skills)
+    elif play.intercepts == 1 and ball_comes_to_me(sight, k):
+        receive_ball(command, sight, k, skills)
     elif sight.distance > play.close:
-        go_behind(command, memory, k, play, scratch, ux, uy)
+        drive_behind_ball(command, memory, k, play, scratch, ux, uy)
     else:
         approach(command, sight, skill, k, skills, ux, uy, play.run_in)
     if wants_to_shoot(sight, skill, k, skills):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
-        command.kick = strength_for(k, goal, skills.arrival)
+        command.kick = kick_strength_for(k, goal, skills.arrival)
     elif passes and is_at_kicker(sight, play) and sight.now_cosine * ux + sight.now_sine * uy > play.pass_cosine:
         command.kick = pass_strength(k, play, far)
 
@@ -72,7 +72,7 @@ def pass_or_aim(sight, k, play, ux, uy):
 
 
 @compiled
-def dribbles_on(sight, k, play, ux, uy):
+def should_dribble(sight, k, play, ux, uy):
     """Tell whether to dribble past other players: no shot along (ux, uy) is open, and the own goal is far."""
     if play.dribbles_round == 0 or length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
         return False
@@ -81,11 +81,11 @@ def dribbles_on(sight, k, play, ux, uy):
 
 
 @compiled
-def go_behind(command, memory, k, play, scratch, ux, uy):
+def drive_behind_ball(command, memory, k, play, scratch, ux, uy):
     """Drive to the point behind the ball's predicted place for a push along (ux, uy), and face the ball."""
     sight = scratch.sight
     seconds = meeting_time(sight, sight.x, sight.y, sight.vx, sight.vy, play.lead, k) if play.intercepts == 1 else 0.0
-    x, y = rolls_to(sight, k, seconds)
+    x, y = predict_ball(sight, k, seconds)
     far = sight.touch + BEHIND
     facing = atan2(y - sight.y, x - sight.x)
     edge_x, edge_y = 0.5 * k.pitch_length, 0.5 * k.pitch_width

@@ -14,7 +14,7 @@ its own centre.
 from math import atan2
 
 from soccer_env.baselines.heinemann_2006.driving import note_crowd, plan_to
-from soccer_env.baselines.weigel_2001.planner.measuring import place_on
+from soccer_env.baselines.weigel_2001.planner.measuring import place_along_path
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 from soccer_env.skills.carrying import pushing_speed
@@ -48,7 +48,7 @@ def way_round(k, play, scratch):
         scratch.crowd[i].radius += play.dribble_room
     wide = 0.5 * k.pitch_goal_width
     plan_to(k, play, scratch, 0.5 * k.pitch_length, clip(sight.ball_y, -wide, wide))
-    place_on(plan.path, plan.count, play.dribble_ahead, place)
+    place_along_path(plan.path, plan.count, play.dribble_ahead, place)
     x, y = place.x - sight.x, place.y - sight.y
     away = length(x, y)
     return (1.0, 0.0) if away < 1e-6 else (x / away, y / away)

@@ -16,13 +16,21 @@ camera and from its team-mates' reports by radio.
 from math import atan2, sqrt
 
 from soccer_env.baselines.heinemann_2006.settings import PLANNERS
-from soccer_env.baselines.weigel_2001.planner.measuring import place_on
+from soccer_env.baselines.weigel_2001.planner.measuring import place_along_path
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
-from soccer_env.skills.moves import FOUGHT_FOR, braking_speed, drive_differential, go, hold_back, push, turn_by
+from soccer_env.skills.moves import (
+    FOUGHT_FOR,
+    brake_before_robots,
+    braking_speed,
+    drive_differential,
+    go,
+    push,
+    turn_by,
+)
 from soccer_env.skills.sight import side_of
 
 NO_PLANNER = PLANNERS["none"]
@@ -49,14 +57,14 @@ def drive_to(command, memory, k, play, scratch, x, y, facing, final):
 def plan_to(k, play, scratch, x, y):
     """Plan the path to a point with the league's pitch and speed and the present beliefs; fill `scratch.plan`.  MH14"""
     sight = scratch.sight
-    ways_of(scratch, k, play)
+    fill_planner_settings(scratch, k, play)
     side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
     crowd, ways, work, plan = scratch.crowd[: scratch.count], scratch.ways[0], scratch.work[0], scratch.plan[0]
     plan_way(sight.x, sight.y, x, y, side, crowd, ways, work, plan)
 
 
 @compiled
-def ways_of(scratch, k, play):
+def fill_planner_settings(scratch, k, play):
     """Fill in the planner's settings: the league's pitch and robot size, and this robot's pace."""
     ways = scratch.ways[0]
     scratch.ways[0] = play.ways[0]
@@ -71,13 +79,13 @@ def follow(command, memory, k, play, scratch, facing, final):
     sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
     now = length(sight.vx, sight.vy)
     ahead = play.look_ahead + play.look_ahead_time * now
-    place_on(plan.path, plan.count, ahead, place)
+    place_along_path(plan.path, plan.count, ahead, place)
     x, y = place.x - sight.x, place.y - sight.y
     away = max(length(x, y), 1e-9)
-    place_on(plan.path, plan.count, 2.0 * ahead, place)
-    bend = bend_between(x, y, place.x - sight.x - x, place.y - sight.y - y)
+    place_along_path(plan.path, plan.count, 2.0 * ahead, place)
+    bend = bend_angle(x, y, place.x - sight.x - x, place.y - sight.y - y)
     speed = min(bend_speed(k, play, bend, ahead), max(final, braking_speed(k, play.skills, plan.length)))
-    x, y, speed = hold_back(sight, k, play.skills, x / away, y / away, speed, final > 0.0)
+    x, y, speed = brake_before_robots(sight, k, play.skills, x / away, y / away, speed, final > 0.0)
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         ahead, left = into_frame(x, y, sight.cosine, sight.sine)
         drive_differential(command, sight, k, play.skills, ahead, left, plan.length, facing, speed)
@@ -86,7 +94,7 @@ def follow(command, memory, k, play, scratch, facing, final):
 
 
 @compiled
-def bend_between(x, y, then_x, then_y):
+def bend_angle(x, y, then_x, then_y):
     """Return the angle [rad], 0 or more, between two pieces of a path; 0 if either piece has no length."""
     if length(x, y) < 1e-6 or length(then_x, then_y) < 1e-6:
         return 0.0

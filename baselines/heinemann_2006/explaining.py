@@ -5,55 +5,55 @@
 
 import numpy as np
 
-from soccer_env.baselines.heinemann_2006.driving import note_crowd, ways_of
+from soccer_env.baselines.heinemann_2006.driving import fill_planner_settings, note_crowd
 from soccer_env.baselines.heinemann_2006.memory import ROLES, SCRATCH
 from soccer_env.baselines.heinemann_2006.team import act
 from soccer_env.baselines.weigel_2001.planner.potential import gradient
 from soccer_env.compiled import compiled
-from soccer_env.skills.sight import look
-from soccer_env.teams import Explanation, Mind
+from soccer_env.skills.sight import fill_sight
+from soccer_env.teams import DecisionInputs, Explanation
 from soccer_env.types import COMMAND
 
 
-def plan(mind: Mind) -> np.ndarray:
+def plan(mind: DecisionInputs) -> np.ndarray:
     """Return the path along which the player would drive now, from a new decision with a copy of its memory."""
     scratch, memory = np.zeros(1, SCRATCH), mind.memory.copy()
     memory["skill"]["wait"] = 0.0
-    plan_again(mind.beliefs, mind.tracks, memory, mind.noise.copy(), mind.constants, settings_of(mind), scratch)
+    decide_again(mind.beliefs, mind.tracks, memory, mind.noise.copy(), mind.constants, settings_of(mind), scratch)
     made = scratch["plan"][0, 0]
     path = made["path"][: made["count"]]
     return np.column_stack([path["x"], path["y"]])
 
 
-def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
+def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Return minus the gradient of the potential at each point, for the present places of the other robots."""
     scratch, slopes = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
     scratch["place"][0, 0] = tuple(target)
-    descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
+    fill_descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
     return slopes
 
 
-def settings_of(mind: Mind) -> np.ndarray:
+def settings_of(mind: DecisionInputs) -> np.ndarray:
     """Return the player's settings for its league's kind of base, shape (1,)."""
     kind = int(mind.constants["drive_kind"][0])
     return mind.settings[kind : kind + 1]
 
 
 @compiled
-def plan_again(beliefs, tracks, memory, noise, constants, settings, scratch):
+def decide_again(beliefs, tracks, memory, noise, constants, settings, scratch):
     """Decide as the team does, in a scratch record that the caller reads afterwards."""
     command = np.zeros(1, COMMAND)
     act(beliefs[0], tracks[0], memory[0], noise[0], command[0], constants[0], settings[0], scratch[0])
 
 
 @compiled
-def descent(beliefs, tracks, constants, settings, scratch, points, slopes):
+def fill_descent(beliefs, tracks, constants, settings, scratch, points, slopes):
     """Fill in minus the gradient of the potential at each point.  MH10"""
     k, play, work = constants[0], settings[0], scratch[0]
     work.sight.pace = 1.0
-    look(work.sight, beliefs[0], tracks[0], k)
+    fill_sight(work.sight, beliefs[0], tracks[0], k)
     note_crowd(work, k, play, False)
-    ways_of(work, k, play)
+    fill_planner_settings(work, k, play)
     ways = work.ways[0]
     for i in range(len(points)):
         u, v = points[i, 0] / ways.cell, points[i, 1] / ways.cell

@@ -14,7 +14,7 @@
 
 from math import atan2
 
-from soccer_env.baselines.chaser.goalkeeping import clear, may_clear
+from soccer_env.baselines.chaser.goalkeeping import clear_ball, may_clear
 from soccer_env.baselines.heinemann_2006.driving import drive_along
 from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.settings import KEEPERS, STANCES
@@ -34,12 +34,12 @@ def keep_goal(command, memory, k, play, scratch):
     facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
     if play.keeper == ACTIVE and is_shot(sight, k, play):
         x, y = interception(sight, k, play)
-        move_to(command, memory, k, play, sight, x, y, facing)
+        drive_straight_to(command, memory, k, play, sight, x, y, facing)
     elif may_clear(sight, k, play.skills):
-        clear(command, sight, memory.skill, k, play.skills)
+        clear_ball(command, sight, memory.skill, k, play.skills)
     else:
         x, y = passive_place(sight.ball_x, sight.ball_y, k, play)
-        move_to(command, memory, k, play, sight, x, y, facing)
+        drive_straight_to(command, memory, k, play, sight, x, y, facing)
 
 
 @compiled
@@ -81,7 +81,7 @@ def interception(sight, k, play):
     ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
     line = -0.5 * k.pitch_length + play.keeper_out
     last = max((line - sight.ball_x) / ux, 0.0)  # [m] along the trajectory to the keeper's line
-    nearest = foot(sight.x - sight.ball_x, sight.y - sight.ball_y, ux, uy, last)
+    nearest = distance_to_foot(sight.x - sight.ball_x, sight.y - sight.ball_y, ux, uy, last)
     if play.keeper_waits == 0:
         return sight.ball_x + nearest * ux, sight.ball_y + nearest * uy
     best, best_spare = nearest, spare_time(sight, ux, uy, speed, nearest, k, play)
@@ -96,7 +96,7 @@ def interception(sight, k, play):
 
 
 @compiled
-def foot(x, y, ux, uy, last):
+def distance_to_foot(x, y, ux, uy, last):
     """Return the distance [m], 0 to `last`, along the line (ux, uy) to the foot of the perpendicular from (x, y)."""
     return clip(x * ux + y * uy, 0.0, last)
 
@@ -116,7 +116,7 @@ def spare_time(sight, ux, uy, speed, along, k, play):
 
 
 @compiled
-def move_to(command, memory, k, play, sight, x, y, facing):
+def drive_straight_to(command, memory, k, play, sight, x, y, facing):
     """Drive straight to a point, limited only by the base's acceleration: nobody else is in the goal area."""
     dx, dy = x - sight.x, y - sight.y
     away = length(dx, dy)

@@ -13,7 +13,7 @@ from math import inf, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.skills.sight import rolls_to
+from soccer_env.skills.sight import predict_ball
 
 STEP = 0.1  # [s] between two moments at which a ball could be met, assumed
 
@@ -55,7 +55,7 @@ def meeting_time(sight, x, y, vx, vy, most, k):
     """
     t = 0.0
     while t < most:
-        dx, dy = rolls_to(sight, k, t)
+        dx, dy = predict_ball(sight, k, t)
         dx, dy = dx - x, dy - y
         away = max(length(dx, dy), 1e-6)
         speed = clip((vx * dx + vy * dy) / away, -k.drive_forward, k.drive_forward)

@@ -6,7 +6,7 @@ from soccer_env.baselines.chaser.team import MEMORY as SKILL_MEMORY
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, PLAN, POINT
 from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
-from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, Range, record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, Range, ranged_record
 from soccer_env.records.beliefs import SITUATION
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import PHASE
@@ -14,7 +14,7 @@ from soccer_env.types import PHASE
 KEEPER, ATTACKER, DEFENDER, SUPPORTER = range(4)
 ROLES = ("goalkeeper", "attacker", "defender", "supporter")
 
-CALL = record(
+CALL = ranged_record(
     [  # what the referee box says by radio
         ("phase", "i8", PHASE),  # Phase
         ("placing", "i8", FLAG),  # 1 while robots are driven to their places
@@ -23,7 +23,7 @@ CALL = record(
     ]
 )
 
-MEMORY = record(
+MEMORY = ranged_record(
     [
         ("begun", "i8", FLAG),  # 0 before the first decision
         ("role", "i8", Range(0, len(ROLES) - 1)),  # ROLES

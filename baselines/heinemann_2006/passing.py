@@ -13,8 +13,8 @@ from math import inf
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.skills.moves import lane_room, turned_away
-from soccer_env.skills.set_pieces import strength_for
+from soccer_env.skills.moves import lane_room, misalignment
+from soccer_env.skills.set_pieces import kick_strength_for
 
 LED = 0.4  # [s] of a mate's motion by which a pass is led, assumed
 TURN_COST = 0.8  # [m] towards the goal that a pass may lose for a quarter turn less, assumed
@@ -34,7 +34,7 @@ def choose_pass(sight, k, play, pressed):
     for i in range(sight.others):
         if sight.mate[i] == 0 or sight.field[i] == 0:
             continue
-        x, y = led_spot(sight, k, i)
+        x, y = predict_pass_target(sight, k, i)
         dx, dy = x - sight.ball_x, y - sight.ball_y
         far = max(length(dx, dy), 1e-6)
         gain = goal_distance(k, sight.ball_x, sight.ball_y) - goal_distance(k, x, y)
@@ -42,16 +42,16 @@ def choose_pass(sight, k, play, pressed):
             continue
         ux, uy = dx / far, dy / far
         room = lane_room(sight, k, ux, uy, far + k.body_reach)
-        if room < play.pass_room or opponent_near(sight, x, y, play.pass_free):
+        if room < play.pass_room or is_opponent_near(sight, x, y, play.pass_free):
             continue
-        worth = gain + LANE_WORTH * room - TURN_COST * turned_away(sight, ux, uy)
+        worth = gain + LANE_WORTH * room - TURN_COST * misalignment(sight, ux, uy)
         if worth > best:
             best, best_x, best_y, best_far = worth, ux, uy, far
     return best_x, best_y, best_far, best
 
 
 @compiled
-def led_spot(sight, k, i):
+def predict_pass_target(sight, k, i):
     """Return the predicted place [m, m] of another player when a pass arrives, held inside the pitch."""
     edge_x, edge_y = 0.5 * k.pitch_length - EDGE, 0.5 * k.pitch_width - EDGE
     x, y = sight.other_x[i] + LED * sight.other_vx[i], sight.other_y[i] + LED * sight.other_vy[i]
@@ -65,7 +65,7 @@ def goal_distance(k, x, y):
 
 
 @compiled
-def opponent_near(sight, x, y, near):
+def is_opponent_near(sight, x, y, near):
     """Tell whether an opponent is nearer than `near` [m] to a place."""
     for i in range(sight.others):
         if sight.mate[i] == 0 and length(sight.other_x[i] - x, sight.other_y[i] - y) < near:
@@ -84,11 +84,11 @@ def is_at_kicker(sight, play):
 @compiled
 def pass_strength(k, play, far):
     """Return the strength [1] of a pass over a distance [m]: enough to arrive at `pass_arrival`, at most 1.  MH04"""
-    return strength_for(k, far, play.pass_arrival) if play.pass_strength == 1 else 1.0
+    return kick_strength_for(k, far, play.pass_arrival) if play.pass_strength == 1 else 1.0
 
 
 @compiled
-def own_ball(sight):
+def own_team_is_nearer(sight):
     """Tell whether the own team is nearer to the ball than the opponents."""
     own, other = sight.distance, inf
     for i in range(sight.others):

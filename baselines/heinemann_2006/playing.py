@@ -8,27 +8,27 @@ ball: a path may end at a ring of robots, or a player may wait for an opponent t
 
 from math import atan2
 
-from soccer_env.baselines.chaser.attacking import comes_to_me, receive
+from soccer_env.baselines.chaser.attacking import ball_comes_to_me, receive_ball
 from soccer_env.baselines.chaser.supporting import support_point
-from soccer_env.baselines.chaser.team import watch_ball
+from soccer_env.baselines.chaser.team import time_stuck_ball
 from soccer_env.baselines.heinemann_2006.attacking import attack
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
 from soccer_env.baselines.heinemann_2006.memory import KEEPER
-from soccer_env.baselines.heinemann_2006.passing import open_place, own_ball
+from soccer_env.baselines.heinemann_2006.passing import open_place, own_team_is_nearer
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.skills.deciding import PLAY, free_ring
-from soccer_env.skills.searching import LOST, end_search, search
+from soccer_env.skills.deciding import PLAY, required_ball_distance
+from soccer_env.skills.searching import LOST, end_search, search_for_ball
 from soccer_env.skills.set_pieces import (
     HOLDS_OFF,
-    holds_off,
     leave_ball,
     note_set_piece,
-    round_ball,
+    should_block_opponent,
     take_restart,
     wait_for_pass,
+    waypoint_round_ball,
 )
 from soccer_env.skills.sight import side_of
 
@@ -46,7 +46,7 @@ def decide(belief, command, memory, noise, k, play, scratch):
     hear(belief.situation, told, memory, sight, play)
     memory.drove = max(memory.drove - 1, 0)
     if belief.ball.age > LOST:
-        search(belief, command, sight, memory.skill, k, play.skills)
+        search_for_ball(belief, command, sight, memory.skill, k, play.skills)
         return
     end_search(memory.skill)
     if belief.situation.keeper == 1:
@@ -55,7 +55,7 @@ def decide(belief, command, memory, noise, k, play, scratch):
     else:
         choose_role(sight, memory, k, play)
         note_set_piece(told, sight, memory.skill, k)
-        watch_ball(sight, memory.skill, noise, k, play.skills)
+        time_stuck_ball(sight, memory.skill, noise, k, play.skills)
         note_standing(told, memory, sight)
         memory.arrived = 0
         play_role(told, command, memory, k, play, scratch)
@@ -65,7 +65,7 @@ def decide(belief, command, memory, noise, k, play, scratch):
 def hear(situation, told, memory, sight, play):
     """Fill in the state of the match as the referee box has sent it by radio, with the radio's delay.  MH05"""
     heard, said = memory.heard, memory.said
-    memory.said_age = 0.0 if is_new(situation, said) else memory.said_age + sight.elapsed
+    memory.said_age = 0.0 if is_new_call(situation, said) else memory.said_age + sight.elapsed
     said.phase, said.placing = situation.phase, situation.placing
     said.ours, said.clock = situation.ours, situation.phase_clock
     heard.clock += sight.elapsed
@@ -77,7 +77,7 @@ def hear(situation, told, memory, sight, play):
 
 
 @compiled
-def is_new(situation, said):
+def is_new_call(situation, said):
     """Tell whether the referee has made a call since the last call that the player has heard."""
     same = situation.phase == said.phase and situation.placing == said.placing and situation.ours == said.ours
     return not same or situation.phase_clock < said.clock
@@ -93,14 +93,14 @@ def play_role(situation, command, memory, k, play, scratch):
         else:
             wait_for_pass(command, sight, k, play.skills)
     elif memory.detour > 0.0 and situation.phase == PLAY:
-        go_round(command, memory, k, play, scratch)
+        drive_round_ball(command, memory, k, play, scratch)
     elif skill.set_piece > 0.0:
         leave_ball(command, sight, k, play.skills)
-    elif skill.rank > 0 and play.intercepts == 1 and situation.phase == PLAY and comes_to_me(sight, k):
-        receive(command, sight, k, play.skills)
+    elif skill.rank > 0 and play.intercepts == 1 and situation.phase == PLAY and ball_comes_to_me(sight, k):
+        receive_ball(command, sight, k, play.skills)
     elif skill.rank > (1 if skill.set_piece < 0.0 else 0) or (situation.phase != PLAY and situation.ours < 0.0):
-        stand_ready(command, memory, k, play, scratch, free_ring(situation, k))
-    elif holds_off(sight, k):
+        stand_ready(command, memory, k, play, scratch, required_ball_distance(situation, k))
+    elif should_block_opponent(sight, k):
         stand_ready(command, memory, k, play, scratch, HOLDS_OFF)
     else:
         attack(command, memory, k, play, scratch)
@@ -111,9 +111,9 @@ def stand_ready(command, memory, k, play, scratch, ring):
     """Drive to the role's place, at least `ring` [m] from the ball, facing the ball all the while."""
     sight = scratch.sight
     x, y = support_point(sight, memory.skill, k, play.skills, ring, False)
-    if play.stands_open == 1 and ring == 0.0 and memory.skill.rank >= 2 and own_ball(sight):
+    if play.stands_open == 1 and ring == 0.0 and memory.skill.rank >= 2 and own_team_is_nearer(sight):
         x, y = open_place(sight, memory.skill, k)
-        x, y = round_ball(sight, k, x, y)
+        x, y = waypoint_round_ball(sight, k, x, y)
     drive_to(command, memory, k, play, scratch, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 
@@ -132,7 +132,7 @@ def note_standing(situation, memory, sight):
 
 
 @compiled
-def go_round(command, memory, k, play, scratch):
+def drive_round_ball(command, memory, k, play, scratch):
     """Drive a quarter round the ball, always to the same side."""
     sight = scratch.sight
     x, y = sight.x - sight.ball_x, sight.y - sight.ball_y

@@ -7,7 +7,7 @@ The shared skills read `skill.rank`: 0 attacks, 1 defends, 2 and on support in p
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from soccer_env.baselines.chaser.team import way_to_ball
+from soccer_env.baselines.chaser.team import path_length_to_ball
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, SUPPORTER
 from soccer_env.compiled import compiled
@@ -42,12 +42,12 @@ def right_rank(sight, memory, k, play):
                 first, least = i, way
     if first < 0:
         return 0
-    mine = way_back(sight.x, sight.y, sight, k)
+    mine = distance_to_defender_place(sight.x, sight.y, sight, k)
     mine -= keeps if memory.skill.rank == 1 else 0.0
     rank = 1
     for i in range(sight.others):
         counts = sight.mate[i] == 1 and sight.field[i] == 1 and i != first
-        if counts and way_back(sight.other_x[i], sight.other_y[i], sight, k) < mine:
+        if counts and distance_to_defender_place(sight.other_x[i], sight.other_y[i], sight, k) < mine:
             rank += 1
     return rank
 
@@ -56,12 +56,12 @@ def right_rank(sight, memory, k, play):
 def way_there(sight, k, play, x, y, vx, vy):
     """Return a player's path length [m] to the ball; for a rolling ball, the meeting time times the top speed.  MH22"""
     if play.intercepts == 0 or length(sight.ball_vx, sight.ball_vy) < ROLLS:
-        return way_to_ball(sight, play.skills, x, y, vx, vy)
+        return path_length_to_ball(sight, play.skills, x, y, vx, vy)
     return k.drive_forward * meeting_time(sight, x, y, vx, vy, play.lead, k)
 
 
 @compiled
-def way_back(x, y, sight, k):
+def distance_to_defender_place(x, y, sight, k):
     """Return the distance [m] from (x, y) to the defender's place, half-way between ball and own goal."""
     place_x, place_y = 0.5 * (sight.ball_x - 0.5 * k.pitch_length + MOUTH), 0.5 * sight.ball_y
     return length(x - place_x, y - place_y)

@@ -108,7 +108,7 @@ TEAM_SETTINGS = np.dtype(
 )
 
 
-def settings_of(settings: HeinemannSettings) -> np.ndarray:
+def settings_records(settings: HeinemannSettings) -> np.ndarray:
     """Return the settings records that compiled code reads, one for each of `DRIVE_KINDS`."""
     rows = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
     own = settings.record()

@@ -11,7 +11,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length
 from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.skills.moves import avoid_others, push, turn_by
-from soccer_env.skills.sight import rolls_to, side_of
+from soccer_env.skills.sight import predict_ball, side_of
 
 GLANCE_TILT = -12.0 * pi / 180.0  # [rad] at which a dribbler sees players near and far, assumed
 GLANCE_PAN = 40.0 * pi / 180.0  # [rad] to both sides, in turn, assumed
@@ -28,7 +28,7 @@ TOUCHING = 0.15  # [1] of the top speed ahead with which an orbiting robot keeps
 def walk_to_ball(command, sight, k, play, speed):
     """Walk to the point where a rolling ball can be met, turning to that point; `speed` [m/s]."""
     gap = max(sight.distance - sight.touch, 0.0)
-    x, y = rolls_to(sight, k, clip(gap / max(speed, 1e-3), LEAST_DELAY, play.lead))
+    x, y = predict_ball(sight, k, clip(gap / max(speed, 1e-3), LEAST_DELAY, play.lead))
     dx, dy = x - sight.x, y - sight.y
     away = max(length(dx, dy), 1e-6)
     dx, dy = dx / away, dy / away
@@ -139,7 +139,7 @@ def look_around(command, memory, k, bearing, elapsed):
 
 
 @compiled
-def search(command, sight, memory, k, play, bearing, elapsed):
+def search_for_ball(command, sight, memory, k, play, bearing, elapsed):
     """Turn on the spot, to the side where the ball was last, and sweep the head over the field, then the feet."""
     if memory.clock == 0.0 or memory.side == 0.0:
         memory.side = side_of(bearing)

@@ -12,12 +12,12 @@ from soccer_env.baselines.sacks_2001.memory import APPROACH, BEHAVIOURS, DRIBBLE
 from soccer_env.baselines.sacks_2001.steering import direction_to_goal, force_of_players
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length, out_of_frame
-from soccer_env.teams import Explanation, Mind
+from soccer_env.teams import DecisionInputs, Explanation
 
 WAY_SHOWN = 0.5  # [m] of the way of a dribble, which has a direction and no end
 
 
-def plan(mind: Mind) -> np.ndarray:
+def plan(mind: DecisionInputs) -> np.ndarray:
     """Return the path of the player's approach to the ball or of its dribble; the player plans no other paths."""
     own, ball, memory = mind.beliefs["own"][0], mind.beliefs["ball"][0], mind.memory[0]
     place = np.array([own["x"], own["y"]])
@@ -28,7 +28,7 @@ def plan(mind: Mind) -> np.ndarray:
     return np.zeros((0, 2))
 
 
-def forces(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
+def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Return the total force on the robot, with its present heading, at each point; the goal replaces `target`."""
     total = np.zeros((len(points), 2))
     beliefs, tracks = mind.beliefs.copy(), mind.tracks.copy()
@@ -41,7 +41,7 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
     """Fill in the force at each point, with the code that steers the team's dribbling."""
     k, play, own, moved = constants[0], settings[0], beliefs[0].own, moved_beliefs[0]
     for i in range(len(points)):
-        move_to(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
+        move_own_place(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
         goal_x, goal_y = direction_to_goal(moved.own, k)
         pull_x, pull_y = goal_force(goal_x, goal_y, play)
         push_x, push_y = force_of_players(moved, moved_tracks[0], goal_x, goal_y, k, play)
@@ -51,7 +51,7 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
 
 
 @compiled
-def move_to(belief, tracks, moved, moved_tracks, x, y):
+def move_own_place(belief, tracks, moved, moved_tracks, x, y):
     """Move the believed own place to (x, y) in `moved` and `moved_tracks`; other robots stay where they are."""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
     ahead, left = into_frame(x - belief.own.x, y - belief.own.y, cosine, sine)

@@ -11,7 +11,7 @@ from math import atan2
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.skills.moves import faces, go, turn_by, way_clear
+from soccer_env.skills.moves import clearing_direction, faces, go, turn_by
 
 FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay; speed of a ball of unknown speed, assumed
 CLEAR_COSINE = 0.77  # [1] of the angle to the way clear of the goal within which it kicks, 40 degrees, assumed
@@ -25,7 +25,7 @@ def is_shot(ball, play):
 
 
 @compiled
-def passes_by(ball):
+def passing_distance(ball):
     """Return how far to the left of the robot [m] a ball that rolls straight on will pass: d^2 w / speed.  MS53
 
     The estimate needs only the radial and angular velocity relative to the robot.
@@ -41,7 +41,7 @@ def meet_shot(command, sight, ball, k, play):
 
     Without angular velocity the goalkeeper uses the bearing alone and keeps the ball straight ahead.
     """
-    aside = passes_by(ball) if play.angular_keeper == 1 else ball.distance * ball.bearing
+    aside = passing_distance(ball) if play.angular_keeper == 1 else ball.distance * ball.bearing
     within = play.settle
     if play.keeper_speed == 1 and ball.radial < -FAST:
         within = 0.25 * play.settle
@@ -92,5 +92,5 @@ def may_clear(sight, play, k):
 @compiled
 def can_clear(situation, sight, k, play):
     """Tell whether a goalkeeper with the ball kicks it clear now: the goalkeeper faces away from its goal."""
-    ux, uy = way_clear(sight, k)
+    ux, uy = clearing_direction(sight, k)
     return play.keeper_clears == 1 and situation.keeper == 1 and faces(sight, ux, uy, CLEAR_COSINE)

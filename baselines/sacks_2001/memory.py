@@ -1,6 +1,6 @@
 """What a player of sacks-2001 remembers between two decisions."""
 
-from soccer_env.guards.ranges import COUNT, ENDLESS, FLAG, LATELY, NUMBER, UNIT, Range, record
+from soccer_env.guards.ranges import COUNT, ENDLESS, FLAG, LATELY, NUMBER, UNIT, Range, ranged_record
 
 SEARCH, APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS, SUPPORT, GUARD, YIELD = range(12)
 BEHAVIOURS = (
@@ -8,7 +8,7 @@ BEHAVIOURS = (
     "dribble", "shoot", "pass", "support", "guard", "yield",
 )  # fmt: skip
 
-MEMORY = record(
+MEMORY = ranged_record(
     [
         ("begun", "i8", FLAG),  # 0 before the first decision
         ("behaviour", "i8", Range(0, len(BEHAVIOURS) - 1)),  # the one that was chosen last

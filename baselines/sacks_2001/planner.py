@@ -22,7 +22,7 @@ from soccer_env.baselines.sacks_2001.actuators import (
     look_down,
     orbit,
     rotate,
-    search,
+    search_for_ball,
     sidestep,
     step_with_ball,
     turn_with_ball,
@@ -48,11 +48,17 @@ from soccer_env.baselines.sacks_2001.memory import (
 from soccer_env.baselines.sacks_2001.positions import choose_role, go_home, support
 from soccer_env.baselines.sacks_2001.recovery import begin_recovery, go_on_recovering
 from soccer_env.baselines.sacks_2001.shooting import choose_target, find_pass, may_shoot
-from soccer_env.baselines.sacks_2001.steering import choose_way, off_ahead, step_speed
-from soccer_env.baselines.sacks_2001.stuck import forget_approach, is_near, is_stuck, share_of_step, watch_approach
+from soccer_env.baselines.sacks_2001.steering import choose_dribble_direction, off_ahead, step_speed
+from soccer_env.baselines.sacks_2001.stuck import (
+    is_near,
+    is_stuck,
+    reset_approach_counters,
+    share_of_step,
+    watch_approach,
+)
 from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
-from soccer_env.skills.deciding import free_ring
+from soccer_env.skills.deciding import required_ball_distance
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, wait_at_area
 from soccer_env.skills.sight import side_of
 
@@ -69,19 +75,19 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
     before = memory.behaviour
     note_sighting(belief, memory, k, play, elapsed)
     note_possession(belief.ball, memory, k, play, elapsed)
-    memory.behaviour = choose(belief, tracks, memory, sight, k, play, elapsed)
+    memory.behaviour = choose_behaviour(belief, tracks, memory, sight, k, play, elapsed)
     memory.clock = memory.clock + elapsed if memory.behaviour == before else 0.0
     if memory.behaviour != SEARCH:
         memory.turned = 0.0
     memory.glances = 0
     act(belief, tracks, memory, command, sight, k, play, elapsed)
     if play.keeps_out == 1 and may_not_enter(belief.situation, k) and not is_kicking(memory):
-        keep_out(memory, command, sight, k, play)
+        leave_penalty_area(memory, command, sight, k, play)
     memory.winding = memory.winding + elapsed if command.kick > 0.0 else 0.0
 
 
 @compiled
-def keep_out(memory, command, sight, k, play):
+def leave_penalty_area(memory, command, sight, k, play):
     """Walk out of the own penalty area and leave a ball in it to the goalkeeper, by the rules, not by the paper."""
     in_it = is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius)
     if not leave_area(command, sight, k, play, 0.0) and in_it and memory.behaviour == APPROACH:
@@ -89,7 +95,7 @@ def keep_out(memory, command, sight, k, play):
 
 
 @compiled
-def choose(belief, tracks, memory, sight, k, play, elapsed):
+def choose_behaviour(belief, tracks, memory, sight, k, play, elapsed):
     """Return the behaviour for this moment."""
     situation, ball = belief.situation, belief.ball
     recovers = BACK <= memory.behaviour <= ROTATE
@@ -106,7 +112,7 @@ def choose(belief, tracks, memory, sight, k, play, elapsed):
     choose_role(belief, memory, play, elapsed)
     waits = wait_for_ball(situation, memory, sight, k, play, has_ball)
     if waits != APPROACH:
-        forget_approach(memory)  # MS22
+        reset_approach_counters(memory)  # MS22
         return waits
     return choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed)
 
@@ -116,7 +122,7 @@ def wait_for_ball(situation, memory, sight, k, play, has_ball):
     """Return the behaviour of a player that leaves the ball to other players, or APPROACH if it goes for the ball."""
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
         return GUARD
-    if free_ring(situation, k) > 0.0:
+    if required_ball_distance(situation, k) > 0.0:
         return YIELD
     if situation.keeper == 0 and memory.attacks == 0 and not has_ball:
         return SUPPORT
@@ -139,9 +145,9 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
             return BACK
         return APPROACH
     if memory.clock >= REALLY_HAS:
-        forget_approach(memory)
+        reset_approach_counters(memory)
     memory.tries = 0
-    off = wrap(aim(sight, memory, k, play) - sight.heading)
+    off = wrap(choose_aim(sight, memory, k, play) - sight.heading)
     shoots = may_shoot(belief, tracks, sight, memory, k, play)
     clears = memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play)
     if clears or (shoots and abs(off) < play.orbit_until):
@@ -171,7 +177,7 @@ def is_contested(belief, tracks, play):
 
 
 @compiled
-def aim(sight, memory, k, play):
+def choose_aim(sight, memory, k, play):
     """Return the direction [rad], team frame, from the ball to its target in the goal, plus the aiming error."""
     ux, uy = choose_target(sight, k, play)
     return wrap(atan2(uy, ux) + memory.aim_error)
@@ -203,15 +209,15 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
         else:
             guard(command, sight, k, play)
     elif chosen in (SUPPORT, YIELD):
-        support(command, sight, memory, belief.situation, k, play, free_ring(belief.situation, k))
+        support(command, sight, memory, belief.situation, k, play, required_ball_distance(belief.situation, k))
     else:
         play_ball(belief, tracks, memory, command, sight, k, play, elapsed)
-    if has_time(belief, memory, k, play):
+    if has_time_to_look(belief, memory, k, play):
         look_around(command, memory, k, belief.ball.bearing, elapsed)
 
 
 @compiled
-def has_time(belief, memory, k, play):
+def has_time_to_look(belief, memory, k, play):
     """Tell whether a player unsure of its pose has time to look for landmarks now: the ball is not near."""
     chosen = memory.behaviour
     if belief.own.confidence > play.unsure or is_near(belief.ball, k, play):
@@ -224,7 +230,7 @@ def play_ball(belief, tracks, memory, command, sight, k, play, elapsed):
     """Shoot, pass, orbit or dribble."""
     chosen = memory.behaviour
     look_down(command, k)
-    off = wrap(aim(sight, memory, k, play) - sight.heading)
+    off = wrap(choose_aim(sight, memory, k, play) - sight.heading)
     if chosen == SHOOT:
         command.kick = 1.0
         command.forward = sight.pace * 0.5
@@ -246,12 +252,12 @@ def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
     """Push the ball along the direction that the potential field gives, chosen anew every play.replan.  MS45"""
     memory.replan -= elapsed
     if memory.clock == 0.0 or memory.replan <= 0.0:
-        choose_way(belief, tracks, memory, k, play)
+        choose_dribble_direction(belief, tracks, memory, k, play)
         memory.replan += (
             play.replan if memory.clock > 0.0 and memory.replan > -play.replan else play.replan - memory.replan
         )
     off = off_ahead(belief, tracks, memory, k, play)
-    goal = wrap(aim(sight, memory, k, play) - sight.heading)
+    goal = wrap(choose_aim(sight, memory, k, play) - sight.heading)
     step_with_ball(command, sight, k, play, off, step_speed(k, play), goal)
     glance(command, memory, belief.own, k, play, off, elapsed)
 
@@ -278,7 +284,7 @@ def pass_ball(command, memory, sight, k, play):
 def look_for_ball(belief, memory, command, sight, k, play, elapsed):
     """Turn a full circle on the spot to find the ball; then walk to the player's own place and look again."""
     if memory.turned < FULL_TURN:
-        search(command, sight, memory, k, play, belief.ball.bearing, elapsed)
+        search_for_ball(command, sight, memory, k, play, belief.ball.bearing, elapsed)
         return
     go_home(command, sight, belief.situation, k, play)
     memory.turned += elapsed * FULL_TURN / STAY_HOME

@@ -6,7 +6,7 @@
 from math import cos, sin
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP
-from soccer_env.baselines.sacks_2001.stuck import forget_approach
+from soccer_env.baselines.sacks_2001.stuck import reset_approach_counters
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.skills.sight import side_of
@@ -18,7 +18,7 @@ ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed
 @compiled
 def begin_recovery(memory, k, play):
     """Begin the recovery with steps backwards: set the time for them and the clock.  MS23"""
-    forget_approach(memory)
+    reset_approach_counters(memory)
     memory.tries += 1
     memory.behaviour, memory.clock = BACK, 0.0
     memory.left = play.back_steps * k.gait_steps * k.dt
@@ -36,7 +36,7 @@ def go_on_recovering(belief, tracks, memory, k, play, elapsed):
     step = k.gait_steps * k.dt
     if memory.behaviour != BACK:
         memory.behaviour = APPROACH
-        forget_approach(memory)
+        reset_approach_counters(memory)
     elif abs(bearing) > play.rotate_beyond:  # MS25
         memory.behaviour = ROTATE
         memory.left = play.rotate_steps * step

@@ -13,7 +13,7 @@ from math import atan2
 from soccer_env.baselines.sacks_2001.steering import direction_to_goal, force_of_players
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
-from soccer_env.skills.moves import choose_shot, lane_room, shot_room, turned
+from soccer_env.skills.moves import choose_shot, lane_room, rotate_vector, shot_room
 
 NEAREST_PASS, FARTHEST_PASS = 0.4, 1.4  # [m] a soft kick rolls about a metre, assumed
 WIDEST_PASS = 1.2  # [rad] beside straight ahead, assumed
@@ -37,7 +37,7 @@ def may_shoot(belief, tracks, sight, memory, k, play):
     if play.shoots == 0:
         return False
     if play.choose_shots == 1:
-        return memory.foiled <= 0.0 and is_open(sight, memory, k, play)
+        return memory.foiled <= 0.0 and is_shot_open(sight, memory, k, play)
     return play.avoidance == 0 or not is_somebody_in_way(belief, tracks, k, play)
 
 
@@ -50,12 +50,12 @@ def is_somebody_in_way(belief, tracks, k, play):
 
 
 @compiled
-def is_open(sight, memory, k, play):
+def is_shot_open(sight, memory, k, play):
     """Tell whether a kick straight ahead would go in between the posts, from not too far, past the opponents."""
     x = 0.5 * k.pitch_length - sight.ball_x
     if length(x, sight.ball_y) > play.shot_range:
         return False
-    ux, uy = turned(sight.now_cosine, sight.now_sine, memory.aim_error)
+    ux, uy = rotate_vector(sight.now_cosine, sight.now_sine, memory.aim_error)
     return shot_room(sight, k, ux, uy) > play.shot_room
 
 

@@ -25,7 +25,7 @@ def direction_to_goal(own, k):
 
 
 @compiled
-def choose_way(belief, tracks, memory, k, play):
+def choose_dribble_direction(belief, tracks, memory, k, play):
     """Choose the direction of a dribble: memory.way [rad], team frame, and its side of the goal's direction."""
     own = belief.own
     goal_x, goal_y = direction_to_goal(own, k)
@@ -35,7 +35,7 @@ def choose_way(belief, tracks, memory, k, play):
     off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
     if play.decisive == 1 and off * memory.way_side < 0.0:
         off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, k, play)
-    off = kept_longer(memory, off, play)
+    off = delay_side_change(memory, off, play)
     memory.way = wrap(atan2(goal_y, goal_x) + off)
 
 
@@ -104,7 +104,7 @@ def angle_between(ax, ay, bx, by):
 
 
 @compiled
-def kept_longer(memory, off, play):
+def delay_side_change(memory, off, play):
     """Return the angle off the goal's direction; it changes side only after play.patience requests in a row.  4.3.3"""
     if off == 0.0:
         return off

@@ -50,11 +50,11 @@ def is_stuck(ball, memory, k, play):
 @compiled
 def is_near(ball, k, play):
     """Tell whether the ball, by the steadier filtered estimate, is near enough for shorter steps.  MS20"""
-    return from_camera(ball.filtered_distance, ball.filtered_bearing, k) < play.near
+    return distance_from_camera(ball.filtered_distance, ball.filtered_bearing, k) < play.near
 
 
 @compiled
-def from_camera(distance, bearing, k):
+def distance_from_camera(distance, bearing, k):
     """Convert a ball's distance from the body's middle to its ground distance [m] from the camera, head level, ahead.
 
     The paper's ranges are readings, which count from the camera.
@@ -70,12 +70,12 @@ def share_of_step(ball, k, play):
     ball's relative velocity drops close to zero": 35 cm is where "its step size begins to decrease", `near_step` of a
     full one where it has become as small as it gets.  MS21
     """
-    gap = from_camera(ball.distance, ball.bearing, k)
+    gap = distance_from_camera(ball.distance, ball.bearing, k)
     return clip(gap / max(play.near, ROUNDING), play.near_step, 1.0)
 
 
 @compiled
-def forget_approach(memory):
+def reset_approach_counters(memory):
     """Set the counters of the approach to zero."""
     memory.stuck = 0
     memory.near = 0.0

@@ -11,7 +11,7 @@ from soccer_env.baselines.sacks_2001.planner import decide
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.compiled import compiled
 from soccer_env.skills.deciding import apply_strength, keep_decision, must_decide
-from soccer_env.skills.sight import SIGHT, look
+from soccer_env.skills.sight import SIGHT, fill_sight
 from soccer_env.teams import CompiledTeam
 from soccer_env.teams.kernels import per_player
 
@@ -49,7 +49,7 @@ def act(belief, tracks, memory, noise, command, k, play, sight):
     if not must_decide(belief, memory, command, k):
         return
     apply_strength(sight, memory, noise, k, 1.0 - play.strength, play.weak_wait, play.weak_aim, play.weak_pace)
-    look(sight, belief, tracks, k)
+    fill_sight(sight, belief, tracks, k)
     decide(belief, tracks, memory, command, sight, k, play, sight.elapsed)
     keep_decision(memory, command)
 

@@ -7,17 +7,23 @@ import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from soccer_env.api.infos import FlatArrays
-from soccer_env.api.nested_arrays import NestedArrays
-from soccer_env.api.opponents import Met, against
-from soccer_env.api.report import Screen, check_options, check_render_mode, kind_of_infos
-from soccer_env.api.shown import Shown
+from soccer_env.api.infos import FlatInfoArrays
+from soccer_env.api.nested_arrays import NestedInfoArrays
+from soccer_env.api.opponents import OpponentNames, with_opponents
+from soccer_env.api.report import MatchScreen, check_infos_kind, check_options, check_render_mode
+from soccer_env.api.shown import ShowsMatch
 from soccer_env.guards.names import Made
-from soccer_env.guards.turns import held
+from soccer_env.guards.turns import with_signals_held
 from soccer_env.gymnasium_envs import choose_learner
 from soccer_env.match import Match
-from soccer_env.match.arguments import InfoKind, VectorArguments, by_settings, made_from, part_of
-from soccer_env.observations.own import copied, pick, space_of
+from soccer_env.match.arguments import (
+    InfoKind,
+    VectorArguments,
+    init_takes_fields_of,
+    reduce_by_settings,
+    select_fields,
+)
+from soccer_env.observations.own import copy_arrays, index_arrays, space_from_form
 
 MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
     AutoresetMode.NEXT_STEP: "next_step",
@@ -26,7 +32,7 @@ MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
 OPTIONS = ("match_seeds", "opponents")  # of reset
 
 
-class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
+class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
     """One learner in each of `num_envs` matches, straight over the batched core.
 
     `help(SoccerVectorEnv.__init__)` explains the settings, the fields of `VectorArguments`. Infos have Gymnasium's
@@ -36,7 +42,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
 
-    @made_from(VectorArguments)
+    @init_takes_fields_of(VectorArguments)
     def __init__(self, arguments: VectorArguments) -> None:
         self.arguments = arguments
         mode = check_mode(arguments.autoreset_mode)
@@ -47,11 +53,11 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         self.match = Match(**settings, matches=arguments.num_envs, threads=arguments.threads, autoreset=MODES[mode])
         self.num_envs = self.match.count
         self._row = self.match.agents.index(self.agent)
-        self._met = Met(self.match, np.array([self._row]))
-        self._report = report_of(kind_of_infos(arguments.infos), self.match, self._row, self._met)
-        self._screen = Screen(self.match)
+        self._met = OpponentNames(self.match, np.array([self._row]))
+        self._report = make_report(check_infos_kind(arguments.infos), self.match, self._row, self._met)
+        self._screen = MatchScreen(self.match)
         self.metadata = {**self.metadata, "autoreset_mode": mode, "render_fps": self._screen.fps}
-        self.single_observation_space = space_of(self.match.seen.group_of(self._row).form)
+        self.single_observation_space = space_from_form(self.match.seen.group_of(self._row).form)
         self.single_action_space = self.match.settings.actions.space()
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
@@ -63,9 +69,9 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def __reduce__(self) -> Made:
         """Copy by settings: the copy needs a reset."""
-        return by_settings(SoccerVectorEnv, part_of(self.arguments, VectorArguments))
+        return reduce_by_settings(SoccerVectorEnv, select_fields(self.arguments, VectorArguments))
 
-    @held
+    @with_signals_held
     def reset(self, *, seed: Any = None, options: dict[str, Any] | None = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin an episode in all matches; return observations (num_envs, n) and infos.
 
@@ -77,9 +83,9 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         seeds = wanted.get("match_seeds")
         if seed is not None and seeds is not None:
             raise ValueError("reset takes a seed or the option match_seeds, got both")
-        match = against(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
+        match = with_opponents(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
         if isinstance(seed, (list, tuple, np.ndarray)):
-            match.reset(seeds=seeds_of_each(seed))
+            match.reset(seeds=seeds_of_matches(seed))
         else:
             match.reset(seed=seed, seeds=seeds)
             super().reset(seed=None if seed is None else int(seed))
@@ -88,11 +94,11 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             self.match = match
             self._screen.turn_to(match)
             self._met.turn_to(match)
-            self._report = report_of(kind_of_infos(self.arguments.infos), match, self._row, self._met)
+            self._report = make_report(check_infos_kind(self.arguments.infos), match, self._row, self._met)
         self._begun = True
         return self._observations(), self._infos()
 
-    @held
+    @with_signals_held
     def step(self, actions: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """Play one step of all matches; return observations (num_envs, n), rewards, terminated, truncated, infos.
 
@@ -123,7 +129,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             raise RuntimeError("save before reset: call reset")
         return self.match.save(rows)
 
-    @held
+    @with_signals_held
     def load(self, saved: bytes, rows: Any = None) -> tuple[np.ndarray, dict[str, Any]]:
         """Go on from a save, in all matches or in some, as `Match.load` does; return observations and infos of all.
 
@@ -149,7 +155,7 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def _observations(self) -> Any:
         """Return the learners' observations (num_envs, n) in a new array, or in a dict of new arrays."""
-        return copied(self.match.seen.of_robot(self.match.observations, self._row))
+        return copy_arrays(self.match.seen.of_robot(self.match.observations, self._row))
 
     def _infos(self) -> dict[str, Any]:
         return {} if self._report is None else self._report.infos()
@@ -159,7 +165,9 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
         report, match = self._report, self.match
         for index, m in enumerate(match.ended):
             last = {
-                "final_obs": copied(pick(match.seen.of_robot(match.final["observations"], self._row), index)),
+                "final_obs": copy_arrays(
+                    index_arrays(match.seen.of_robot(match.final["observations"], self._row), index)
+                ),
                 "final_info": {} if report is None else report.last(index),
             }
             infos = self._add_info(infos, last, int(m))
@@ -182,11 +190,13 @@ class SoccerVectorEnv(Shown, VectorEnv[np.ndarray, Any, np.ndarray]):
             self.match.close()
 
 
-def report_of(infos: InfoKind, match: Match, row: int, met: Met) -> FlatArrays | NestedArrays | None:
+def make_report(
+    infos: InfoKind, match: Match, row: int, met: OpponentNames
+) -> FlatInfoArrays | NestedInfoArrays | None:
     """Return the report that makes the infos of a robot (row) in each match."""
     if infos == "none":
         return None
-    return NestedArrays(match, row) if infos == "nested" else FlatArrays(match, row, infos == "full", met)
+    return NestedInfoArrays(match, row) if infos == "nested" else FlatInfoArrays(match, row, infos == "full", met)
 
 
 def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
@@ -197,7 +207,7 @@ def check_mode(mode: str | AutoresetMode) -> AutoresetMode:
     raise ValueError(f"autoreset_mode must be one of {', '.join(known.value for known in MODES)}, got {mode!r}")
 
 
-def seeds_of_each(seeds: Any) -> list[int]:
+def seeds_of_matches(seeds: Any) -> list[int]:
     """Return for each seed of a list the seed of its match; ValueError for a wrong seed."""
     from soccer_env.random_numbers import seeds_for
 

@@ -17,11 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.api.opponents import Met
-from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, Report, side_of
+from soccer_env.api.opponents import OpponentNames
+from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, NestedReport, team_of_agent
 from soccer_env.match import Match
 from soccer_env.match.arguments import InfoKind
-from soccer_env.statistics.figures import flat, numbers_of
+from soccer_env.statistics.figures import flatten_statistics, statistics_by_name
 from soccer_env.types import EVENTS, QUIET, ROBOT_EVENTS
 
 STANDING = ("active", "score_for", "score_against", "phase", "opponent")
@@ -29,7 +29,7 @@ EVENT_NAMES = tuple(name for name in EVENTS.names or () if name not in NO_EVENTS
 OWN_NAMES = ROBOT_EVENTS.names or ()
 
 
-def keys_of(match: Match) -> tuple[list[str], list[str], list[str]]:
+def event_and_reward_keys(match: Match) -> tuple[list[str], list[str], list[str]]:
     """Return the keys of a match's rewards, of its events, and of the events of a robot."""
     rewards = [f"reward_{name}" for name in match.term_names]
     return rewards, [f"event_{name}" for name in EVENT_NAMES], [f"own_{name}" for name in OWN_NAMES]
@@ -38,13 +38,13 @@ def keys_of(match: Match) -> tuple[list[str], list[str], list[str]]:
 class FlatReport:
     """Describe in numbers what happened in a step of a match, for the infos of some robots (rows)."""
 
-    def __init__(self, match: Match, rows: np.ndarray, full: bool, met: Met) -> None:
+    def __init__(self, match: Match, rows: np.ndarray, full: bool, met: OpponentNames) -> None:
         self._full = full
-        self._robots = [(match.agents[row], int(row), side_of(match.agents[row])) for row in rows]
+        self._robots = [(match.agents[row], int(row), team_of_agent(match.agents[row])) for row in rows]
         names = EVENTS.names or ()
         self._chosen = itemgetter(*(names.index(name) for name in EVENT_NAMES))
         self._quiet, self._own_quiet = self._chosen(QUIET.item()), (0,) * len(OWN_NAMES)
-        self._rewards, self._events, self._own = keys_of(match)
+        self._rewards, self._events, self._own = event_and_reward_keys(match)
         keys = (*STANDING, *self._rewards, *self._events, *self._own)
         nothing = True, 0, 0, 0, 0, *(0.0,) * len(self._rewards), *self._quiet, *self._own_quiet
         self._nothing = dict(zip(keys, nothing, strict=True))
@@ -86,19 +86,22 @@ class FlatReport:
             if own[row] != self._own_quiet:
                 info.update(zip(self._own, own[row]))
         if self._full:
-            of_side = [{f"statistics_{name}": value for name, value in flat(statistics, t).items()} for t in (0, 1)]
+            of_side = [
+                {f"statistics_{name}": value for name, value in flatten_statistics(statistics, t).items()}
+                for t in (0, 1)
+            ]
             for agent, _, team in self._robots:
                 infos[agent].update(of_side[team])
         return infos
 
 
-class FlatArrays:
+class FlatInfoArrays:
     """Infos as numbers for one robot in each of many matches: an array (M,) for each key."""
 
-    def __init__(self, match: Match, row: int, full: bool, met: Met) -> None:
-        self._match, self._row, self._team = match, row, side_of(match.agents[row])
+    def __init__(self, match: Match, row: int, full: bool, met: OpponentNames) -> None:
+        self._match, self._row, self._team = match, row, team_of_agent(match.agents[row])
         self._full = full
-        self._keys = (*STANDING, *(key for keys in keys_of(match) for key in keys))
+        self._keys = (*STANDING, *(key for keys in event_and_reward_keys(match) for key in keys))
         self._one = FlatReport(match, np.array([row]), full, met)
         self._met = met
         self._before = self._now = met.now(self._team)
@@ -113,13 +116,13 @@ class FlatArrays:
         values += [*(match.events[name] for name in EVENT_NAMES), *(own[name] for name in OWN_NAMES)]
         arrays = dict(zip(self._keys, values, strict=True))
         if self._full:
-            numbers = numbers_of(match.statistics, self._team)
+            numbers = statistics_by_name(match.statistics, self._team)
             arrays |= {f"statistics_{name}": values for name, values in numbers.items()}
         everywhere = np.ones(match.count, bool)
         return {
             name: item
             for key, numbers in arrays.items()
-            for name, item in ((key, as_python(numbers)), (f"_{key}", everywhere.copy()))
+            for name, item in ((key, to_python_types(numbers)), (f"_{key}", everywhere.copy()))
         }
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
@@ -138,13 +141,15 @@ class FlatArrays:
             infos[f"reward_{name}"][ended] = 0.0
 
 
-def as_python(numbers: np.ndarray) -> np.ndarray:
+def to_python_types(numbers: np.ndarray) -> np.ndarray:
     """Return a copy of an array as int64 or float64, the types of Python's numbers."""
     return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
 
 
-def report_of(infos: InfoKind, match: Match, rows: np.ndarray, met: Met) -> Report | FlatReport | None:
+def make_report(
+    infos: InfoKind, match: Match, rows: np.ndarray, met: OpponentNames
+) -> NestedReport | FlatReport | None:
     """Return the report that makes the infos of some robots (rows)."""
     if infos == "none":
         return None
-    return Report(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full", met)
+    return NestedReport(match, rows) if infos == "nested" else FlatReport(match, rows, infos == "full", met)

@@ -8,19 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.api.report import NO_EVENTS, PHASES, Report, side_of
+from soccer_env.api.report import NO_EVENTS, PHASES, NestedReport, team_of_agent
 from soccer_env.match import Match
-from soccer_env.statistics.figures import numbers_of
-from soccer_env.statistics.maps import maps_of
+from soccer_env.statistics.figures import statistics_by_name
+from soccer_env.statistics.maps import maps_of_team
 from soccer_env.types import QUIET
 
 
-class NestedArrays:
+class NestedInfoArrays:
     """Describe in words what happened to one robot (row) in each match; "score" is (M, 2)."""
 
     def __init__(self, match: Match, row: int) -> None:
-        self._match, self._row, self._team = match, row, side_of(match.agents[row])
-        self._one = Report(match, np.array([row]))
+        self._match, self._row, self._team = match, row, team_of_agent(match.agents[row])
+        self._one = NestedReport(match, np.array([row]))
         self._before = self._one.opponents
 
     def infos(self) -> dict[str, Any]:
@@ -56,7 +56,10 @@ class NestedArrays:
             if name in NO_EVENTS or not mask.any():
                 continue
             words = self._one.words.get(name)
-            events[name], events[f"_{name}"] = mask.copy() if words is None else spell(words, codes, mask), mask
+            events[name], events[f"_{name}"] = (
+                mask.copy() if words is None else codes_to_words(words, codes, mask),
+                mask,
+            )
         for name in match.robot_events.dtype.names or ():
             mask = match.robot_events[name][:, self._row] != 0
             if mask.any():
@@ -65,7 +68,7 @@ class NestedArrays:
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
         """Return statistics (M,) and maps of ended matches, from the learner's side; 0 and None for other matches."""
-        numbers = numbers_of(self._match.statistics, self._team)
+        numbers = statistics_by_name(self._match.statistics, self._team)
         masked = {name: np.where(ended, values, 0) for name, values in numbers.items()}
         both = {key: item for name, values in masked.items() for key, item in ((name, values), (f"_{name}", ended))}
         return {"statistics": both, "_statistics": ended, "maps": self._maps(ended), "_maps": ended}
@@ -74,7 +77,7 @@ class NestedArrays:
         """Return the maps of ended matches by name, each an array (M,) of lists, None elsewhere, with its mask."""
         maps: dict[str, Any] = {}
         for m in np.flatnonzero(ended).tolist():
-            for name, value in maps_of(self._match.statistics[m], self._team, self._match.settings.rows).items():
+            for name, value in maps_of_team(self._match.statistics[m], self._team, self._match.settings.rows).items():
                 maps.setdefault(name, np.full(len(ended), None, object))[m] = value
                 maps[f"_{name}"] = ended
         return maps
@@ -91,7 +94,7 @@ class NestedArrays:
             infos["rewards"][name][ended] = 0.0
 
 
-def spell(words: Sequence[str], codes: np.ndarray, mask: np.ndarray) -> np.ndarray:
+def codes_to_words(words: Sequence[str], codes: np.ndarray, mask: np.ndarray) -> np.ndarray:
     """Return the words of the codes where the mask is set, None elsewhere (M,)."""
     spelled = np.full(len(codes), None, object)
     spelled[mask] = np.array(words, object)[codes[mask]]

@@ -5,13 +5,13 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.match.arguments import MatchArguments, part_of
-from soccer_env.match.squads import Squad, who_plays
+from soccer_env.match.arguments import MatchArguments, select_fields
+from soccer_env.match.squads import Squad, playing_team_names
 
 LEARNER = "learner"  # name in infos of a robot that no team plays
 
 
-class Met:
+class OpponentNames:
     """The opponents of some robots (rows): names of all opponents so far, and the number of the present one."""
 
     def __init__(self, match: Match, rows: np.ndarray) -> None:
@@ -46,12 +46,12 @@ def last_opponent(match: Match, team: int) -> int:
 
 def opponents_of(match: Match, team: int) -> np.ndarray:
     """Return the name of the team that plays the last robot of the other side now, (M,) objects."""
-    names = who_plays(match.squads, last_opponent(match, team), match.count)
+    names = playing_team_names(match.squads, last_opponent(match, team), match.count)
     names[names == ""] = LEARNER
     return names
 
 
-def against(match: Match, opponents: Any) -> Match:
+def with_opponents(match: Match, opponents: Any) -> Match:
     """Return a copy of a match with new opponents for its learners, before its next episode.
 
     ValueError, and `match` can go on, if the learners play on both sides or if these opponents cannot play.
@@ -64,7 +64,7 @@ def against(match: Match, opponents: Any) -> Match:
         )
     if match.recorder is not None:
         raise ValueError("opponents cannot change while a Recorder writes the match down: stop it first")
-    arguments = part_of(match.arguments, MatchArguments)
+    arguments = select_fields(match.arguments, MatchArguments)
     other = "away" if sides == ["home"] else "home"
     controllers = {name: team for name, team in (arguments["controllers"] or {}).items() if not name.startswith(other)}
     dropped = "opponents" if other == "away" else "teammates"

@@ -6,11 +6,11 @@ from typing import Any, get_args
 import numpy as np
 
 from soccer_env.api.opponents import opponents_of
-from soccer_env.guards.checking import check_names, one_of, refuse
+from soccer_env.guards.checking import check_choice, check_names, raise_not_allowed
 from soccer_env.match import Match
 from soccer_env.match.arguments import InfoKind
-from soccer_env.statistics.figures import flat
-from soccer_env.statistics.maps import maps_of
+from soccer_env.statistics.figures import flatten_statistics
+from soccer_env.statistics.maps import maps_of_team
 from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
@@ -27,7 +27,7 @@ FINAL_RECORDS = ("matches", "robots", "events", "robot_events", "terms")  # of `
 Infos = dict[str, dict[str, Any]]
 
 
-class Report:
+class NestedReport:
     """Describe in words what happened in a step of a match, for the infos of some robots (rows)."""
 
     def __init__(self, match: Match, rows: np.ndarray) -> None:
@@ -37,7 +37,7 @@ class Report:
             for index, name in enumerate(QUIET.dtype.names or ())
             if name not in NO_EVENTS
         ]
-        self._robots = [(match.agents[row], int(row), side_of(match.agents[row])) for row in rows]
+        self._robots = [(match.agents[row], int(row), team_of_agent(match.agents[row])) for row in rows]
         self._robot_events = ROBOT_EVENTS.names or ()
         self._robot_quiet = (0,) * len(self._robot_events)
         self.turn_to(match)
@@ -61,9 +61,9 @@ class Report:
 
     def add_statistics(self, infos: Infos, statistics: Any) -> Infos:
         """Add the statistics and maps of the episode to the infos of its agents, each from its team's side."""
-        maps = [maps_of(statistics, team, self._match.settings.rows) for team in (HOME, AWAY)]
+        maps = [maps_of_team(statistics, team, self._match.settings.rows) for team in (HOME, AWAY)]
         for agent, _, team in self._robots:
-            infos[agent]["statistics"] = flat(statistics, team)
+            infos[agent]["statistics"] = flatten_statistics(statistics, team)
             infos[agent]["maps"] = maps[team]
         return infos
 
@@ -99,20 +99,20 @@ class Report:
                 yield name, True if words is None else words[values[index]]
 
 
-def side_of(agent: str) -> int:
+def team_of_agent(agent: str) -> int:
     """Return the team of an agent: HOME or AWAY."""
     return HOME if agent.startswith("home") else AWAY
 
 
-def kind_of_infos(infos: InfoKind | bool) -> InfoKind:
+def check_infos_kind(infos: InfoKind | bool) -> InfoKind:
     """Return the kind of infos; ValueError names the known kinds."""
     if isinstance(infos, bool):
         return "flat" if infos else "none"
-    kind: InfoKind = one_of("infos", infos, get_args(InfoKind))
+    kind: InfoKind = check_choice("infos", infos, get_args(InfoKind))
     return kind
 
 
-class Screen:
+class MatchScreen:
     """Frames of a Match, and a window for its first match; pygame is imported when the first frame is drawn.
 
     `overlays`, as in `render.overlays.flags.flags_of`, lie over frames of the first match; ValueError for unknown ones.
@@ -121,18 +121,18 @@ class Screen:
     def __init__(self, match: Match, overlays: Any = None) -> None:
         self._match, self.overlays = match, None
         if overlays is not None:
-            from soccer_env.render.overlays.flags import flags_of
+            from soccer_env.render.overlays.flags import parse_flags
 
-            self.overlays = flags_of(overlays)
+            self.overlays = parse_flags(overlays)
         self.fps = match.league.control_rate / match.settings.action_repeat  # [1/s] steps, in real time
-        self._title = title_of(match)
+        self._title = teams_title(match)
         self._picture: Any = None
         self._window: Any = None
         self._onlooker: Any = None
 
     def turn_to(self, match: Match) -> None:
         """Show another match of the same league from now on."""
-        self._match, self._title, self._onlooker = match, title_of(match), None
+        self._match, self._title, self._onlooker = match, teams_title(match), None
 
     def frame(self, m: int = 0) -> np.ndarray:
         """Return a frame (H, W, 3) uint8 of match m."""
@@ -172,7 +172,7 @@ class Screen:
             self._window.close()
 
 
-def title_of(match: Match) -> tuple[str, str] | None:
+def teams_title(match: Match) -> tuple[str, str] | None:
     """Return the names of the teams home and away, or None if no team plays."""
     if not match.squads:
         return None
@@ -185,7 +185,7 @@ def title_of(match: Match) -> tuple[str, str] | None:
 
 def check_render_mode(mode: str | None, modes: tuple[str, ...] = RENDER_MODES) -> str | None:
     """Return the render mode; ValueError names the known modes."""
-    return None if mode is None else one_of("render_mode", mode, modes)
+    return None if mode is None else check_choice("render_mode", mode, modes)
 
 
 def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
@@ -193,7 +193,7 @@ def check_options(options: Any, known: tuple[str, ...]) -> dict[str, Any]:
     if options is None:
         return {}
     if not isinstance(options, Mapping):
-        refuse("options", "a dict", options)
+        raise_not_allowed("options", "a dict", options)
     check_names("option", set(options) - {IGNORED_OPTION}, known)
     return dict(options)
 

@@ -13,7 +13,7 @@ from pettingzoo.utils.conversions import parallel_to_aec_wrapper
 from pettingzoo.utils.wrappers import OrderEnforcingWrapper
 
 from soccer_env.guards.names import Made
-from soccer_env.guards.turns import held
+from soccer_env.guards.turns import with_signals_held
 
 if TYPE_CHECKING:
     from soccer_env.soccer_v0 import ParallelSoccer
@@ -43,12 +43,12 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         """Return the names of all opponents so far, which "opponent" in infos indexes."""
         return self.env.opponent_names
 
-    @held
+    @with_signals_held
     def reset(self, seed: int | None = None, options: Any = None) -> None:
         """Begin an episode, as `ParallelSoccer.reset` says."""
         super().reset(seed, options)  # type: ignore[no-untyped-call]
 
-    @held
+    @with_signals_held
     def step(self, action: Any) -> None:
         """Take the action of `agent_selection`; ValueError, and no change, if the action is wrong."""
         agent = self.agent_selection
@@ -77,7 +77,7 @@ class TurnSoccer(parallel_to_aec_wrapper[str, np.ndarray, Any]):
         before = self.agents[: self.agents.index(self.agent_selection)]
         return [(agent, self._actions[agent]) for agent in before]
 
-    @held
+    @with_signals_held
     def load(self, saved: bytes) -> None:
         """Go on from a save of this or an equal env, before a reset too; ValueError, and no change, for other saves."""
         turn, match = self._opened(saved)
@@ -151,12 +151,12 @@ class OrderedSoccer(OrderEnforcingWrapper[str, np.ndarray, Any]):
         """Copy by settings: the copy needs a reset."""
         return OrderedSoccer, (self.env,)
 
-    @held
+    @with_signals_held
     def reset(self, seed: int | None = None, options: Any = None) -> None:
         """Begin an episode, as `ParallelSoccer.reset` says."""
         super().reset(seed, options)
 
-    @held
+    @with_signals_held
     def load(self, saved: bytes) -> None:
         """Go on from a save, see `TurnSoccer.load`; needs no reset before."""
         self.env.load(saved)

@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 
 
-class Minds(NamedTuple):
+class BeliefArrays(NamedTuple):
     """Beliefs and memories in M matches of R robots; each kind of robot has its own records of memory and message."""
 
     beliefs: np.ndarray  # (M, R) BELIEF
@@ -33,7 +33,7 @@ class MemoryNumbers(NamedTuple):
     home: int  # robots in rows below it are one team, the others the other team
 
 
-def believe_kernel(
+def make_belief_kernel(
     make_scratch: Callable[..., Any], believe_robot: Callable[..., None], talk: Callable[..., None]
 ) -> Callable[..., None]:
     """Compile and return the loop over matches and robots of one kind of robot.
@@ -55,7 +55,7 @@ def believe_kernel(
         s = numbers.sensors[0]
         w = numbers.memory[0]
         table = numbers.tables[0]
-        beliefs, tracks, memories, particles, messages, noise, gazes = Minds(*minds)
+        beliefs, tracks, memories, particles, messages, noise, gazes = BeliefArrays(*minds)
         scratch = make_scratch()
         for m in range(first, last):
             if asleep[m]:

@@ -9,7 +9,7 @@ from soccer_env.geometry import into_frame
 
 
 @compiled
-def motion_of(odometry):
+def read_odometry(odometry):
     """Return a frame's odometry in double precision: forward and left [m], turn [rad].
 
     odometry: a record that holds them in single precision, a BODY_PERCEPT or a MOTION.

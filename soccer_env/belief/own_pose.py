@@ -14,20 +14,20 @@ from math import cos, exp, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.odometry import motion_of
+from soccer_env.belief.odometry import read_odometry
 from soccer_env.belief.particles import (
     cluster_near,
-    estimate,
+    estimate_pose,
     move_particles,
     place_particles,
     resample,
     scatter_particles,
-    share_of_fresh,
+    share_to_redraw,
     weights_from_costs,
 )
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, out_of_frame, wrap
-from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, SHARE, record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, SHARE, ranged_record
 from soccer_env.records.percepts import POSE_SENSED, POSE_TOLD
 
 SURE = 100.0  # confidence of a pose that is given
@@ -35,7 +35,7 @@ HELD = 0.3  # [1] share of the particles that do not move with the odometry whil
 RECENT = 1.0  # [s] unseen after which a player that was near may have gone, assumed
 PATIENCE = 4  # [1] times `pose_every` without a landmark or line after which the particles move all the same, assumed
 
-POSE_MEMORY = record(
+POSE_MEMORY = ranged_record(
     [
         ("ahead", "f8", NUMBER),  # [m] odometry since the particles were moved, in the axes of then
         ("left", "f8", NUMBER),  # [m]
@@ -70,7 +70,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
 
     crowded: 1 while another player may be pushing or holding the robot, which cannot feel that.
     """
-    forward, left, turn = motion_of(body)
+    forward, left, turn = read_odometry(body)
     own.forward, own.left, own.turn = forward / k.dt, left / k.dt, turn / k.dt
     if body.pose == POSE_SENSED or body.pose == POSE_TOLD:
         own.x = body.x
@@ -94,7 +94,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
         own.confidence = max(own.confidence - w.pose_fading * k.dt, 0.0)
         return False
     if memory.begun == 0:
-        half_length, half_width = field_of(k)
+        half_length, half_width = field_half_size(k)
         scatter_particles(particles, half_length, half_width, noise, np.float64(body.handedness))
         memory.begun = 1
     add_motion(memory, forward, left, turn, crowded * k.dt)
@@ -123,7 +123,7 @@ def forget_motion(memory):
 
 
 @compiled
-def motion_since(memory, k, w):
+def take_summed_motion(memory, k, w):
     """Return the motion since the particles were moved, in the form for `move_particle`, and reset the sums.
 
     The motion's deviations grow with the distance (feet and wheels slip), with time, and most of all while another
@@ -140,27 +140,27 @@ def motion_since(memory, k, w):
 
 
 @compiled
-def field_of(k):
+def field_half_size(k):
     """Return half the length and half the width [m] of the area where a robot can be: pitch and band."""
     return 0.5 * k.pitch_length + k.pitch_band_end, 0.5 * k.pitch_width + k.pitch_band_side
 
 
 @compiled
-def go_on_blind(own, memory, particles, noise, hand, k, w):
+def move_without_measurements(own, memory, particles, noise, hand, k, w):
     """Move the particles after PATIENCE updates without any measurement.
 
     The confidence is then the share of particles that are still near the pose.
     """
     if memory.frames < PATIENCE * w.pose_every:
         return
-    half_length, half_width = field_of(k)
-    move_particles(particles, motion_since(memory, k, w), half_length, half_width, noise, hand)
+    half_length, half_width = field_half_size(k)
+    move_particles(particles, take_summed_motion(memory, k, w), half_length, half_width, noise, hand)
     weight, _, _, _, spread = cluster_near(particles, own.x, own.y, own.heading, w)
     own.confidence = SURE * weight / particles.shape[0] / (1.0 + spread / (w.pose_radius * w.pose_radius))
 
 
 @compiled
-def conclude(own, memory, particles, seen, noise, w):
+def estimate_and_resample(own, memory, particles, seen, noise, w):
     """Estimate the own pose from particles weighed by `seen` measurements; resample; return whether some are free.
 
     Free particles have weight 0 and need new poses. The confidence is the share of weight in the heaviest cluster,
@@ -168,8 +168,8 @@ def conclude(own, memory, particles, seen, noise, w):
     """
     count = particles.shape[0]
     total, cost, best = weights_from_costs(particles)
-    fresh = int(count * share_of_fresh(memory, exp(-cost / seen), w) + 0.5)
-    weight, spread = estimate(particles, own, total, best, w)
+    fresh = int(count * share_to_redraw(memory, exp(-cost / seen), w) + 0.5)
+    weight, spread = estimate_pose(particles, own, total, best, w)
     fit = min(memory.fast / max(memory.slow, w.pose_fit), 1.0)
     own.confidence = SURE * fit * weight / total / (1.0 + spread / (w.pose_radius * w.pose_radius))
     resample(particles, total, count - fresh, noise)

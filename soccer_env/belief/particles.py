@@ -17,8 +17,8 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, point_of_frame, wrap
-from soccer_env.guards.ranges import AMOUNT, NUMBER, record
-from soccer_env.random_numbers import uniform
+from soccer_env.guards.ranges import AMOUNT, NUMBER, ranged_record
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)
@@ -28,7 +28,7 @@ REPLACED = 1.5  # [1] how much heavier another cluster must be before the own po
 SETTLED = 0.3  # [1] share of all weight that it must have: a cloud is no place to jump to, assumed
 SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: the old belief keeps a chance
 
-PARTICLE = record(
+PARTICLE = ranged_record(
     [
         ("x", "f4", NUMBER),  # [m] team frame
         ("y", "f4", NUMBER),  # [m]
@@ -39,13 +39,13 @@ PARTICLE = record(
 
 
 @compiled
-def draw(noise):
+def draw_triangular(noise):
     """Draw from the triangular distribution of mean 0 and deviation 1: cheap, and without outliers."""
-    return TRIANGLE * (uniform(noise, PARTICLES) + uniform(noise, PARTICLES) - 1.0)
+    return TRIANGLE * (draw_uniform(noise, PARTICLES) + draw_uniform(noise, PARTICLES) - 1.0)
 
 
 @compiled
-def bounded(square, most):
+def bounded_cost(square, most):
     """Return the cost of a squared error [sd2]: half of it when small, at most half of `most` for an outlier.
 
     Half of e2 / (1 + e2 / most), the shape of the error of [Lauer, Lange, Riedmiller 2006].
@@ -58,9 +58,9 @@ def place_particles(particles, own, spread, turn_spread, noise, hand):
     """Draw all particles around the own pose, with deviations `spread` [m] and `turn_spread` [rad]."""
     for i in range(particles.shape[0]):
         particle = particles[i]
-        particle.x = own.x + spread * draw(noise)
-        particle.y = own.y + hand * spread * draw(noise)
-        particle.heading = wrap(own.heading + hand * turn_spread * draw(noise))
+        particle.x = own.x + spread * draw_triangular(noise)
+        particle.y = own.y + hand * spread * draw_triangular(noise)
+        particle.heading = wrap(own.heading + hand * turn_spread * draw_triangular(noise))
         particle.weight = 1.0
 
 
@@ -68,15 +68,15 @@ def place_particles(particles, own, spread, turn_spread, noise, hand):
 def scatter_particles(particles, half_length, half_width, noise, hand):
     """Draw all particles uniformly over the field, since nothing is known."""
     for i in range(particles.shape[0]):
-        scatter(particles[i], half_length, half_width, noise, hand)
+        scatter_particle(particles[i], half_length, half_width, noise, hand)
 
 
 @compiled
-def scatter(particle, half_length, half_width, noise, hand):
+def scatter_particle(particle, half_length, half_width, noise, hand):
     """Draw a particle's pose uniformly over the field and all headings."""
-    particle.x = half_length * (2.0 * uniform(noise, PARTICLES) - 1.0)
-    particle.y = hand * half_width * (2.0 * uniform(noise, PARTICLES) - 1.0)
-    particle.heading = hand * pi * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    particle.x = half_length * (2.0 * draw_uniform(noise, PARTICLES) - 1.0)
+    particle.y = hand * half_width * (2.0 * draw_uniform(noise, PARTICLES) - 1.0)
+    particle.heading = hand * pi * (2.0 * draw_uniform(noise, PARTICLES) - 1.0)
     particle.weight = 1.0
 
 
@@ -88,11 +88,11 @@ def move_particle(particle, motion, half_length, half_width, noise, hand):
     heading [rad], and the share of particles that stay behind, since a robot that is held walks on the spot.
     """
     ahead, left, turn, spread, turn_spread, stuck = motion
-    if uniform(noise, PARTICLES) < stuck:
+    if draw_uniform(noise, PARTICLES) < stuck:
         ahead = left = turn = 0.0
-    ahead += spread * draw(noise)
-    left += hand * spread * draw(noise)
-    heading = wrap(np.float64(particle.heading) + turn + hand * turn_spread * draw(noise))
+    ahead += spread * draw_triangular(noise)
+    left += hand * spread * draw_triangular(noise)
+    heading = wrap(np.float64(particle.heading) + turn + hand * turn_spread * draw_triangular(noise))
     cosine, sine = cos(heading), sin(heading)
     x, y = point_of_frame(np.float64(particle.x), np.float64(particle.y), ahead, left, cosine, sine)
     x, y = clip(x, -half_length, half_length), clip(y, -half_width, half_width)
@@ -125,7 +125,7 @@ def weights_from_costs(particles):
 
 
 @compiled
-def share_of_fresh(memory, fit, w):
+def share_to_redraw(memory, fit, w):
     """Return the share of particles to draw anew, from the fit in (0, 1] of the particles to the measurements.
 
     The share rises as the short-term average of the fit falls below the long-term average, or below the expected fit of
@@ -168,7 +168,7 @@ def cluster_near(particles, x, y, heading, w):
 
 
 @compiled
-def estimate(particles, own, total, best, w):
+def estimate_pose(particles, own, total, best, w):
     """Take the mean of the heaviest cluster as the own pose; return the cluster's weight and squared spread [m2].
 
     The cluster round the believed pose is left only for a clearly heavier one: the mean of two clusters would lie in
@@ -191,7 +191,7 @@ def resample(particles, total, kept, noise):
     kept particles get the weight 1.
     """
     step = total / max(kept, 1)
-    pointer = step * uniform(noise, PARTICLES)
+    pointer = step * draw_uniform(noise, PARTICLES)
     reached = 0.0
     used = 0
     for i in range(particles.shape[0]):
@@ -213,19 +213,19 @@ def resample(particles, total, kept, noise):
 
 
 @compiled
-def draw_seeing(particle, sight, half_length, half_width, noise, hand):
+def draw_from_sighting(particle, sight, half_length, half_width, noise, hand):
     """Draw a particle's pose from which a known thing is seen at its measured bearing, and at its range if known.
 
     sight: x, y of the thing [m], its direction as a unit vector of the robot frame, its range [m] (0 unknown), the
     relative error of the range, and x, y of the camera in the robot frame [m].
     """
     x, y, ahead, left, far, error, camera_x, camera_y = sight
-    at_x = half_length * (2.0 * uniform(noise, PARTICLES) - 1.0)
-    at_y = hand * half_width * (2.0 * uniform(noise, PARTICLES) - 1.0)
+    at_x = half_length * (2.0 * draw_uniform(noise, PARTICLES) - 1.0)
+    at_y = hand * half_width * (2.0 * draw_uniform(noise, PARTICLES) - 1.0)
     away_x, away_y = at_x - x, at_y - y
     away = max(length(away_x, away_y), 1e-6)
     if far > 0.0:  # on the circle round the thing, in a direction that leads into the field
-        scale = far * max(1.0 + error * draw(noise), 0.1) / away
+        scale = far * max(1.0 + error * draw_triangular(noise), 0.1) / away
         at_x, at_y = x + scale * away_x, y + scale * away_y
     heading = wrap(atan2(-away_y, -away_x) - atan2(left, ahead))
     cosine, sine = cos(heading), sin(heading)

@@ -15,7 +15,7 @@ from math import inf
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import FLAG, LATELY, record
+from soccer_env.guards.ranges import FLAG, LATELY, ranged_record
 from soccer_env.records.ball_words import SILENT
 from soccer_env.types import RobotStream
 
@@ -24,9 +24,9 @@ SEEN = 0.5  # [s] a ball that was seen so recently is "seen": pictures miss one 
 REMEMBERED = 2.0  # periods for which a word counts after its arrival
 
 
-def message_of(kind: np.dtype) -> np.dtype:
+def message_dtype(kind: np.dtype) -> np.dtype:
     """Return the dtype of a robot's messages, for a `kind` of report: words or radio reports."""
-    return record(
+    return ranged_record(
         [
             ("reports", kind, (2,)),  # the last one that arrived, and the one on its way
             ("latest", "i2", FLAG),  # which of the two arrived last
@@ -46,7 +46,7 @@ def frames_between(period, delay, k):
 
 
 @compiled
-def deliver(message, frame):
+def deliver_message(message, frame):
     """Mark the message on its way as arrived, if it is due in this frame."""
     if message.flying == 1 and frame >= message.due:
         message.latest = 1 - message.latest
@@ -55,14 +55,14 @@ def deliver(message, frame):
 
 
 @compiled
-def send(message, frame, wait, lost):
+def send_report(message, frame, wait, lost):
     """Send the report that was written, due `wait` frames later, unless it is lost."""
     message.reports[1 - message.latest].frame = frame
     message.flying, message.due = 0 if lost else 1, frame + wait
 
 
 @compiled
-def hear(heard, messages, r, frame, frames, k, home, rows):
+def hear_word(heard, messages, r, frame, frames, k, home, rows):
     """Fill in the word heard from the team-mate nearest to the ball, out of messages at most `frames` old.
 
     Team-mates with equal distances and equally old messages say the same word, so that either may be taken.

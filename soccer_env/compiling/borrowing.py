@@ -3,7 +3,7 @@
 numba counts a reference for each array, and each view of a row, that is passed to a function that is not inlined: two
 atomic additions a call, each as slow as ten plain ones. A step of a match makes hundreds of such calls, which took a
 fifth of its time. A borrowed array has no owner, so nothing is counted, and another reference must keep it alive: the
-caller of a kernel keeps the arguments, and `keep` keeps an array that the kernel itself has made.
+caller of a kernel keeps the arguments, and `keep_alive` keeps an array that the kernel itself has made.
 """
 
 from typing import Any
@@ -15,18 +15,18 @@ from soccer_env.compiled import compiled
 from soccer_env.compiling.numba_parts import cgutils
 
 
-def borrowed(given):
+def borrow_arrays(given):
     """Return an array, or a tuple of arrays and numbers, without owners; for use in compiled functions only."""
     return given
 
 
 @compiled
-def keep(given):
+def keep_alive(given):
     """Keep a borrowed array, or a tuple of arrays, alive until here."""
 
 
-@overload(borrowed)
-def _compiled_borrowed(given):
+@overload(borrow_arrays)
+def _compiled_borrow_arrays(given):
     return lambda given: _without_owner(given)
 
 
@@ -35,15 +35,15 @@ def _type_without_owner(typing_context, given):
 
 
 def _build_without_owner(context, builder, signature, arguments):
-    return _strip(context, builder, signature.return_type, arguments[0])
+    return _strip_owners(context, builder, signature.return_type, arguments[0])
 
 
-def _strip(context, builder, kind, value):
+def _strip_owners(context, builder, kind, value):
     """Return the LLVM value of a numba type, without the owners of its arrays."""
     if isinstance(kind, types.BaseTuple):
         kinds: Any = kind  # mypy does not know that it can be gone through
         parts = zip(kinds, cgutils.unpack_tuple(builder, value, len(kind)), strict=True)
-        stripped = [_strip(context, builder, *part) for part in parts]
+        stripped = [_strip_owners(context, builder, *part) for part in parts]
         return context.make_tuple(builder, kind, stripped)
     if not isinstance(kind, types.Array):
         return value

@@ -28,7 +28,7 @@ import llvmlite
 import numba
 import numpy as np
 
-from soccer_env.compiling.inner import INNER, InnerTarget, for_another, is_inner
+from soccer_env.compiling.inner import INNER, InnerTarget, is_inner, is_inner_compile
 from soccer_env.compiling.numba_parts import Cache as Base
 from soccer_env.compiling.numba_parts import CachedResult as BaseResult
 from soccer_env.compiling.numba_parts import Dispatcher, dumps
@@ -44,17 +44,17 @@ SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # settings of numba.conf
 config: Any = numba.config
 
 
-def is_kept(function: Any) -> bool:
+def is_cached(function: Any) -> bool:
     """Tell whether a function with its present sources is on disk, for any types of arguments.
 
     Also True if the function cannot be stored, because a source file has changed since this process read it.
     """
-    identity = _identity(function.py_func)
+    identity = _function_hashes(function.py_func)
     pattern = "" if identity is None else f"{function._cache.name}.{identity[0][:16]}.*"
-    return not pattern or any(next(folder.glob(pattern), None) for folder in folders() if _is_private(folder))
+    return not pattern or any(next(folder.glob(pattern), None) for folder in cache_folders() if _is_private(folder))
 
 
-class _Result(BaseResult):  # type: ignore[misc]
+class _ResultFormat(BaseResult):  # type: ignore[misc]
     """Turn compile results into picklable objects and back, as numba does, without a search for a cache folder."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
@@ -73,7 +73,7 @@ class SourceCache(Base):  # type: ignore[misc]
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._function = function
-        self._result = _Result(function)
+        self._result = _ResultFormat(function)
         self._enabled = True
         code = function.__code__
         name = f"{Path(code.co_filename).stem}.{function.__qualname__.replace('<', '').replace('>', '')}"
@@ -82,7 +82,7 @@ class SourceCache(Base):  # type: ignore[misc]
     @property
     def cache_path(self) -> str:
         """Return the first folder of the cache."""
-        return str(folders()[0])
+        return str(cache_folders()[0])
 
     def enable(self) -> None:
         """Use the files on disk from now on."""
@@ -94,32 +94,32 @@ class SourceCache(Base):  # type: ignore[misc]
 
     def flush(self) -> None:
         """Delete the files of all compiled versions of this function."""
-        for folder in folders():
+        for folder in cache_folders():
             _delete(folder.glob(f"{self.name}.*"))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return the stored compile result for these argument types, or None."""
         stop_here()
         target_context.refresh()
-        for inner in (True, False) if for_another() else (False,):
+        for inner in (True, False) if is_inner_compile() else (False,):
             stamp, key = self._key(sig, target_context.codegen(), inner)
             if key is None:
                 return None
-            for folder in filter(_is_private, folders()):
+            for folder in filter(_is_private, cache_folders()):
                 payload = _load(folder / self._file_name(stamp, key), key)
                 if payload is not None:
                     return self._result.rebuild(target_context, payload)
-        _announce()
+        _announce_compiling()
         return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Store a compile result, unless a source file has changed since this process read it."""
-        _count()
+        _count_compiled()
         stamp, key = self._key(sig, data.codegen, is_inner(data))
         if key is None or not self._result.check_cachable(data):
             return
         content = dumps((key, self._result.reduce(data)))
-        for folder in folders():
+        for folder in cache_folders():
             with contextlib.suppress(OSError):
                 folder.parent.mkdir(parents=True, exist_ok=True)
                 folder.mkdir(mode=0o700, exist_ok=True)
@@ -132,7 +132,7 @@ class SourceCache(Base):  # type: ignore[misc]
         """Return the source hash and the full key; key None: the result must not be stored."""
         if not self._enabled or " at 0x" in str(sig):  # a function as an argument: its address changes
             return "", None
-        identity = _identity(self._function)
+        identity = _function_hashes(self._function)
         if identity is None:
             return "", None
         settings = str([getattr(config, name) for name in SETTINGS])
@@ -147,28 +147,28 @@ class SourceCache(Base):  # type: ignore[misc]
                 yield file
 
 
-def _identity(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tuple[str, ...] | None:
+def _function_hashes(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tuple[str, ...] | None:
     """Return hashes of the sources, the byte code and the closure of a function; None if a hash is unknown."""
     stamp = source_stamp(function.__module__, Path(function.__code__.co_filename).resolve())
-    cells = tuple(_cell_identity(cell.cell_contents, (*outer, function)) for cell in function.__closure__ or ())
+    cells = tuple(_cell_hash(cell.cell_contents, (*outer, function)) for cell in function.__closure__ or ())
     if stamp is None or None in cells:
         return None
-    return stamp, function.__qualname__, _code_identity(function.__code__), _sha(str(cells).encode())
+    return stamp, function.__qualname__, _code_hash(function.__code__), _sha(str(cells).encode())
 
 
-def _code_identity(code: Any) -> str:
+def _code_hash(code: Any) -> str:
     """Return a hash of byte code, constants and names of a code object and its inner functions."""
-    constants = [_code_identity(one) if hasattr(one, "co_code") else repr(one) for one in code.co_consts]
+    constants = [_code_hash(one) if hasattr(one, "co_code") else repr(one) for one in code.co_consts]
     return _sha(repr((code.co_code, constants, code.co_names, code.co_varnames)).encode())
 
 
-def _cell_identity(value: Any, outer: tuple[Any, ...]) -> Any:
+def _cell_hash(value: Any, outer: tuple[Any, ...]) -> Any:
     if isinstance(value, Dispatcher):  # its pickle differs from process to process
         if value.py_func in outer:
             return outer.index(value.py_func)
-        return _identity(value.py_func, outer)
+        return _function_hashes(value.py_func, outer)
     if isinstance(value, tuple):
-        parts = tuple(_cell_identity(part, outer) for part in value)
+        parts = tuple(_cell_hash(part, outer) for part in value)
         return None if None in parts else parts
     return _sha(dumps(value))
 
@@ -178,7 +178,7 @@ def _sha(content: bytes) -> str:
 
 
 @functools.cache
-def folders() -> tuple[Path, ...]:
+def cache_folders() -> tuple[Path, ...]:
     """Return the folders of the cache: all are read, and the first writable one is written to."""
     chosen = os.environ.get("SOCCER_ENV_CACHE")
     return (Path(chosen) if chosen else _user_folder(), *_temporary_folder())
@@ -207,14 +207,14 @@ def _is_private(folder: Path) -> bool:
         return False
     if os.name == "nt":
         return True
-    if status.st_uid in (os.getuid(), 0) and not status.st_mode & 0o002 and _cannot_be_swapped(folder):
+    if status.st_uid in (os.getuid(), 0) and not status.st_mode & 0o002 and _is_safe_from_swaps(folder):
         return True
-    _warn(folder)
+    _warn_of_unused_folder(folder)
     return False
 
 
 @functools.cache
-def _cannot_be_swapped(folder: Path) -> bool:
+def _is_safe_from_swaps(folder: Path) -> bool:
     """Tell whether other users cannot replace the folder: parents that all may write to must be sticky."""
     for above in {*folder.absolute().parents, *folder.resolve().parents}:
         status = above.stat()
@@ -225,7 +225,7 @@ def _cannot_be_swapped(folder: Path) -> bool:
 
 
 @functools.cache
-def _warn(folder: Path) -> None:
+def _warn_of_unused_folder(folder: Path) -> None:
     """Print once that a folder of the cache is not used, and why."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") in ("", "0"):
         why = "it is another user's, or anybody can write to it or above it, and compiled code in it would be executed"
@@ -261,27 +261,27 @@ def _delete(files: Iterable[Path]) -> None:
 
 
 @functools.cache
-def _announce() -> None:
+def _announce_compiling() -> None:
     """Print once per process that compiling takes a while."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") not in ("", "0"):
         return
-    filled = any(folder.is_dir() and any(folder.iterdir()) for folder in folders())
+    filled = any(folder.is_dir() and any(folder.iterdir()) for folder in cache_folders())
     what = "what is new" if filled else "kernels (once, about a minute)"
     COMPILED.said = COMPILED.began = time.monotonic()
     print(f"{PACKAGE}: compiling {what} ...", file=sys.stderr, flush=True)
 
 
-class Compiled:
+class CompileProgress:
     """Progress of compiling in this process."""
 
     functions = 0  # compiled versions of functions, without those from disk
     began = said = float("inf")  # [s] time of the announcement, and of the last line of progress
 
 
-COMPILED = Compiled()
+COMPILED = CompileProgress()
 
 
-def _count() -> None:
+def _count_compiled() -> None:
     """Count a compiled function, and print the progress now and then."""
     COMPILED.functions += 1
     now = time.monotonic()

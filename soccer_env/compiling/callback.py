@@ -18,7 +18,7 @@ from soccer_env.compiled import compiled, config
 from soccer_env.compiling.cache import SourceCache
 from soccer_env.compiling.numba_parts import Callback as CFunc
 from soccer_env.compiling.stops import stoppable
-from soccer_env.guards.turns import held
+from soccer_env.guards.turns import with_signals_held
 
 TYPES = {"void": types.void, "address": types.uintp, "float64": types.float64}
 C_TYPES: dict[str, Any] = {"void": None, "address": ctypes.c_size_t, "float64": ctypes.c_double}
@@ -40,7 +40,7 @@ class Callback:
         return compiled(self._function)(*arguments)
 
     @property
-    @held
+    @with_signals_held
     def address(self) -> int:
         """Return the address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls Python."""
         with stoppable(), _lock:

@@ -17,14 +17,14 @@ from llvmlite import binding
 
 from soccer_env.compiling.numba_parts import Kernel as Dispatcher
 from soccer_env.compiling.numba_parts import Library, Pipeline, normalized
-from soccer_env.compiling.stops import beside, compiling, stop_here, stoppable
-from soccer_env.guards.turns import held
+from soccer_env.compiling.stops import compiling, run_stoppably, stop_here, stoppable
+from soccer_env.guards.turns import with_signals_held
 
 INNER = "inner"  # kind of a library in the cache
 OBJECTS = 50_000  # new objects between two garbage collections while compiling
 
 
-def for_another() -> bool:
+def is_inner_compile() -> bool:
     """Tell whether a function is being compiled because another one calls it."""
     return compiling.depth > 1
 
@@ -33,11 +33,11 @@ class KernelLibrary(Library):  # type: ignore[misc]
     """The code of one of our functions; signals are delivered during long work of LLVM."""
 
     def _optimize_final_module(self) -> None:
-        beside(super()._optimize_final_module)
+        run_stoppably(super()._optimize_final_module)
 
     def _finalize_specific(self) -> None:
         self._codegen._scan_and_fix_unresolved_refs(self._final_module)
-        beside(self._make_machine_code)
+        run_stoppably(self._make_machine_code)
 
     def _make_machine_code(self) -> None:
         self._codegen._engine.finalize_object()
@@ -97,9 +97,9 @@ class KernelCompiler(Pipeline):  # type: ignore[misc]
 
     def define_pipelines(self) -> Any:
         """Choose the kind of library, and return numba's own pipelines."""
-        kind = InnerLibrary if for_another() else KernelLibrary
+        kind = InnerLibrary if is_inner_compile() else KernelLibrary
         self.state.library = kind(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
-        if for_another():
+        if is_inner_compile():
             self.state.flags.no_cpython_wrapper = True
         else:
             self.state.library.enable_object_caching()
@@ -109,13 +109,13 @@ class KernelCompiler(Pipeline):  # type: ignore[misc]
 class Kernel(Dispatcher):  # type: ignore[misc]
     """A function that compiles itself for the types that it is called with."""
 
-    @held
+    @with_signals_held
     def compile(self, sig: Any) -> Any:
         """Compile for a signature: for Python, or as an inner function of another function."""
         with stoppable():
             compiling.depth += 1
             try:
-                if not for_another():
+                if not is_inner_compile():
                     return self._compile_for_python(sig)
                 made = super().compile(sig)
                 stop_here()
@@ -127,7 +127,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
         arguments = tuple(normalized(sig)[0])
         if is_inner(self.overloads.get(arguments)):
             del self.overloads[arguments]
-        with few_collections():
+        with collect_garbage_rarely():
             entry = super().compile(sig)
         set_environments(self.overloads[arguments])
         return entry
@@ -141,7 +141,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
 
 
 @contextlib.contextmanager
-def few_collections() -> Iterator[None]:
+def collect_garbage_rarely() -> Iterator[None]:
     """Let Python collect garbage less often: the compiler makes many objects that stay, and little garbage."""
     often = gc.get_threshold()
     gc.set_threshold(max(OBJECTS, often[0]), *often[1:])

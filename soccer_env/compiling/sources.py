@@ -22,7 +22,7 @@ STARTED = time.time_ns()  # [ns] a file changed after this moment may differ fro
 def source_stamp(module: str, path: Path) -> str | None:
     """Return one hash over `path` and all files that it depends on; None if a file changed since the process began."""
     try:
-        hashes = sources(module, path)
+        hashes = source_hashes(module, path)
         if any(_changed(file) for file in hashes):
             return None
     except (OSError, SyntaxError, ValueError):
@@ -36,7 +36,7 @@ def _changed(file: Path) -> bool:
 
 
 @functools.cache
-def sources(module: str, path: Path) -> dict[Path, str]:
+def source_hashes(module: str, path: Path) -> dict[Path, str]:
     """Return {file: sha256} of `path` and of every file that it imports, directly or not; once per process."""
     waiting = [(module, path)]
     hashes: dict[Path, str] = {}
@@ -44,13 +44,13 @@ def sources(module: str, path: Path) -> dict[Path, str]:
         name, file = waiting.pop()
         if file in hashes:
             continue
-        hashes[file], imports = _read(file, name)
-        waiting += [(target, source) for target in imports if (source := file_of(target, name))]
+        hashes[file], imports = _hash_and_imports(file, name)
+        waiting += [(target, source) for target in imports if (source := source_file(target, name))]
     return hashes
 
 
 @functools.cache
-def _read(path: Path, module: str) -> tuple[str, frozenset[str]]:
+def _hash_and_imports(path: Path, module: str) -> tuple[str, frozenset[str]]:
     """Return the hash of a file and the modules that it imports."""
     content = path.read_bytes()
     imports = _Imports(module, path.name == "__init__.py")
@@ -87,11 +87,11 @@ class _Imports(ast.NodeVisitor):
         source = ".".join([*base, *([node.module] if node.module else [])])
         for alias in node.names:
             inner = f"{source}.{alias.name}"
-            self.found.add(inner if file_of(inner, self.module) else source)
+            self.found.add(inner if source_file(inner, self.module) else source)
 
 
 @functools.cache
-def file_of(module: str, importer: str) -> Path | None:
+def source_file(module: str, importer: str) -> Path | None:
     """Return the source file of a module that may change between two runs, without importing it; else None.
 
     Modules of this package, of the importer's package, and loaded modules that are not installed may change.

@@ -17,20 +17,20 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from soccer_env.compiling.numba_parts import Listener, numba_lock, register
-from soccer_env.guards.interrupts import is_held, let_come
+from soccer_env.guards.interrupts import are_signals_held, deliver_waiting_signals
 
 LOOK = 0.02  # [s] between two checks for signals while another thread works
 PASS = "numba:run_pass"  # numba's event before and after each pass
 
 
-class Compiling(threading.local):
+class CompilingState(threading.local):
     """The state of compiling in this thread."""
 
     depth = 0  # nested functions of ours that are being compiled
     stoppable = False
 
 
-compiling = Compiling()
+compiling = CompilingState()
 _left: list[threading.Thread] = []  # threads that free the results of ended compiling
 
 
@@ -43,7 +43,7 @@ class _StopError(BaseException):
         self.worker: threading.Thread | None = None  # still at work
 
 
-class _Passes(Listener):  # type: ignore[misc]
+class _PassListener(Listener):  # type: ignore[misc]
     def on_start(self, event: Any) -> None:
         stop_here()
 
@@ -51,7 +51,7 @@ class _Passes(Listener):  # type: ignore[misc]
         """Do nothing: numba also calls this after a pass that failed."""
 
 
-register(PASS, _Passes())
+register(PASS, _PassListener())
 
 
 @contextlib.contextmanager
@@ -62,10 +62,10 @@ def stoppable() -> Iterator[None]:
         return
     compiling.stoppable = True
     try:
-        with _alone():
+        with _compiler_lock():
             yield
     except _StopError as stop:
-        _clear_away(stop)
+        _free_in_thread(stop)
         error = stop.error
     else:
         return
@@ -79,7 +79,7 @@ def stoppable() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _alone() -> Iterator[None]:
+def _compiler_lock() -> Iterator[None]:
     """Take the lock of numba's compiler, and wait for LLVM in other threads; meanwhile signals are delivered."""
     while _left and any(one.is_alive() for one in _left):
         _left[-1].join(LOOK)
@@ -98,16 +98,16 @@ def stop_here() -> None:
         return
     depth, compiling.depth, compiling.stoppable = compiling.depth, 0, False  # a handler may compile
     try:
-        let_come()
+        deliver_waiting_signals()
     except BaseException as error:
         raise _StopError(error) from None
     finally:
         compiling.depth, compiling.stoppable = depth, True
 
 
-def beside(work: Callable[[], None]) -> None:
+def run_stoppably(work: Callable[[], None]) -> None:
     """Do long work of LLVM, in another thread if signals wait, so that a signal can end the waiting."""
-    if not (compiling.stoppable and is_held()):
+    if not (compiling.stoppable and are_signals_held()):
         work()
         return
     raised: list[BaseException] = []
@@ -131,7 +131,7 @@ def beside(work: Callable[[], None]) -> None:
         raise raised[0]
 
 
-def _clear_away(stop: _StopError) -> None:
+def _free_in_thread(stop: _StopError) -> None:
     """Free the objects of LLVM in another thread: this thread would wait for LLVM and swallow the next interrupt."""
 
     def clear() -> None:
@@ -145,11 +145,11 @@ def _clear_away(stop: _StopError) -> None:
     _left[:] = [*(one for one in _left if one.is_alive()), thread]
 
 
-def _end_what_is_left() -> None:
+def _join_lock_holders() -> None:
     """Wait for threads that hold LLVM's lock, which would stay locked in a forked process."""
     while _left:
         _left.pop().join()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_end_what_is_left)
+    os.register_at_fork(before=_join_lock_holders)

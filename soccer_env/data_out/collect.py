@@ -18,7 +18,7 @@ from soccer_env.match import Match
 from soccer_env.types import AWAY, HOME, Phase
 
 if TYPE_CHECKING:
-    from soccer_env.thoughts.thoughts import Recorded
+    from soccer_env.thoughts.thoughts import RecordedMatch
 
 SHOOT_OUT = 5  # period, as kloppy and the Common Data Format number it
 SIDES = {HOME: "home", AWAY: "away"}
@@ -39,7 +39,7 @@ class Player:
 
 
 @dataclass(frozen=True)
-class Collected:
+class MatchRecording:
     """The first match of a replay; arrays have a row for each of T frames."""
 
     name: str  # of the match: the file's
@@ -79,7 +79,9 @@ class Collected:
         return np.where(ours & ~theirs, HOME, np.where(theirs & ~ours, AWAY, -1))
 
 
-def collect(replay: Recorded, name: str = "match", note: Callable[[int], None] | None = None) -> Collected:
+def collect_match(
+    replay: RecordedMatch, name: str = "match", note: Callable[[int], None] | None = None
+) -> MatchRecording:
     """Play the first match of a replay and collect its data; `note` is called after each control step.
 
     ValueError names the first step that differs from the recording.
@@ -88,20 +90,20 @@ def collect(replay: Recorded, name: str = "match", note: Callable[[int], None] |
     match = next(playing)
     teams, players = replay.teams, players_of(match)
     listener = Listener(match)
-    frames = [shot_of(match)]
+    frames = [copy_records(match)]
     for step, played in enumerate(playing, 1):
         listener.listen(played, step)
-        frames.append(shot_of(played))
+        frames.append(copy_records(played))
         if note is not None:
             note(1)
     robots, balls, matches, scores = (np.stack(column) for column in zip(*frames, strict=True))
     robots_by_field = {field: robots[field] for field in ROBOT_FIELDS}
     match_by_field = {field: matches[field] for field in MATCH_FIELDS}
     events = listener.sorted_events()
-    return Collected(name, match.league, teams, players, robots_by_field, balls, match_by_field, scores, events)
+    return MatchRecording(name, match.league, teams, players, robots_by_field, balls, match_by_field, scores, events)
 
 
-def shot_of(match: Match) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def copy_records(match: Match) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return copies of the present robots (R,), ball (4,), match and score (2,)."""
     ball, record = match.balls[0], match.matches[0]
     state = np.array([ball["x"], ball["y"], ball["vx"], ball["vy"]])

@@ -50,10 +50,10 @@ class Listener:
 
     def sorted_events(self) -> list[Event]:
         """Return all events in the order of frames, with a save at the end of each saved shot."""
-        saves = [self._save(shot) for shot in self._events if shot.outcome == OUTCOMES[Outcome.SAVED]]
+        saves = [self._save_event(shot) for shot in self._events if shot.outcome == OUTCOMES[Outcome.SAVED]]
         return sorted([*self._events, *saves], key=lambda event: event.frame)
 
-    def _save(self, shot: Event) -> Event:
+    def _save_event(self, shot: Event) -> Event:
         """Return the event of the save that ended a shot."""
         team = 1 - shot.team
         return Event(shot.end_frame, "save", team, self._keepers.get(team, NOBODY), shot.end_x, shot.end_y)
@@ -74,15 +74,15 @@ class Listener:
         if events["goal"] != NO_TEAM:
             self._listen_to_goal(events, now)
         self._listen_to_calls(match, events)
-        self._remember(now)
+        self._store_statistics(now)
 
     def _begin(self, match: Match) -> None:
         """Start to compare statistics anew, from the present statistics and with no shot on its way."""
         self._step = int(match.matches["step"][0])
         self._shot = NOBODY  # place in the list of the shot that is on its way
-        self._remember(match.statistics[0])
+        self._store_statistics(match.statistics[0])
 
-    def _remember(self, now: Any) -> None:
+    def _store_statistics(self, now: Any) -> None:
         """Store copies of the statistics, to compare them in the next step."""
         self._passes = now["maps"]["passes"].copy()
         self._tried = int(now["passes_tried"].sum())

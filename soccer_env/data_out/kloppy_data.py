@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.data_out.collect import SHOOT_OUT, Collected, collect
+from soccer_env.data_out.collect import SHOOT_OUT, MatchRecording, collect_match
 from soccer_env.data_out.events import NOBODY, Event
 from soccer_env.leagues.league import Pitch
 from soccer_env.replay import Replay
@@ -32,19 +32,19 @@ def require_kloppy() -> Any:
 def kloppy_tracking(replay: Replay) -> Any:
     """Return the first match as a kloppy TrackingDataset in metres; ImportError if the extra `data` is missing."""
     require_kloppy()
-    return tracking_dataset(collect(replay))
+    return tracking_dataset(collect_match(replay))
 
 
 def kloppy_events(replay: Replay) -> Any:
     """Return the first match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls, calls."""
     require_kloppy()
-    return event_dataset(collect(replay))
+    return event_dataset(collect_match(replay))
 
 
-def tracking_dataset(recording: Collected) -> Any:
+def tracking_dataset(recording: MatchRecording) -> Any:
     """Return a match as a kloppy TrackingDataset: a frame for each control step, with the robots on the pitch."""
     domain = require_kloppy()
-    about = About(recording, domain)
+    about = KloppyMatch(recording, domain)
     robots, ball, owners, in_play = recording.robots, recording.ball, recording.owners(), recording.in_play
     speeds, ball_speeds = np.hypot(robots["vx"], robots["vy"]), np.hypot(ball[:, 2], ball[:, 3])
     frames = []
@@ -73,23 +73,23 @@ def tracking_dataset(recording: Collected) -> Any:
     return domain.TrackingDataset(records=frames, metadata=about.metadata(float(recording.league.control_rate)))
 
 
-def event_dataset(recording: Collected) -> Any:
+def event_dataset(recording: MatchRecording) -> Any:
     """Return a match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls; all else is generic.
 
     A goal without a shot (carried or bumped in) is a shot with the result GOAL or OWN_GOAL, kloppy's form of a goal.
     """
     domain = require_kloppy()
-    about = About(recording, domain)
+    about = KloppyMatch(recording, domain)
     shot_in = {(event.end_frame, event.team) for event in recording.events if event.outcome == "goal"}
     events = [event for event in recording.events if event.kind != "goal" or (event.frame, event.team) not in shot_in]
     records = [about.event(event, number) for number, event in enumerate(events)]
     return domain.EventDataset(records=records, metadata=about.metadata(None))
 
 
-class About:
+class KloppyMatch:
     """Teams, players and periods of a match in kloppy's classes."""
 
-    def __init__(self, recording: Collected, domain: Any) -> None:
+    def __init__(self, recording: MatchRecording, domain: Any) -> None:
         self.recording, self.domain = recording, domain
         grounds = (domain.Ground.HOME, domain.Ground.AWAY)
         self.teams = [
@@ -144,7 +144,7 @@ class About:
         first = recording.match["home_direction"][0] > 0.0
         if recording.periods[0] not in (1, SHOOT_OUT):
             first = not first  # home attacked the other way in the first half
-        dimensions = dimensions_of(recording.league.pitch, domain)
+        dimensions = kloppy_pitch_dimensions(recording.league.pitch, domain)
         system = domain.CustomCoordinateSystem(
             domain.Origin.CENTER, domain.VerticalOrientation.BOTTOM_TO_TOP, dimensions
         )
@@ -192,7 +192,7 @@ class About:
         return self.players[row] if row != NOBODY else None
 
 
-def dimensions_of(pitch: Pitch, domain: Any) -> Any:
+def kloppy_pitch_dimensions(pitch: Pitch, domain: Any) -> Any:
     """Return the dimensions of a pitch in metres."""
     return domain.MetricPitchDimensions(
         x_dim=domain.Dimension(-0.5 * pitch.length, 0.5 * pitch.length),

@@ -18,9 +18,9 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from soccer_env.data_out.collect import Collected, Player
+from soccer_env.data_out.collect import MatchRecording, Player
 from soccer_env.data_out.standard import KICK_OFF
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.types import AWAY, HOME
 
 RATE = 25  # [1/s] frames, fixed by the format
@@ -31,29 +31,29 @@ OWNER = {HOME: 1, AWAY: 2, -1: 0}  # BallPossession
 KMH = 3.6  # the format's S is a speed in km/h
 
 
-def write_sportec(recording: Collected, path: Path) -> Path:
+def write_sportec(recording: MatchRecording, path: Path) -> Path:
     """Write a match as one XML file."""
-    write_whole(path, "\n".join(lines_of(recording)) + "\n")
+    write_atomically(path, "\n".join(xml_lines(recording)) + "\n")
     return path
 
 
-def lines_of(recording: Collected) -> Iterator[str]:
+def xml_lines(recording: MatchRecording) -> Iterator[str]:
     """Yield the XML file line by line."""
-    chosen = {period: frames_of(recording, period) for period in SECTIONS}
+    chosen = {period: frames_of_period(recording, period) for period in SECTIONS}
     yield '<?xml version="1.0" encoding="UTF-8"?>'
     yield "<PutDataRequest>"
-    yield from information(recording, chosen)
+    yield from match_information(recording, chosen)
     yield "<Positions>"
     for period, frames in chosen.items():
         if len(frames):
-            yield from ball_set(recording, period, frames)
+            yield from ball_elements(recording, period, frames)
             for player in recording.players:
-                yield from player_set(recording, period, frames, player)
+                yield from player_elements(recording, period, frames, player)
     yield "</Positions>"
     yield "</PutDataRequest>"
 
 
-def frames_of(recording: Collected, period: int) -> np.ndarray:
+def frames_of_period(recording: MatchRecording, period: int) -> np.ndarray:
     """Return the indices of the recorded frames that the file shows of a period, 25 a second."""
     inside = np.flatnonzero(recording.periods == period)
     if not len(inside):
@@ -64,7 +64,7 @@ def frames_of(recording: Collected, period: int) -> np.ndarray:
     return shown
 
 
-def element(name: str, closed: bool = True, **attributes: object) -> str:
+def opening_tag(name: str, closed: bool = True, **attributes: object) -> str:
     """Return the opening tag of an element with escaped attributes; closed: an empty element."""
     written = "".join(f" {key}={quoteattr(printable(str(value)))}" for key, value in attributes.items())
     return f"<{name}{written}{'/' if closed else ''}>"
@@ -75,25 +75,25 @@ def printable(text: str) -> str:
     return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
-def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator[str]:
+def match_information(recording: MatchRecording, chosen: dict[int, np.ndarray]) -> Iterator[str]:
     """Yield the XML elements of teams, players, pitch and duration of the match."""
     pitch, (home, away) = recording.league.pitch, recording.score[-1].tolist()
     yield "<MatchInformation>"
-    yield element(
+    yield opening_tag(
         "General", MatchId=recording.name, KickoffTime=KICK_OFF.isoformat(), MatchDay=1, Result=f"{home}:{away}",
         HomeTeamName=recording.teams[0], GuestTeamName=recording.teams[1],
     )  # fmt: skip
-    yield element("Environment", PitchX=pitch.length, PitchY=pitch.width)
+    yield opening_tag("Environment", PitchX=pitch.length, PitchY=pitch.width)
     lasted = {period: max(0, len(frames) - 1) * 1000 // RATE for period, frames in chosen.items()}  # [ms]
-    yield element("OtherGameInformation", TotalTimeFirstHalf=lasted[1], TotalTimeSecondHalf=lasted[2])
+    yield opening_tag("OtherGameInformation", TotalTimeFirstHalf=lasted[1], TotalTimeSecondHalf=lasted[2])
     yield "<Teams>"
     for side, team in zip(("home", "away"), recording.teams, strict=True):
-        yield element("Team", closed=False, TeamId=side, TeamName=team, Role=ROLES[side], LineUp="")
+        yield opening_tag("Team", closed=False, TeamId=side, TeamName=team, Role=ROLES[side], LineUp="")
         yield "<TrainerStaff/>"
         yield "<Players>"
         for player in recording.players:
             if player.side == side:
-                yield element(
+                yield opening_tag(
                     "Player", PersonId=player.name, ShirtNumber=player.number, Shortname=player.name,
                     FirstName=side, LastName=player.number, Starting="true",
                     PlayingPosition=KEEPER if player.keeper else PLAYER,
@@ -104,41 +104,43 @@ def information(recording: Collected, chosen: dict[int, np.ndarray]) -> Iterator
     yield "</MatchInformation>"
 
 
-def stamp(recording: Collected, frame: int) -> str:
+def date_and_time(recording: MatchRecording, frame: int) -> str:
     """Return the date and time of a frame of the recording as text."""
     return (KICK_OFF + timedelta(seconds=frame / recording.league.control_rate)).isoformat(timespec="milliseconds")
 
 
-def ball_set(recording: Collected, period: int, frames: np.ndarray) -> Iterator[str]:
+def ball_elements(recording: MatchRecording, period: int, frames: np.ndarray) -> Iterator[str]:
     """Yield the XML elements of the ball's frames."""
     section, first = SECTIONS[period]
     in_play, owners, radius = recording.in_play, recording.owners(), recording.league.ball.radius
-    yield element("FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId="BALL", PersonId="BALL")
+    yield opening_tag(
+        "FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId="BALL", PersonId="BALL"
+    )
     for number, frame in enumerate(frames.tolist(), first):
         status, owner = int(in_play[frame]), OWNER[int(owners[frame])]
-        moved = moved_words(*recording.ball[frame].tolist())
+        moved = motion_attributes(*recording.ball[frame].tolist())
         yield (
-            f'<Frame N="{number}" T="{stamp(recording, frame)}" {moved} Z="{radius:g}" BallStatus="{status}" '
+            f'<Frame N="{number}" T="{date_and_time(recording, frame)}" {moved} Z="{radius:g}" BallStatus="{status}" '
             f'BallPossession="{owner}"/>'
         )
     yield "</FrameSet>"
 
 
-def player_set(recording: Collected, period: int, frames: np.ndarray, player: Player) -> Iterator[str]:
+def player_elements(recording: MatchRecording, period: int, frames: np.ndarray, player: Player) -> Iterator[str]:
     """Yield the XML elements of a robot's frames while the robot is on the pitch."""
     section, first = SECTIONS[period]
     robots, row = recording.robots, player.row
-    yield element(
+    yield opening_tag(
         "FrameSet", closed=False, GameSection=section, MatchId=recording.name, TeamId=player.side, PersonId=player.name
     )
     x, y, vx, vy, active = (robots[name][:, row].tolist() for name in ("x", "y", "vx", "vy", "active"))
     for number, frame in enumerate(frames.tolist(), first):
         if active[frame] == 1:
-            moved = moved_words(x[frame], y[frame], vx[frame], vy[frame])
-            yield f'<Frame N="{number}" T="{stamp(recording, frame)}" {moved}/>'
+            moved = motion_attributes(x[frame], y[frame], vx[frame], vy[frame])
+            yield f'<Frame N="{number}" T="{date_and_time(recording, frame)}" {moved}/>'
     yield "</FrameSet>"
 
 
-def moved_words(x: float, y: float, vx: float, vy: float) -> str:
+def motion_attributes(x: float, y: float, vx: float, vy: float) -> str:
     """Return the XML attributes for a place [m] and for the speed of a velocity [m/s]."""
     return f'X="{x:.4f}" Y="{y:.4f}" S="{KMH * hypot(vx, vy):.3f}"'

@@ -22,9 +22,9 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.data_out.collect import SHOOT_OUT, SIDES, Collected, Player
+from soccer_env.data_out.collect import SHOOT_OUT, SIDES, MatchRecording, Player
 from soccer_env.data_out.events import NOBODY, Event
-from soccer_env.guards.whole_files import folder_aside, write_whole
+from soccer_env.guards.whole_files import atomic_folder, write_atomically
 from soccer_env.match.arguments import version
 
 VERSION = "0.3.2"  # of the Common Data Format
@@ -37,30 +37,30 @@ WHISTLES = {"half_time": "half_time", "final_whistle": "final_whistle"}
 DIGITS = 4  # of a metre: tenths of a millimetre
 
 
-def write_standard(recording: Collected, folder: Path) -> Path:
+def write_standard(recording: MatchRecording, folder: Path) -> Path:
     """Write a match as four files of a folder, which replaces an earlier folder, whole or not at all.
 
     In a folder with other files the four files are replaced one by one.
     """
-    match = Standard(recording)
+    match = CommonDataMatch(recording)
     sheets = (json.dumps(sheet, indent=2) + "\n" for sheet in (match.meta(), match.sheet()))
-    contents = dict(zip(FILES, [*sheets, as_lines(match.tracking()), as_lines(match.events())], strict=True))
+    contents = dict(zip(FILES, [*sheets, json_lines(match.tracking()), json_lines(match.events())], strict=True))
     shared = folder.exists() and not {file.name for file in folder.iterdir()} <= contents.keys()
-    with nullcontext(folder) if shared else folder_aside(folder) as written:
+    with nullcontext(folder) if shared else atomic_folder(folder) as written:
         for name, content in contents.items():
-            write_whole(written / name, content)
+            write_atomically(written / name, content)
     return folder
 
 
-def as_lines(records: Iterator[dict[str, Any]]) -> str:
+def json_lines(records: Iterator[dict[str, Any]]) -> str:
     """Return records as JSON, one a line."""
     return "".join(json.dumps(record, separators=(",", ":"), allow_nan=False) + "\n" for record in records)
 
 
-class Standard:
+class CommonDataMatch:
     """A match in the words of the Common Data Format."""
 
-    def __init__(self, recording: Collected) -> None:
+    def __init__(self, recording: MatchRecording) -> None:
         self.recording = recording
         self.periods = recording.periods
         self.direction = recording.match["home_direction"]
@@ -91,7 +91,7 @@ class Standard:
                 "id": recording.name,
                 "kickoff_time": self.time(0),
                 "periods": [self.about_period(period) for period in self.numbers()],
-                "whistles": list(self.whistles()),
+                "whistles": list(self.period_whistles()),
             },
             "teams": {
                 side: {"id": side, "name": team, "players": [self.about(player) for player in self.of(side)]}
@@ -123,7 +123,7 @@ class Standard:
             "frame_id_start": first, "frame_id_end": last,
         }  # fmt: skip
 
-    def whistles(self) -> Iterator[dict[str, str]]:
+    def period_whistles(self) -> Iterator[dict[str, str]]:
         """Yield the start and the end of each period."""
         for period in map(self.about_period, self.numbers()):
             for sub_type in ("start", "end"):
@@ -201,14 +201,14 @@ class Standard:
                 "frame_id": frame, "timestamp": self.time(frame), "period": self.period(frame),
                 "match": {"id": recording.name},
                 "teams": {
-                    side: {"id": side, "players": [self.tracked(frame, player, speeds) for player in players
+                    side: {"id": side, "players": [self.tracked_place(frame, player, speeds) for player in players
                                                    if recording.robots["active"][frame, player.row] == 1]}
                     for side, players in sides
                 },
                 "ball": {"x": x, "y": y, "z": recording.league.ball.radius, "status": bool(in_play[frame])},
             }  # fmt: skip
 
-    def tracked(self, frame: int, player: Player, speeds: np.ndarray) -> dict[str, Any]:
+    def tracked_place(self, frame: int, player: Player, speeds: np.ndarray) -> dict[str, Any]:
         """Return the place of a robot in a frame."""
         robots, row = self.recording.robots, player.row
         x, y = self.place(frame, robots["x"][frame, row], robots["y"][frame, row])

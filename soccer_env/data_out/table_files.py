@@ -13,17 +13,17 @@ from typing import Any
 import numpy as np
 
 from soccer_env.data_out.tables import TABLES, Column, Table
-from soccer_env.guards.whole_files import written_aside
+from soccer_env.guards.whole_files import atomic_file
 
 HOW = 'pip install "soccer_env[data]"'
 
 
-def paths_of(path: Path) -> dict[str, Path]:
+def table_paths(path: Path) -> dict[str, Path]:
     """Return the files of both tables by name."""
     return {"tracking": path, "events": path.with_name(f"{path.stem}_events{path.suffix}")}
 
 
-def require(kind: str) -> None:
+def require_writer(kind: str) -> None:
     """Raise ImportError, which says what to install, if files with this ending cannot be written."""
     if kind == ".parquet":
         try:
@@ -38,11 +38,11 @@ def write_tables(matches: Iterable[dict[str, Table]], path: Path) -> dict[str, P
     ImportError if pyarrow is missing. Existing files are replaced after all matches are written.
     """
     kind: type[CsvFile] | type[ParquetFile] = CsvFile if path.suffix.lower() == ".csv" else ParquetFile
-    paths = paths_of(path)
+    paths = table_paths(path)
     with ExitStack() as replacing, ExitStack() as closing:  # all are closed before the first is replaced
         files: dict[str, CsvFile | ParquetFile] = {}
         for name, target in paths.items():
-            files[name] = kind(replacing.enter_context(written_aside(target)), TABLES[name])
+            files[name] = kind(replacing.enter_context(atomic_file(target)), TABLES[name])
             closing.callback(files[name].close)
         for tables in matches:
             for name, file in files.items():
@@ -61,26 +61,28 @@ class CsvFile:
 
     def add(self, table: Table) -> None:
         """Append the rows of a table to the file."""
-        self._writer.writerows(zip(*(as_text(table[column.name], column) for column in self._columns), strict=True))
+        self._writer.writerows(
+            zip(*(column_as_text(table[column.name], column) for column in self._columns), strict=True)
+        )
 
     def close(self) -> None:
         """Close the file."""
         self._file.close()
 
 
-def as_text(values: np.ndarray, column: Column) -> list[Any]:
+def column_as_text(values: np.ndarray, column: Column) -> list[Any]:
     """Return a column as text: numbers with six decimals, missing numbers empty."""
     if column.kind == "flag":
         return ["true" if value else "false" for value in values.tolist()]
     if column.kind == "number":
         return [round(value, 6) if value == value else "" for value in values.tolist()]
     if column.kind == "text":
-        return [plain_cell(value) for value in values.tolist()]
+        return [escape_formula(value) for value in values.tolist()]
     plain: list[Any] = values.tolist()
     return plain
 
 
-def plain_cell(text: str) -> str:
+def escape_formula(text: str) -> str:
     """Return a word that no spreadsheet takes for a formula: names of matches come from untrusted files."""
     return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
 
@@ -89,7 +91,7 @@ class ParquetFile:
     """A table as Parquet; unit and meaning of each column stand in the metadata of its field."""
 
     def __init__(self, path: Path, columns: tuple[Column, ...]) -> None:
-        require(".parquet")
+        require_writer(".parquet")
         import pyarrow
         from pyarrow import parquet
 

@@ -3,8 +3,8 @@
     <setting> must be <allowed values>, got <value>
     unknown <kind> <name>, did you mean <similar name>? known: <all names>
 
-A settings record is a frozen dataclass that inherits from `Checked`: its annotations and a few tables beside them give
-the allowed values of each field.
+A settings record is a frozen dataclass that inherits from `CheckedFields`: its annotations and a few tables beside them
+give the allowed values of each field.
 """
 
 import operator
@@ -45,7 +45,7 @@ class Range(NamedTuple):
     def text(self, whole: bool = False) -> str:
         """Return the range in words."""
         if abs(self.low) < inf and self.high < inf and not (self.above or self.below):
-            return span(self.low, self.high)
+            return bounds_in_words(self.low, self.high)
         low = f"{'above' if self.above else 'of at least'} {self.low:g}" if self.low > -inf else ""
         high = f"{'below' if self.below else 'at most'} {self.high:g}" if self.high < inf else ""
         bounds = " and ".join(filter(None, (low, high)))
@@ -58,24 +58,24 @@ FROM_ZERO = Range(0.0)
 SHARE = Range(0.0, 1.0)
 
 
-def span(low: float, high: float) -> str:
+def bounds_in_words(low: float, high: float) -> str:
     """Return two bounds in words, such as "0 to 1"."""
     return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
 
 
-def in_words(allowed: Range, whole: bool, value: Any) -> str:
+def allowed_in_words(allowed: Range, whole: bool, value: Any) -> str:
     """Return the allowed numbers in words; "a whole number, ..." if the value is in range or no number."""
     text = allowed.text(whole)
     not_whole = whole and not text.startswith("a ") and (not is_number(value) or allowed.holds(value))
     return f"a whole number, {text}" if not_whole else text
 
 
-def refuse(what: str, allowed: str, value: Any) -> NoReturn:
+def raise_not_allowed(what: str, allowed: str, value: Any) -> NoReturn:
     """Raise ValueError for a value that is not allowed."""
-    raise ValueError(f"{what} must be {allowed}, got {brief(value)}")
+    raise ValueError(f"{what} must be {allowed}, got {short_repr(value)}")
 
 
-def brief(value: object) -> str:
+def short_repr(value: object) -> str:
     """Return a value as one short line, safe for untrusted files."""
     return BRIEF.repr(value)
 
@@ -90,26 +90,26 @@ def check_names(
             raise error(unknown(what, name, known, more=more))
 
 
-def one_of(what: str, value: Any, choices: Iterable[Any]) -> Any:
+def check_choice(what: str, value: Any, choices: Iterable[Any]) -> Any:
     """Return the value if it is one of the choices; ValueError names the choices."""
     choices = list(choices)
     if not any(isinstance(value, type(choice)) and value == choice for choice in choices):
-        refuse(what, f"one of {', '.join(map(str, choices))}", value)
+        raise_not_allowed(what, f"one of {', '.join(map(str, choices))}", value)
     return value
 
 
-def whole_number(what: str, value: Any, low: float = -inf, high: float = inf) -> int:
+def check_whole_number(what: str, value: Any, low: float = -inf, high: float = inf) -> int:
     """Return the value if it is a whole number in a range; ValueError names value and range."""
     allowed = Range(low, high)
     if not (is_number(value, whole=True) and allowed.holds(value)):
-        refuse(what, in_words(allowed, True, value), value)
+        raise_not_allowed(what, allowed_in_words(allowed, True, value), value)
     return int(value)
 
 
-def number(what: str, value: Any, allowed: Range = ANY) -> float:
+def check_finite_number(what: str, value: Any, allowed: Range = ANY) -> float:
     """Return the value if it is a finite number in a range; ValueError names value and range."""
     if not (is_number(value) and allowed.holds(value)):
-        refuse(what, allowed.text(), value)
+        raise_not_allowed(what, allowed.text(), value)
     return float(value)
 
 
@@ -120,7 +120,7 @@ def is_number(value: Any, whole: bool = False) -> bool:
     return not whole and isinstance(value, (float, np.floating))
 
 
-class Checked:
+class CheckedFields:
     """A frozen dataclass that checks its fields.
 
     bool, int, float, str, Path, Literal, None and their unions are checked by annotation; fields of other types may
@@ -148,41 +148,41 @@ class Checked:
     def _checked(self, name: str, kinds: tuple[Any, ...], value: Any) -> Any:
         """Return a field's value, converted to a plain Python type; ValueError names the allowed values."""
         if name in self.NAMES:
-            return one_of(self.where(name), value, self.NAMES[name])
+            return check_choice(self.where(name), value, self.NAMES[name])
         for kind in kinds:
-            fits, checked = as_kind(kind, value, self.bounds(name))
+            fits, checked = convert_to_kind(kind, value, self.bounds(name))
             if fits:
                 if name in self.EVEN and value is not None and value % 2 != 0:
-                    refuse(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
+                    raise_not_allowed(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
                 return checked
-        refuse(self.where(name), self._words(name, kinds, value), value)
+        raise_not_allowed(self.where(name), self._words(name, kinds, value), value)
 
     def _check_order(self) -> None:
         """Raise ValueError for the first pair of fields whose values break a relation of ORDER."""
         for one, relation, other in self.ORDER:
             value, bound = getattr(self, one), getattr(self, other)
             if not BELOW[relation][0](value, bound):
-                refuse(self.where(one), f"{relation} {other} {bound}", value)
+                raise_not_allowed(self.where(one), f"{relation} {other} {bound}", value)
 
     @classmethod
     def bounds(cls, name: str) -> Range:
         """Return the range of numbers that a field may hold."""
         metadata = cls.__dataclass_fields__[name].metadata  # type: ignore[attr-defined]
-        tables = (kind.BOUNDS[name] for kind in cls.__mro__ if issubclass(kind, Checked) and name in kind.BOUNDS)
+        tables = (kind.BOUNDS[name] for kind in cls.__mro__ if issubclass(kind, CheckedFields) and name in kind.BOUNDS)
         return Range(*metadata["bounds"]) if "bounds" in metadata else Range(*next(tables, cls.NUMBER))
 
     @classmethod
     def _words(cls, name: str, kinds: tuple[Any, ...], value: Any) -> str:
         """Return the allowed values of a field in words, without the None of its default."""
         words = {bool: "True or False", str: "a text", Path: "a path"}
-        numbers = in_words(cls.bounds(name), float not in kinds, value)
+        numbers = allowed_in_words(cls.bounds(name), float not in kinds, value)
         words |= dict.fromkeys((int, float), numbers)
         choices = [str(choice) for kind in kinds for choice in get_args(kind)]
         options = [f"one of {', '.join(choices)}"] if len(choices) > 1 else choices
         return " or ".join(dict.fromkeys([*(words[kind] for kind in kinds if kind in words), *options]))
 
 
-def as_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
+def convert_to_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
     """Return whether a value is of a kind, with numbers within bounds, and the value in a plain Python type."""
     if get_origin(kind) is Literal:
         return any(isinstance(value, type(choice)) and value == choice for choice in get_args(kind)), value
@@ -203,13 +203,13 @@ def kinds_of_fields(record: type) -> dict[str, tuple[Any, ...]]:
     for parent in reversed(record.__mro__):
         names = vars(sys.modules[parent.__module__])
         annotations |= {
-            name: evaluated(kind, names) for name, kind in parent.__dict__.get("__annotations__", {}).items()
+            name: evaluate_annotation(kind, names) for name, kind in parent.__dict__.get("__annotations__", {}).items()
         }
-    kinds_by_field = {field.name: parts_of(annotations[field.name]) for field in fields(record)}
+    kinds_by_field = {field.name: union_members(annotations[field.name]) for field in fields(record)}
     return {name: kinds for name, kinds in kinds_by_field.items() if all(map(can_be_checked, kinds))}
 
 
-def evaluated(annotation: Any, names: dict[str, Any]) -> Any:
+def evaluate_annotation(annotation: Any, names: dict[str, Any]) -> Any:
     """Return the type of an annotation; Any if it names something that only type checkers import."""
     try:
         return eval(annotation, names) if isinstance(annotation, str) else annotation
@@ -217,14 +217,14 @@ def evaluated(annotation: Any, names: dict[str, Any]) -> Any:
         return Any
 
 
-def parts_of(kind: Any) -> tuple[Any, ...]:
+def union_members(kind: Any) -> tuple[Any, ...]:
     """Return the members of a union; of any other kind a tuple with only the kind itself."""
     if get_origin(kind) is Annotated:
         kind = get_args(kind)[0]
     return get_args(kind) if get_origin(kind) in (Union, UnionType) else (kind,)
 
 
-def type_of(field: Field[Any]) -> str:
+def field_type_name(field: Field[Any]) -> str:
     """Return the name of a field's type, such as "float"; without `from __future__` the field has the type itself."""
     return field.type if isinstance(field.type, str) else field.type.__name__
 

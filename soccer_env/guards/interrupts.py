@@ -5,7 +5,7 @@ match in the middle of a step. In the functions by which pymunk frees a Space th
 Space stays in memory. Blocking signals does not help: the system delivers them to another thread, and Python runs the
 handler in the main thread.
 
-`HeldBack` is the usual way. `hold` and `release` do the same for a control step, at a cost of a microsecond.
+`SignalsHeld` is the usual way. `hold_signals` and `release_signals` do the same for a control step and cost 1 us.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _raw: Any = _signal
 _get, _set = _raw.getsignal, _raw.signal
 
 
-class _Held:
+class _HeldSignals:
     """The state of held signals in this process; Python runs their handlers in the main thread only."""
 
     __slots__ = "arrived", "handlers", "holds", "main", "python_handlers", "stand_ins"
@@ -46,17 +46,17 @@ class _Held:
 
     def take(self, handlers: tuple[Any, ...]) -> None:
         """Store the handlers to hold back; a stand-in that was left in place counts as its own handler."""
-        originals = [handler.handler if isinstance(handler, _Waiting) else handler for handler in handlers]
+        originals = [handler.handler if isinstance(handler, _WaitingHandler) else handler for handler in handlers]
         known = zip(SIGNALS, originals, strict=True)
         self.python_handlers = tuple((number, handler) for number, handler in known if callable(handler))
-        self.stand_ins = tuple((number, _Waiting(handler)) for number, handler in self.python_handlers)
-        self.handlers = handlers  # last of all: after an interrupt `hold` calls `take` again
+        self.stand_ins = tuple((number, _WaitingHandler(handler)) for number, handler in self.python_handlers)
+        self.handlers = handlers  # last of all: after an interrupt `hold_signals` calls `take` again
 
 
-_HELD = _Held()
+_HELD = _HeldSignals()
 
 
-class _Waiting:
+class _WaitingHandler:
     """Stands in for the handler of a signal: stores the signal while signals wait, else calls the handler."""
 
     def __init__(self, handler: Any) -> None:
@@ -69,8 +69,8 @@ class _Waiting:
             self.handler(number, frame)
 
 
-def hold() -> bool:
-    """Let signals wait from now on, in the main thread; return True if the caller must call `release`."""
+def hold_signals() -> bool:
+    """Let signals wait from now on, in the main thread; return True if the caller must call `release_signals`."""
     held = _HELD
     if held.holds or get_ident() != held.main:
         return False
@@ -82,12 +82,12 @@ def hold() -> bool:
         for number, handler in held.stand_ins:
             _set(number, handler)
     except BaseException:  # raised by a signal that was not yet held
-        release()
+        release_signals()
         raise
     return True
 
 
-def release(later: bool = False) -> None:
+def release_signals(later: bool = False) -> None:
     """Deliver the signals that have waited; later: once no destructor runs."""
     held = _HELD
     held.holds = False  # first of all: if it stayed true, no signal would ever be delivered again
@@ -102,43 +102,43 @@ def release(later: bool = False) -> None:
         if held.arrived:
             came, held.arrived = dict.fromkeys(held.arrived), ()
             if later:
-                deliver_soon([*came])
+                send_signals_later([*came])
             else:
-                deliver([*came])
+                send_signals([*came])
 
 
-def let_go() -> None:
-    """Deliver signals again, until the next `hold`, because a user's code begins."""
+def resume_signals() -> None:
+    """Deliver signals again, until the next `hold_signals`, because a user's code begins."""
     if _HELD.holds and get_ident() == _HELD.main:
-        release()
+        release_signals()
 
 
-def let_come() -> None:
+def deliver_waiting_signals() -> None:
     """Deliver the signals that have waited; later signals wait again, even if a handler raises."""
-    if not (_HELD.arrived and is_held()):
+    if not (_HELD.arrived and are_signals_held()):
         return
     try:
-        release()
-        hold()
+        release_signals()
+        hold_signals()
     except BaseException:
-        hold_again()
+        hold_signals_again()
         raise
 
 
-def hold_again() -> None:
+def hold_signals_again() -> None:
     """Let signals wait again while an error is raised; errors of handlers that run meanwhile are dropped."""
     for _ in range(MOST):
         with contextlib.suppress(BaseException):
-            hold()
+            hold_signals()
             return
 
 
-def is_held() -> bool:
+def are_signals_held() -> bool:
     """Tell whether signals wait in this thread."""
     return _HELD.holds and get_ident() == _HELD.main
 
 
-class HeldBack:
+class SignalsHeld:
     """Let signals wait until the end of the outermost `with`.
 
     later: deliver them soon after, not inside a destructor, where Python would print and forget their errors.
@@ -147,31 +147,31 @@ class HeldBack:
     def __init__(self, later: bool = False) -> None:
         self.later = later
 
-    def __enter__(self) -> HeldBack:
-        self._began = hold()
+    def __enter__(self) -> SignalsHeld:
+        self._began = hold_signals()
         return self
 
     def __exit__(self, *error: object) -> None:
         if self._began:
-            release(self.later)
+            release_signals(self.later)
 
 
-def deliver(numbers: list[int]) -> None:
+def send_signals(numbers: list[int]) -> None:
     """Send all signals to this process, one after the other, even if the handler of an earlier signal raises."""
     if numbers:
         try:
             signal.raise_signal(numbers[0])
         finally:
-            deliver(numbers[1:])
+            send_signals(numbers[1:])
 
 
-def deliver_soon(numbers: list[int]) -> None:
+def send_signals_later(numbers: list[int]) -> None:
     """Send signals to this process from another thread, once the main thread is in no destructor."""
 
     def wait() -> None:
         while _in_destructor():
             time.sleep(SOON)
-        deliver(numbers)
+        send_signals(numbers)
 
     threading.Timer(SOON, wait).start()
 
@@ -184,13 +184,13 @@ def _in_destructor() -> bool:
     return frame is not None
 
 
-def _after_fork() -> None:
+def _reset_after_fork() -> None:
     """Record the forking thread as the main thread of the child process, and drop signals that waited."""
     _HELD.main = get_ident()
     if _HELD.holds:
         _HELD.arrived = ()
-        release()
+        release_signals()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_after_fork)
+    os.register_at_fork(after_in_child=_reset_after_fork)

@@ -82,18 +82,18 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
     return f"unknown {what} {name!r}{place}{question}known: {shown}{', or ' + more if more else ''}"
 
 
-def of_module(what: str, text: object, kind: type, near: str = "") -> Any:
+def object_in_module(what: str, text: object, kind: type, near: str = "") -> Any:
     """Return the object that MODULE:NAME names; None for text of another form; ValueError if it is no `kind`.
 
     The module is imported, and so runs, from the places where Python looks for modules or from the working folder.
 
-    >>> of_module("league", "legged-2001", type)
+    >>> object_in_module("league", "legged-2001", type)
     """
     parts = MODULE_PATH.fullmatch(text) if isinstance(text, str) else None
     if parts is None:
         return None
     module, name = parts.groups()
-    places = vars(user_module(what, module))
+    places = vars(import_user_module(what, module))
     if name not in places:
         known = [key for key, value in places.items() if isinstance(value, kind)]
         raise ValueError(unknown(what, name, known, where=f"module {module!r}"))
@@ -102,7 +102,7 @@ def of_module(what: str, text: object, kind: type, near: str = "") -> Any:
     return places[name]
 
 
-def user_module(what: str, module: str) -> Any:
+def import_user_module(what: str, module: str) -> Any:
     """Return a user's module; ValueError if it cannot be imported, or is one of Python's own."""
     if module.partition(".")[0] in sys.stdlib_module_names:
         raise ValueError(f"{what} must stand in a module of your own, {module!r} is one of Python's")
@@ -114,22 +114,22 @@ def user_module(what: str, module: str) -> Any:
         raise ValueError(f"{what}: module {module!r} cannot be imported: {error}") from error
 
 
-def by_names(made: Any, values: dict[str, Any]) -> Made:
+def reduce_by_names(made: Any, values: dict[str, Any]) -> Made:
     """Return the value of `__reduce__` for an object with these field values; functions of modules are stored by name.
 
     A compiled function is found again by its name, where a copy would have to be compiled again.
     """
-    return found_again, (type(made), {name: place_of(value) for name, value in values.items()})
+    return rebuild_by_names, (type(made), {name: function_place(value) for name, value in values.items()})
 
 
-class Place(NamedTuple):
+class FunctionPlace(NamedTuple):
     """Module and name of a function, which a pickle stores instead of the function."""
 
     module: str
     name: str
 
 
-def place_of(value: Any) -> Any:
+def function_place(value: Any) -> Any:
     """Return module and name of a function in a loaded module; any other value unchanged."""
     if callable(value):
         for module, names in [
@@ -137,11 +137,11 @@ def place_of(value: Any) -> Any:
         ]:
             for name, there in list(names.items()):
                 if there is value and module != "__main__":
-                    return Place(module, name)
+                    return FunctionPlace(module, name)
     return value
 
 
-def found_again(kind: Callable[..., Any], values: dict[str, Any]) -> Any:
-    """Rebuild an object that was pickled by `by_names`."""
-    places = {name: value for name, value in values.items() if isinstance(value, Place)}
+def rebuild_by_names(kind: Callable[..., Any], values: dict[str, Any]) -> Any:
+    """Rebuild an object that was pickled by `reduce_by_names`."""
+    places = {name: value for name, value in values.items() if isinstance(value, FunctionPlace)}
     return kind(**values | {name: getattr(import_module(at.module), at.name) for name, at in places.items()})

@@ -1,8 +1,8 @@
 """The allowed range of each field of a record, declared beside the field and kept in one table.
 
 Kernels trust the numbers in records: they index and divide by them. Records from outside (a save, a replay, a pickle)
-are compared with these ranges first, by `outside`. A record without ranges, such as the memory of a user's team, is
-not checked.
+are compared with these ranges first, by `first_out_of_range`. A record without ranges, such as the memory of a user's
+team, is not checked.
 """
 
 import functools
@@ -46,7 +46,7 @@ ROW_FROM_ONE = Range(0, 0, robots=True)  # 1 + row, 0 for none
 RANGES: dict[np.dtype, dict[str, Range]] = {}  # by record and field; a nested record has its own entry
 
 
-def record(rows: list[tuple[Any, ...]]) -> np.dtype:
+def ranged_record(rows: list[tuple[Any, ...]]) -> np.dtype:
     """Return the dtype of fields (name, type, range) or (name, type, range, shape), and store their ranges.
 
     A nested record has ranges of its own: (name, RECORD) or (name, RECORD, shape).
@@ -61,7 +61,7 @@ def record(rows: list[tuple[Any, ...]]) -> np.dtype:
     return dtype
 
 
-class Place(NamedTuple):
+class NumberPlace(NamedTuple):
     """A single number in a record: its path, type, position and range."""
 
     path: str  # "command.pan"
@@ -70,15 +70,15 @@ class Place(NamedTuple):
     range: Range | None  # None: declared without a range
 
 
-def places(dtype: np.dtype, path: str = "", start: int = 0) -> Iterator[Place]:
+def number_places(dtype: np.dtype, path: str = "", start: int = 0) -> Iterator[NumberPlace]:
     """Yield the place of every number of a record, including nested records and arrays."""
     ranges = RANGES.get(dtype, {})
     for name, (field, offset, *_) in (dtype.fields or {}).items():
         for at in range(start + offset, start + offset + field.itemsize, field.base.itemsize or 1):
             if field.base.names is None or name in ranges:
-                yield Place(path + name, field.base, at, ranges.get(name))
+                yield NumberPlace(path + name, field.base, at, ranges.get(name))
             else:
-                yield from places(field.base, f"{path}{name}.", at)
+                yield from number_places(field.base, f"{path}{name}.", at)
 
 
 class Columns(NamedTuple):
@@ -96,14 +96,14 @@ class Columns(NamedTuple):
 @functools.lru_cache(maxsize=256)
 def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
     """Return `Columns` for each type of the numbers of a record that have ranges, in a match of `robots` robots."""
-    by_type: dict[np.dtype, list[Place]] = {}
-    for place in places(dtype):
+    by_type: dict[np.dtype, list[NumberPlace]] = {}
+    for place in number_places(dtype):
         if place.range is not None and place.range != ANY:
             by_type.setdefault(place.kind, []).append(place)
     return [columns(dtype, kind, numbers, robots) for kind, numbers in by_type.items()]
 
 
-def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) -> Columns:
+def columns(dtype: np.dtype, kind: np.dtype, numbers: list[NumberPlace], robots: int) -> Columns:
     """Return the `Columns` of some numbers of a record, all of the type `kind`, with their ranges."""
     size = gcd(kind.itemsize, dtype.itemsize, *(place.start for place in numbers))
     starts = np.array([place.start for place in numbers]) // size
@@ -118,7 +118,7 @@ def columns(dtype: np.dtype, kind: np.dtype, numbers: list[Place], robots: int) 
     return Columns(kind, np.dtype(f"u{size}"), pieces, low, high, ends, [place.path for place in numbers])
 
 
-def outside(records: np.ndarray, robots: int) -> str:
+def first_out_of_range(records: np.ndarray, robots: int) -> str:
     """Return the name of the first field that is out of its range, in a match of `robots` robots; "" if none is."""
     if records.dtype == bool:
         return "" if (records.view(np.uint8) <= 1).all() else "a flag"

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from threading import get_ident
 from typing import Any, TypeVar, cast
 
-from soccer_env.guards.interrupts import hold, hold_again, let_go, release
+from soccer_env.guards.interrupts import hold_signals, hold_signals_again, release_signals, resume_signals
 
 T = TypeVar("T")
 F = TypeVar("F", bound=Callable[..., Any])
@@ -16,7 +16,7 @@ GoBack = Callable[[], None]
 MENDS = ("reset", "load")  # methods that repair an object which an error has left half changed
 
 
-def in_turn(
+def guard_methods(
     kind: type[T], names: Iterable[str], undone: Callable[[T], bool], note: Callable[[T, str], GoBack | None]
 ) -> type[T]:
     """Guard some methods of a class; RuntimeError if another thread is inside one of them.
@@ -43,7 +43,7 @@ def _guarded(
             turn = self._turn = Turn(undone(self))
         if turn.owner == get_ident():
             return method(self, *args, **kwargs)
-        began = hold()
+        began = hold_signals()
         try:
             if not turn.acquire(False):
                 whose = type(self).__name__
@@ -63,7 +63,7 @@ def _guarded(
                 turn.release()
         finally:
             if began:
-                release()
+                release_signals()
 
     return guarded
 
@@ -71,28 +71,28 @@ def _guarded(
 def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
     """Call a method while signals are delivered; let signals wait after its end, and undo the method on an error."""
     try:
-        let_go()
+        resume_signals()
         result = method(*args, **kwargs)
-        hold()
+        hold_signals()
     except BaseException:
-        hold_again()
+        hold_signals_again()
         if go_back is not None:
             go_back()
         raise
     return result
 
 
-def held(method: F) -> F:
+def with_signals_held(method: F) -> F:
     """Let signals wait until a method ends, unless a function that it calls delivers them."""
 
     @functools.wraps(method)
     def waiting(*args: Any, **kwargs: Any) -> Any:
-        began = hold()
+        began = hold_signals()
         try:
             return method(*args, **kwargs)
         finally:
             if began:
-                release()
+                release_signals()
 
     return cast(F, waiting)
 

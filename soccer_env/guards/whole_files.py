@@ -8,13 +8,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from secrets import token_hex
 
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.interrupts import SignalsHeld
 
 
-def write_whole(path: Path, content: str | bytes) -> None:
+def write_atomically(path: Path, content: str | bytes) -> None:
     """Write a file so that readers see the old or the new content, even after a power failure; OSError names it."""
     data = content.encode() if isinstance(content, str) else content
-    with written_aside(path) as aside, aside.open("xb") as file:
+    with atomic_file(path) as aside, aside.open("xb") as file:
         file.write(data)
         file.flush()
         os.fsync(file.fileno())
@@ -22,7 +22,7 @@ def write_whole(path: Path, content: str | bytes) -> None:
 
 
 @contextmanager
-def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
+def atomic_file(path: Path, ending: str = ".tmp") -> Iterator[Path]:
     """Yield a new path in the folder of `path`; at the end move the new file to `path`, or remove the file on an error.
 
     The name is random: nobody can place a link there, and each thread has its own file.
@@ -40,7 +40,7 @@ def written_aside(path: Path, ending: str = ".tmp") -> Iterator[Path]:
 
 
 @contextmanager
-def folder_aside(folder: Path) -> Iterator[Path]:
+def atomic_folder(folder: Path) -> Iterator[Path]:
     """Yield a new folder, which replaces `folder` at the end of the `with`; an error removes the new folder.
 
     A killed process leaves the old folder or the new folder, or neither if it is killed between two renames.
@@ -49,7 +49,7 @@ def folder_aside(folder: Path) -> Iterator[Path]:
     aside.mkdir(parents=True)
     try:
         yield aside
-        with HeldBack():
+        with SignalsHeld():
             if folder.exists():
                 os.rename(folder, old)
             try:
@@ -74,23 +74,23 @@ def _sync_folder(folder: Path) -> None:
         os.close(handle)
 
 
-def read_plain(path: str | os.PathLike[str], limit: int) -> bytes:
+def read_regular_file(path: str | os.PathLike[str], limit: int) -> bytes:
     """Return the content of a regular file of at most `limit` bytes; ValueError or OSError for anything else.
 
     Folders, pipes, sockets and devices are refused before and after opening, in case the path changed in between.
     """
     path = os.fspath(path)  # refuses numbers, which `open` takes for open files
-    check_regular(os.stat(path), limit)
+    check_regular_file(os.stat(path), limit)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
     with open(os.open(path, flags), "rb") as file:
-        check_regular(os.fstat(file.fileno()), limit)
+        check_regular_file(os.fstat(file.fileno()), limit)
         data = file.read(limit + 1)
     if len(data) > limit:  # the file grew, or lies in /proc
         raise ValueError(f"has more than {limit} bytes")
     return data
 
 
-def check_regular(status: os.stat_result, limit: int) -> None:
+def check_regular_file(status: os.stat_result, limit: int) -> None:
     """Raise ValueError unless a file is a regular one of at most `limit` bytes."""
     if stat.S_ISDIR(status.st_mode):
         raise ValueError("is a folder, not a file")

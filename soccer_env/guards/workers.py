@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.interrupts import SignalsHeld
 
 T = TypeVar("T")
 
@@ -38,7 +38,7 @@ class Workers:
 
     def shutdown(self) -> None:
         """Wait for running parts and end the threads; the next task starts new threads."""
-        with HeldBack():
+        with SignalsHeld():
             executor, self._executor = self._executor, None
             if executor is not None and self._process == os.getpid():
                 executor.shutdown(wait=True)

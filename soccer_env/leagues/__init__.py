@@ -18,7 +18,7 @@ checks.py             checks of the numbers of a league
 """
 
 from soccer_env.guards.checking import check_names
-from soccer_env.guards.names import of_module
+from soccer_env.guards.names import object_in_module
 from soccer_env.leagues import legged_2001, middle_size_2006
 from soccer_env.leagues.league import BallModel, League, Pitch, Slots, Substeps
 from soccer_env.leagues.materials import Materials, Pair
@@ -37,7 +37,7 @@ RETIRED = {"legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the
 
 def find_league(league: str | League) -> League:
     """Return the league with a name or MODULE:NAME; a League passes through. ValueError lists the known names."""
-    league = of_module("league", league, League) or league
+    league = object_in_module("league", league, League) or league
     if isinstance(league, League):
         return league
     if isinstance(league, str) and league in RETIRED:

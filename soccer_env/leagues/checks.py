@@ -4,13 +4,13 @@ import re
 
 import numpy as np
 
-from soccer_env.guards.checking import FROM_ZERO, Checked, refuse
+from soccer_env.guards.checking import FROM_ZERO, CheckedFields, raise_not_allowed
 
 PYTHON_ONLY = {"kernels": False}  # metadata of a field that is left out of the constants: no kernel reads it
 FAMILY = re.compile(r"[a-z0-9][a-z0-9-]{0,63}")
 
 
-class Part(Checked):
+class LeaguePart(CheckedFields):
     """A part of a league: a record of settings."""
 
     NUMBER = FROM_ZERO
@@ -19,7 +19,7 @@ class Part(Checked):
 def check_family(where: str, family: object) -> None:
     """Raise ValueError unless the name of a family of leagues is a short plain word."""
     if not isinstance(family, str) or not FAMILY.fullmatch(family):
-        refuse(where, "1 to 64 lower-case letters, digits and -", family)
+        raise_not_allowed(where, "1 to 64 lower-case letters, digits and -", family)
 
 
 def is_convex(corners: tuple[tuple[float, float], ...]) -> bool:

@@ -11,7 +11,7 @@ from typing import get_type_hints
 
 import numpy as np
 
-from soccer_env.guards.checking import type_of
+from soccer_env.guards.checking import field_type_name
 from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import DRIVE_KINDS, MOST_CORNERS
@@ -23,7 +23,7 @@ def has_ranger(league: League) -> bool:
     return bool(getattr(league.sensors, "HAS_RANGER", False))
 
 
-def switch_of(league: League, name: str) -> int:
+def rule_value(league: League, name: str) -> int:
     """Return the rule `name` of a league as a whole number; for a switch 1 (on) or 0 (off)."""
     return int(getattr(league.rules, name))
 
@@ -33,7 +33,7 @@ NUMBERS = {
     for part, kind in get_type_hints(League).items()
     if is_dataclass(kind)
     for field in fields(kind)
-    if type_of(field) == "float" and field.metadata != PYTHON_ONLY
+    if field_type_name(field) == "float" and field.metadata != PYTHON_ONLY
 }
 WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     "corners": lambda league: len(league.body.corners),  # corners of the hull
@@ -50,7 +50,7 @@ WHOLE_NUMBERS: dict[str, Callable[[League], int]] = {
     "substeps_most": lambda league: league.substeps.most,
     "teammate_slots": lambda league: league.slots.teammates,
     "opponent_slots": lambda league: league.slots.opponents,
-    **{f"rules_{name}": partial(switch_of, name=name) for name in SWITCHES},  # 1: the rule is called
+    **{f"rules_{name}": partial(rule_value, name=name) for name in SWITCHES},  # 1: the rule is called
 }
 OF_THE_MATCH = [  # settings of a match, filled in by `Settings.constants`
     ("placement_by_driving", "i8"),  # 1: robots drive to their places at a restart; 0: the referee puts them there

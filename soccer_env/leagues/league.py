@@ -27,8 +27,8 @@ from dataclasses import dataclass, field, fields
 from math import sqrt
 from typing import Any, Literal
 
-from soccer_env.guards.checking import ABOVE_ZERO, Range, refuse
-from soccer_env.leagues.checks import PYTHON_ONLY, Part, check_family
+from soccer_env.guards.checking import ABOVE_ZERO, Range, raise_not_allowed
+from soccer_env.leagues.checks import PYTHON_ONLY, LeaguePart, check_family
 from soccer_env.leagues.materials import Materials
 from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
@@ -41,7 +41,7 @@ MAX_LEAP = 0.25  # [m] of the ball in a substep: half of a board's thickness; a 
 
 
 @dataclass(frozen=True)
-class Pitch(Part):
+class Pitch(LeaguePart):
     """The field of play, its goals and boards; see the map at the head of this file. Lengths in metres."""
 
     BOUNDS = dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO)
@@ -65,7 +65,7 @@ class Pitch(Part):
 
 
 @dataclass(frozen=True)
-class BallModel(Part):
+class BallModel(LeaguePart):
     """The ball and how it rolls."""
 
     BOUNDS = dict.fromkeys(("radius", "mass", "shell", "top_speed"), ABOVE_ZERO)
@@ -80,7 +80,7 @@ class BallModel(Part):
 
 
 @dataclass(frozen=True)
-class Slots(Part):
+class Slots(LeaguePart):
     """The numbers of slots for other players in a robot's tracks and observations."""
 
     NUMBER = Range(0, MAX_TEAM)
@@ -95,7 +95,7 @@ class Slots(Part):
 
 
 @dataclass(frozen=True)
-class Substeps(Part):
+class Substeps(LeaguePart):
     """The substeps of the physics in a control step."""
 
     BOUNDS = {
@@ -120,7 +120,7 @@ class Substeps(Part):
 
 
 @dataclass(frozen=True)
-class League(Part):
+class League(LeaguePart):
     """A league: pitch, ball, robots, rules and time. Make variants with `dataclasses.replace`."""
 
     BOUNDS = {"control_rate": Range(1, MAX_RATE), "team_size": Range(1, MAX_TEAM)}
@@ -150,10 +150,10 @@ class League(Part):
         super().__post_init__()
         check_family("League.family", self.family)
         if not isinstance(self.materials, Materials):
-            refuse("League.materials", "Materials", self.materials)
+            raise_not_allowed("League.materials", "Materials", self.materials)
         if self.sensors is not None:
             check_kind(self.sensors)
-        self._check_leap()
+        self._check_ball_tunnelling()
         if self.pitch.board_foot > self.highest_foot:
             limit = f"at most {self.highest_foot:.4f}, got {self.pitch.board_foot}"
             raise ValueError(f"Pitch.board_foot must be {limit}: the ball has to meet the upright board")
@@ -176,7 +176,7 @@ class League(Part):
         """Return the repr of the league with all its fields: every number."""
         return f"League({', '.join(f'{item.name}={getattr(self, item.name)!r}' for item in fields(self))})"
 
-    def _check_leap(self) -> None:
+    def _check_ball_tunnelling(self) -> None:
         """Raise ValueError if the ball could pass through a board within a substep."""
         fastest = MAX_LEAP * self.substeps.most * self.control_rate
         if self.ball.top_speed > fastest:
@@ -185,7 +185,7 @@ class League(Part):
                 f"1/{self.control_rate} s, got {self.ball.top_speed:g}: the ball would pass through the boards"
             )
 
-    def must_be_of(self, families: tuple[str, ...], who: str) -> None:
+    def require_family(self, families: tuple[str, ...], who: str) -> None:
         """Raise ValueError, naming a team or scene `who`, unless the league's family is in `families`; empty: any."""
         if families and self.family not in families:
             raise ValueError(f"{who} is for {' and '.join(families)} leagues, {self.name!r} is {self.family}")

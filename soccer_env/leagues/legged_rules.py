@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
-from soccer_env.leagues.checks import Part
+from soccer_env.leagues.checks import LeaguePart
 
 
 @dataclass(frozen=True)
-class LeggedFouls(Part):
+class LeggedFouls(LeaguePart):
     """The fouls of the legged league: switches and numbers."""
 
     removal_time: float = 30.0  # [s] for which a robot is out

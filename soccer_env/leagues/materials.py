@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, fields
 
-from soccer_env.guards.checking import SHARE, refuse
-from soccer_env.leagues.checks import Part
+from soccer_env.guards.checking import SHARE, raise_not_allowed
+from soccer_env.leagues.checks import LeaguePart
 
 
 @dataclass(frozen=True)
-class Pair(Part):
+class Pair(LeaguePart):
     """The elasticity and friction between two surfaces that collide or rest against each other."""
 
     BOUNDS = {"elasticity": SHARE}
@@ -21,7 +21,7 @@ class Pair(Part):
 
 
 @dataclass(frozen=True)
-class Materials(Part):
+class Materials(LeaguePart):
     """The elasticity and friction of every pair of surfaces in a match.
     To a robot, boards, posts and nets are alike; all parts of a robot are alike.
     """
@@ -37,8 +37,8 @@ class Materials(Part):
         super().__post_init__()
         for name, pair in self.pairs().items():
             if not isinstance(pair, Pair):
-                refuse(f"Materials.{name}", "a Pair", pair)
+                raise_not_allowed(f"Materials.{name}", "a Pair", pair)
 
     def pairs(self) -> dict[str, Pair]:
-        """Return the pairs by name."""
+        """Return the pairs of materials in contact by name, such as ball_board."""
         return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from soccer_env.guards.checking import SHARE
-from soccer_env.leagues.checks import Part
+from soccer_env.leagues.checks import LeaguePart
 
 
 @dataclass(frozen=True)
-class MiddleSizeFouls(Part):
+class MiddleSizeFouls(LeaguePart):
     """The fouls of the middle size: switches and numbers."""
 
     BOUNDS = {"handling_share": SHARE}

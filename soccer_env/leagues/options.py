@@ -8,7 +8,7 @@ from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
-from soccer_env.guards.checking import BELOW, Checked, Range, type_of
+from soccer_env.guards.checking import BELOW, CheckedFields, Range, field_type_name
 from soccer_env.guards.names import unknown
 
 GREATEST = 1e6  # no number of sensors or memory is larger
@@ -17,7 +17,7 @@ SIGNED = (-GREATEST, GREATEST)
 T = TypeVar("T", bound="Options")
 
 
-class Options(Checked):
+class Options(CheckedFields):
     """A frozen dataclass whose fields are numbers, switches (bool), or names from a list; see class attributes.
 
     The same tables check and list the allowed values; BOUNDS of a class add to its parents'.
@@ -50,10 +50,10 @@ class Options(Checked):
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:
         """Yield name, value, allowed values and source comment of each field; inherited fields last."""
-        notes = notes_of(type(self))
-        inherited = {field.name for kind in kinds_of(type(self))[1:] for field in fields(kind)}  # type: ignore[arg-type]
+        notes = field_comments(type(self))
+        inherited = {field.name for kind in settings_classes(type(self))[1:] for field in fields(kind)}  # type: ignore[arg-type]
         for field in sorted(fields(self), key=lambda field: field.name in inherited):  # type: ignore[arg-type]
-            allowed = self.allowed(field.name, type_of(field))
+            allowed = self.allowed(field.name, field_type_name(field))
             yield field.name, getattr(self, field.name), allowed, notes.get(field.name, "")
 
     def record(self) -> np.ndarray:
@@ -65,20 +65,20 @@ class Options(Checked):
         return record
 
 
-def kinds_of(kind: type[Options]) -> tuple[type[Options], ...]:
+def settings_classes(kind: type[Options]) -> tuple[type[Options], ...]:
     """Return a settings class and its parent settings classes, nearest first."""
     return kind.__mro__[: kind.__mro__.index(Options)]
 
 
-def notes_of(kind: type) -> dict[str, str]:
+def field_comments(kind: type) -> dict[str, str]:
     """Return the comment beside each field of a settings class, inherited fields included."""
     notes: dict[str, str] = {}
     for parent in reversed(kind.__mro__):
-        notes |= own_notes(parent) if is_dataclass(parent) else {}
+        notes |= own_field_comments(parent) if is_dataclass(parent) else {}
     return notes
 
 
-def own_notes(kind: type) -> dict[str, str]:
+def own_field_comments(kind: type) -> dict[str, str]:
     """Return the comment beside each field that a settings class declares itself."""
     matches = (re.match(r"    (\w+): \w+(?: = .*?)?  # (.*)", line) for line in inspect.getsource(kind).splitlines())
     return {match[1]: match[2] for match in matches if match}
@@ -87,7 +87,7 @@ def own_notes(kind: type) -> dict[str, str]:
 def record_type(kind: type[Options]) -> np.dtype:
     """Return the record dtype of a settings class; always the identical object, so that kernels are compiled once."""
     if kind not in RECORD_TYPES:
-        columns = [(field.name, "f8" if type_of(field) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
+        columns = [(field.name, "f8" if field_type_name(field) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
         RECORD_TYPES[kind] = np.dtype(columns)
     return RECORD_TYPES[kind]
 

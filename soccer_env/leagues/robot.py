@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from math import hypot
 
 from soccer_env.guards.checking import ABOVE_ZERO, ANY, SHARE, Range
-from soccer_env.leagues.checks import PYTHON_ONLY, Part, is_convex
+from soccer_env.leagues.checks import PYTHON_ONLY, LeaguePart, is_convex
 
 GAIT, WHEELS_OMNI, WHEELS_DIFFERENTIAL = 0, 1, 2
 DRIVE_KINDS = {"gait": GAIT, "omnidirectional": WHEELS_OMNI, "differential": WHEELS_DIFFERENTIAL}
@@ -12,7 +12,7 @@ MOST_CORNERS = 8  # room for corners of a hull in the constants
 
 
 @dataclass(frozen=True)
-class Body(Part):
+class Body(LeaguePart):
     """A robot's outline seen from above, its origin at the centre of mass, x forward.
 
     A convex hull (corners), a disc or a capsule, with two round posts in front, the tips, that form the pocket for the
@@ -81,7 +81,7 @@ MOVING = (
 
 
 @dataclass(frozen=True)
-class Drive(Part):
+class Drive(LeaguePart):
     """How a robot moves: speeds, acceleration, delay; a gait or wheels."""
 
     NAMES = {"kind": DRIVE_KINDS}
@@ -107,7 +107,7 @@ class Drive(Part):
 
 
 @dataclass(frozen=True)
-class Kicker(Part):
+class Kicker(LeaguePart):
     """How a robot kicks."""
 
     BOUNDS = {"fastest": ABOVE_ZERO, "least": SHARE, "speed_spread": SHARE, "miss": SHARE}
@@ -127,7 +127,7 @@ class Kicker(Part):
 
 
 @dataclass(frozen=True)
-class Block(Part):
+class Block(LeaguePart):
     """How a goalkeeper with legs blocks: it lies down on its chest, forelegs spread; all zero: it cannot.  MS53
 
     Once started, the motion runs to its end: legs out, held, and in again. Positions are seen from above, as in `Body`.
@@ -148,7 +148,7 @@ class Block(Part):
 
 
 @dataclass(frozen=True)
-class Head(Part):
+class Head(LeaguePart):
     """Joint limits and speeds of the head [rad, rad/s]; all zero: the camera is fixed."""
 
     BOUNDS = {"tilt_low": ANY}

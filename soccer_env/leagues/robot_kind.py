@@ -23,7 +23,7 @@ POLAR = ["bearing", "distance"]  # parts of a thing drawn as a ray; the distance
 Group = list[Any]  # [name, number of things, names of the parts of each thing]
 
 
-class Seen(NamedTuple):
+class PerceptSummary(NamedTuple):
     """The objects that the robots see in their percepts (R,), and the ranger's reading."""
 
     ball: np.ndarray  # (R,) bool
@@ -35,7 +35,7 @@ class Seen(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Noted:
+class NotedPercepts:
     """The percepts of a robot kind that replays store and renderings show.
 
     Groups named `ball`, `own_goal`, `opponent_goal` and `players` have their own colours; all others are white. Groups
@@ -44,7 +44,7 @@ class Noted:
 
     groups: tuple[Group, ...]
     columns: Callable[[np.ndarray, np.ndarray], dict[str, np.ndarray]]  # of percepts (R,), beliefs (R,): (R, n, parts)
-    seen: Callable[[np.ndarray], Seen]  # of percepts (R,)
+    seen: Callable[[np.ndarray], PerceptSummary]  # of percepts (R,)
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class RobotKind:
     entries: Callable[[Any], list[Any]]  # of observe="percepts" in a league
     observe: Callable[..., None]  # the kernel that writes those entries
     tables: Callable[[Any], np.ndarray]  # (1,) record of tables calibrated before a match in a league
-    noted: Noted | None = None  # None: a replay keeps the robot's beliefs, but no percepts
+    noted: NotedPercepts | None = None  # None: a replay keeps the robot's beliefs, but no percepts
     late: Callable[[Any], int] = lambda sensors: 0  # frames of camera delay, from the settings of the sensors
 
 

@@ -10,8 +10,8 @@ A set is changed by name: "league:pushing=False,holding_time=5".
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
-from soccer_env.guards.checking import ABOVE_ZERO, Range, check_names, type_of
-from soccer_env.leagues.checks import PYTHON_ONLY, Part
+from soccer_env.guards.checking import ABOVE_ZERO, Range, check_names, field_type_name
+from soccer_env.leagues.checks import PYTHON_ONLY, LeaguePart
 from soccer_env.leagues.legged_rules import LeggedFouls
 from soccer_env.leagues.middle_size_rules import MiddleSizeFouls
 
@@ -20,7 +20,7 @@ MINUTES = Range(0.0, 1e12, above=True)  # [min] of a half, and of a match with `
 
 
 @dataclass(frozen=True)
-class CommonRules(Part):
+class CommonRules(LeaguePart):
     """The rules of all leagues: goals, restarts, out of play and stuck balls."""
 
     BOUNDS = {
@@ -62,27 +62,27 @@ class Rules(MiddleSizeFouls, LeggedFouls, CommonRules):  # a dataclass takes the
     name: str = field(default="league", metadata=PYTHON_ONLY)  # of the set, in reports
 
 
-SWITCHES = tuple(item.name for item in fields(Rules) if type_of(item) == "bool")
+SWITCHES = tuple(item.name for item in fields(Rules) if field_type_name(item) == "bool")
 RESTARTS = tuple(name for name in SWITCHES if name in ("out_of_play", "dropped_ball") or name.startswith("direct_"))
 SETS = ("league", "simple", "none")
 
 
-def simple_of(rules: Rules) -> Rules:
+def simple_rules(rules: Rules) -> Rules:
     """Return a league's rules without fouls: goals, restarts and dropped balls."""
     switches = {name: name in RESTARTS for name in SWITCHES}
     return replace(rules, **switches, contact_time=NEVER, name="simple")
 
 
-def none_of(rules: Rules) -> Rules:
+def goals_only_rules(rules: Rules) -> Rules:
     """Return a league's rules with goals alone, each followed by a kick-off."""
-    return replace(simple_of(rules), out_of_play=False, dropped_ball=False, name="none")
+    return replace(simple_rules(rules), out_of_play=False, dropped_ball=False, name="none")
 
 
 def rule_set(rules: Rules, text: str) -> Rules:
     """Return a league's rule set from a text, SET or SET:rule=value,...; ValueError lists the known names."""
     name, colon, changes = text.partition(":")
     check_names("rules", [name], SETS, more="SET:rule=value,... or a Rules object")
-    chosen = {"league": rules, "simple": simple_of(rules), "none": none_of(rules)}[name]
+    chosen = {"league": rules, "simple": simple_rules(rules), "none": goals_only_rules(rules)}[name]
     if not colon:
         return chosen
     changed = dict(parse_rule(text, part) for part in changes.split(","))

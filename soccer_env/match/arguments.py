@@ -7,7 +7,7 @@
         SoloArguments      gymnasium.make
         VectorArguments    gymnasium.make_vec
 
-`takes` gives a function the signature and the help of such a class, for people and for type checkers.
+`takes_fields_of` gives a function the signature and the help of such a class, for people and for type checkers.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import Field, dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Concatenate, Literal, ParamSpec, TypeVar
 
-from soccer_env.guards.checking import Checked, Range, check_names
+from soccer_env.guards.checking import CheckedFields, Range, check_names
 from soccer_env.guards.names import Made
 from soccer_env.leagues.rules import MINUTES
 from soccer_env.types import MAX_TEAM
@@ -51,7 +51,7 @@ SIDE_BY_SIDE = Range(1, 1 << 20)
 INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words, or "none" (False), the fastest'
 
 
-def setting(
+def declare_setting(
     default: Any, text: str, bounds: Range | None = None, *, free: bool = False, replayed: bool = False, part: str = ""
 ) -> Any:
     """Return a dataclass field that declares a setting: its default and one line of help.
@@ -64,70 +64,74 @@ def setting(
 
 
 @dataclass(frozen=True, kw_only=True)
-class MatchSettings(Checked):
+class MatchSettings(CheckedFields):
     """How a match is played."""
 
     TITLED = False
 
-    league: str | League = setting("legged-2001", "a name of `soccer list leagues`, or a League")
-    home: int | None = setting(None, "robots at home; None: the league's own number", TEAM_SIZE, replayed=True)
-    away: int | None = setting(None, "robots away; None: the league's own number", TEAM_SIZE, replayed=True)
-    max_players: int | None = setting(
+    league: str | League = declare_setting("legged-2001", "a name of `soccer list leagues`, or a League")
+    home: int | None = declare_setting(None, "robots at home; None: the league's own number", TEAM_SIZE, replayed=True)
+    away: int | None = declare_setting(None, "robots away; None: the league's own number", TEAM_SIZE, replayed=True)
+    max_players: int | None = declare_setting(
         None, "rows for robots a side, spare rows are inactive; None: as many as play", TEAM_SIZE, replayed=True
     )
-    observe: Literal["truth", "percepts", "belief"] | Observation = setting(
+    observe: Literal["truth", "percepts", "belief"] | Observation = declare_setting(
         "truth",
         '"truth", "percepts", "belief", or an object with `names` or `entries` that is called with the Match',
         free=True,
     )
-    senses: Senses | Mapping[str, str] | tuple[str, str] = setting(
+    senses: Senses | Mapping[str, str] | tuple[str, str] = declare_setting(
         "sensors", 'what fills beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
     )
-    pose: Pose = setting(
+    pose: Pose = declare_setting(
         "percept", 'pose of robots that use their sensors: "percept", a noisy pose, or "particles", a particle filter'
     )
-    sensors: Mapping[str, Any] | Options | None = setting(
+    sensors: Mapping[str, Any] | Options | None = declare_setting(
         None, "{name: value} to change in the league's sensors, or an object of their class", part="league"
     )
-    memory: Mapping[str, Any] | Options | None = setting(
+    memory: Mapping[str, Any] | Options | None = declare_setting(
         None, "{name: value} to change in the league's memory of percepts, or an object of its class", part="league"
     )
-    state_side: StateSide = setting(
+    state_side: StateSide = declare_setting(
         "field",
         'side of `state()`: "home" or "away", always playing towards +x, or in the frame of the "field"',
         free=True,
     )
-    actions: Literal["box", "full", "discrete"] | ActionKind = setting(
+    actions: Literal["box", "full", "discrete"] | ActionKind = declare_setting(
         "box", '"box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
     )
-    scene: str | Scene = setting("kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene')
-    episode: Literal["match", "goal", "drill"] = setting(
+    scene: str | Scene = declare_setting(
+        "kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene'
+    )
+    episode: Literal["match", "goal", "drill"] = declare_setting(
         "match", 'ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
     )
-    rules: str | Rules | None = setting(
+    rules: str | Rules | None = declare_setting(
         None,
         '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or the rules of the drill',
         part="league",
     )
-    rewards: Literal["default", "sparse", "training"] | Rewards = setting(
+    rewards: Literal["default", "sparse", "training"] | Rewards = declare_setting(
         "default", "a name of `soccer list rewards`, or Rewards", free=True
     )
-    placement: Placement = setting("instant", 'at a restart robots are placed ("instant") or "drive"', replayed=True)
-    keeper: int = setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
-    minutes: float | None = setting(
+    placement: Placement = declare_setting(
+        "instant", 'at a restart robots are placed ("instant") or "drive"', replayed=True
+    )
+    keeper: int = declare_setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
+    minutes: float | None = declare_setting(
         None, "of play, both halves together; None: the league's own", MINUTES, replayed=True
     )
-    action_repeat: int = setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
-    max_cycles: int | None = setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)
+    action_repeat: int = declare_setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
+    max_cycles: int | None = declare_setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)
 
 
 @dataclass(frozen=True, kw_only=True)
 class MatchSetup(MatchSettings):
     """How a match is played, and by which teams."""
 
-    opponents: Any = setting(None, "the team that plays away; learners then play home robots only")
-    teammates: Any = setting(None, "the team that plays all home robots but the last")
-    controllers: Mapping[str, Any] | None = setting(None, "{agent or side: team} for any subset")
+    opponents: Any = declare_setting(None, "the team that plays away; learners then play home robots only")
+    teammates: Any = declare_setting(None, "the team that plays all home robots but the last")
+    controllers: Mapping[str, Any] | None = declare_setting(None, "{agent or side: team} for any subset")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -137,12 +141,14 @@ class MatchArguments(MatchSetup):
     league: str | League = field(
         default="legged-2001", metadata=MatchSettings.__dataclass_fields__["league"].metadata, kw_only=False
     )
-    matches: int = setting(1, "number of matches side by side", SIDE_BY_SIDE)
-    threads: int = setting(1, "threads that step the matches; results do not depend on them", THREADS)
-    seed: int | None = setting(None, "seed of all matches; None: drawn from the system")
-    seeds: Any = setting(None, "(M,) instead of seed: one for each match")
-    autoreset: Literal["next_step", "same_step", "off"] = setting("off", "when an ended match begins a new episode")
-    backend: Literal["c", "batch"] | None = setting(
+    matches: int = declare_setting(1, "number of matches side by side", SIDE_BY_SIDE)
+    threads: int = declare_setting(1, "threads that step the matches; results do not depend on them", THREADS)
+    seed: int | None = declare_setting(None, "seed of all matches; None: drawn from the system")
+    seeds: Any = declare_setting(None, "(M,) instead of seed: one for each match")
+    autoreset: Literal["next_step", "same_step", "off"] = declare_setting(
+        "off", "when an ended match begins a new episode"
+    )
+    backend: Literal["c", "batch"] | None = declare_setting(
         None, 'of the physics: "c" (compiled) or "batch"; None: the faster one'
     )
 
@@ -151,27 +157,31 @@ class MatchArguments(MatchSetup):
 class EnvArguments(MatchSetup):
     """The arguments of a PettingZoo env."""
 
-    render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
-    infos: InfoKind | bool = setting("flat", INFOS)
-    overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+    render_mode: Literal["rgb_array", "human"] | None = declare_setting(
+        None, '"rgb_array" for frames, "human" for a window'
+    )
+    infos: InfoKind | bool = declare_setting("flat", INFOS)
+    overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
 
 
 @dataclass(frozen=True, kw_only=True)
 class LearnerSetup(MatchSetup):
     """How a match of one learner is played, and by which teams."""
 
-    opponents: Any = setting("chaser", "the team that plays away")
-    teammates: Any = setting("chaser", "the team that plays the other home robots")
-    agent: str | None = setting(None, "the learner; None: home's last robot")
-    render_mode: Literal["rgb_array", "human"] | None = setting(None, '"rgb_array" for frames, "human" for a window')
-    infos: InfoKind | bool = setting("flat", INFOS)
+    opponents: Any = declare_setting("chaser", "the team that plays away")
+    teammates: Any = declare_setting("chaser", "the team that plays the other home robots")
+    agent: str | None = declare_setting(None, "the learner; None: home's last robot")
+    render_mode: Literal["rgb_array", "human"] | None = declare_setting(
+        None, '"rgb_array" for frames, "human" for a window'
+    )
+    infos: InfoKind | bool = declare_setting("flat", INFOS)
 
 
 @dataclass(frozen=True, kw_only=True)
 class SoloArguments(LearnerSetup):
     """The arguments of a Gymnasium Env."""
 
-    overlays: Any = setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+    overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -179,18 +189,20 @@ class VectorArguments(LearnerSetup):
     """The arguments of a Gymnasium VectorEnv."""
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
-    max_episode_steps: int | None = setting(None, "Gymnasium's word for max_cycles; the lower limit counts", STEPS)
-    autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = setting(
+    max_episode_steps: int | None = declare_setting(
+        None, "Gymnasium's word for max_cycles; the lower limit counts", STEPS
+    )
+    autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = declare_setting(
         "NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode'
     )
-    threads: int = setting(1, "threads that step the matches", THREADS)
+    threads: int = declare_setting(1, "threads that step the matches", THREADS)
 
 
 FREE = tuple(item.name for item in fields(MatchSettings) if item.metadata["free"])
 REPLAYED = tuple(item.name for item in fields(MatchSettings) if item.metadata["replayed"])
 
 
-def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
+def select_fields(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
     """Return the arguments that are also fields of the class `kind`, as a dict by name."""
     return {item.name: getattr(arguments, item.name) for item in fields(kind)}
 
@@ -198,50 +210,52 @@ def part_of(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, An
 # Functions that take such arguments
 
 
-def takes(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
+def takes_fields_of(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
     """Return a decorator: callers pass the fields of `kind`, the function gets a `kind`; TypeError for other names."""
 
     def decorate(function: Callable[[A], T]) -> Callable[P, T]:
         @functools.wraps(function)
         def call(*values: P.args, **named: P.kwargs) -> T:
-            return function(gathered(kind, values, named))
+            return function(gather_arguments(kind, values, named))
 
-        documented(call, kind)
+        document_signature(call, kind)
         return call
 
     return decorate
 
 
-def made_from(kind: Callable[P, A]) -> Callable[[Callable[[Any, A], None]], Callable[Concatenate[Any, P], None]]:
-    """Return a decorator for an `__init__` that takes one `kind`; the decorator works as that of `takes`."""
+def init_takes_fields_of(
+    kind: Callable[P, A],
+) -> Callable[[Callable[[Any, A], None]], Callable[Concatenate[Any, P], None]]:
+    """Return a decorator for an `__init__` that takes one `kind`; the decorator works as that of `takes_fields_of`."""
 
     def decorate(function: Callable[[Any, A], None]) -> Callable[Concatenate[Any, P], None]:
         @functools.wraps(function)
         def call(self: Any, /, *values: P.args, **named: P.kwargs) -> None:
-            function(self, gathered(kind, values, named))
+            function(self, gather_arguments(kind, values, named))
 
-        documented(call, kind, inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY))
+        document_signature(call, kind, inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY))
         return call
 
     return decorate
 
 
-def gathered(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
+def gather_arguments(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
     """Collect the positional and named arguments of a call in an instance of `kind`."""
     check_names("setting", named, [item.name for item in fields(kind)], TypeError)
     return kind(*values, **named)
 
 
-def documented(call: Any, kind: Any, *first: inspect.Parameter) -> None:
+def document_signature(call: Any, kind: Any, *first: inspect.Parameter) -> None:
     """Give a function the signature of `kind`, and a line of help for each field."""
     parameters = inspect.signature(kind).parameters.values()
     returned = call.__annotations__.get("return")
     call.__signature__ = inspect.Signature([*first, *parameters], return_annotation=returned)
-    lines = [line for item in fields(kind) for line in help_of(item)]
+    lines = [line for item in fields(kind) for line in setting_help(item)]
     call.__doc__ = "\n".join([inspect.cleandoc(call.__doc__ or kind.__doc__ or ""), "", *lines])
 
 
-def help_of(item: Field[Any]) -> list[str]:
+def setting_help(item: Field[Any]) -> list[str]:
     """Return the lines of help of one setting."""
     text = f"{item.name} = {item.default!r}: {item.metadata['text']}."
     return textwrap.wrap(text, 100, subsequent_indent="    ")
@@ -250,12 +264,12 @@ def help_of(item: Field[Any]) -> list[str]:
 # Copies by settings alone, as by Gymnasium's EzPickle: the copy needs a reset and draws a new seed
 
 
-def by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
+def reduce_by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
     """Return the value of `__reduce__` for an object that `make(**settings)` builds."""
-    return made_again, (version(), make, settings)
+    return rebuild_from_settings, (version(), make, settings)
 
 
-def made_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
+def rebuild_from_settings(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
     """Rebuild a pickled object; if this version cannot, ValueError names the version that pickled the object."""
     try:
         return make(**settings)

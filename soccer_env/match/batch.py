@@ -15,16 +15,16 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.interrupts import SignalsHeld
 from soccer_env.match.episodes import start_match
 from soccer_env.match.senses import UNUSED, Senses
 from soccer_env.match.settings import Settings
 from soccer_env.match.step import (
     BROKEN,
     PUT_ELSEWHERE,
-    Numbers,
-    Outcome,
-    Physics,
+    PhysicsArrays,
+    StepNumbers,
+    StepOutcome,
     begin_slice,
     finish_slice,
     step_slice,
@@ -34,11 +34,11 @@ from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.engine.space import build_space
 from soccer_env.physics.engine.space_batch import Backend, SpaceBatch
-from soccer_env.physics.exchange import write_rows_of
+from soccer_env.physics.exchange import write_poses_of_matches
 from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.records.world import World
 from soccer_env.rewards import COUNT, POTENTIALS
-from soccer_env.scenes import Draw
+from soccer_env.scenes import SceneRandom
 from soccer_env.statistics.records import FRESH
 from soccer_env.types import QUIET, ROBOT_EVENTS
 
@@ -72,10 +72,10 @@ class MatchBatch:
         self.statistics = np.full(count, FRESH)
         self._sees_truth = self.settings.observe == "truth"  # then the step itself observes
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
-        outcome = Outcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
-        numbers = Numbers(self.constants, self.weights, self.settings.limit)
+        outcome = StepOutcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
+        numbers = StepNumbers(self.constants, self.weights, self.settings.limit)
         self._discounts: bool | None = None  # whether the next control step discounts
-        physics = Physics(self.physics.bodies, self.physics.velocities, self.physics.solvers)
+        physics = PhysicsArrays(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)
         self._step = self._truth, tuple(physics), tuple(outcome), tuple(numbers)
 
@@ -103,12 +103,12 @@ class MatchBatch:
         self.robot_events[m] = np.zeros((), ROBOT_EVENTS)
         self.terminated[m] = self.truncated[m] = False
 
-    def look_first(self, m: int) -> None:
+    def sense_first_frame(self, m: int) -> None:
         """Let the robots of a new episode sense, believe and observe."""
         record, ball = self.matches[m], self.balls[m].copy()
         shows = self.settings.scene.of_episode(int(record["seed"]), int(record["episode"])).shows
         if shows is not None:
-            shows(self.settings.league, self.balls[m], self.robots[m], Draw(record))
+            shows(self.settings.league, self.balls[m], self.robots[m], SceneRandom(record))
         if self.senses is not None:
             self.senses.step(m, m + 1)
         self.balls[m] = ball
@@ -121,12 +121,12 @@ class MatchBatch:
             if self.physics.reusable(m):
                 used.append(m)
                 continue
-            with HeldBack():
+            with SignalsHeld():
                 self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
-                self.physics.take_part(m, league, self.constants)
+                self.physics.attach_solver(m, league, self.constants)
         if used:
             again = np.array(used, np.int64)
-            write_rows_of(self.balls, self.robots, self.physics.bodies, again)
+            write_poses_of_matches(self.balls, self.robots, self.physics.bodies, again)
             self.physics.put_back(again)
 
     # One control step of a slice of matches
@@ -219,7 +219,7 @@ class MatchBatch:
         return self.ideal if self.senses is None else self.ideal | self.senses.believes
 
 
-class Sums:
+class ActionSums:
     """The rewards and events of the control steps of one action, added up."""
 
     def __init__(self, batch: MatchBatch) -> None:
@@ -239,7 +239,7 @@ class Sums:
         for latest, (events, quiet) in zip(self._latest, self._events, strict=True):
             keep_latest(latest, events, quiet)
 
-    def hand_over(self) -> None:
+    def replace_last_step(self) -> None:
         """Replace the rewards and events of the last control step by the sums."""
         for total, values in zip(self._sums, self._rewards, strict=True):
             values[:] = total

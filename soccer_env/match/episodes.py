@@ -16,9 +16,9 @@ from soccer_env.compiled import compiled
 from soccer_env.match.settings import Settings
 from soccer_env.physics.kicker import holds_ball
 from soccer_env.physics.parking import parking_place
-from soccer_env.random_numbers import start_streams, uniform
+from soccer_env.random_numbers import draw_uniform, start_streams
 from soccer_env.referee.restarts import carry_out_restart
-from soccer_env.scenes import SCENES, Draw
+from soccer_env.scenes import SCENES, SceneRandom
 from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
@@ -34,7 +34,7 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
     match.handedness = match.home_direction = 1.0
     match.half_length = half_length
     match.phase = KICK_OFF
-    match.kick_off_team = HOME if drill == 1 or uniform(match.noise, WHO_KICKS_OFF) < 0.5 else AWAY
+    match.kick_off_team = HOME if drill == 1 or draw_uniform(match.noise, WHO_KICKS_OFF) < 0.5 else AWAY
     match.restart_team = match.kick_off_team
     match.last_touch_team, match.last_touch_robot = NO_TEAM, -1
     match.whistled = match.kick_off_shot = NO_TEAM
@@ -75,21 +75,21 @@ def start_match(
     line_up(settings, robots[0])
     scene = settings.scene.of_episode(seed, episode)
     drill = int(scene.place is not None)
-    begin_episode_of(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
+    begin_single_episode(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
     if scene.place is not None:
-        scene.place(settings.league, ball[0], robots[0], Draw(match[0]))
+        scene.place(settings.league, ball[0], robots[0], SceneRandom(match[0]))
         if SCENES.get(scene.name) is not scene:
-            check_placed(f"scene {scene.name!r}", settings, ball, robots)
-            check_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
+            check_scene_numbers(f"scene {scene.name!r}", settings, ball, robots)
+            check_scene_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
     if scene.in_play:
         match["phase"], match["restart_team"] = PLAY, NO_TEAM
         match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
     match["still_x"], match["still_y"] = ball["x"], ball["y"]
     robots["placed"] = robots["active"]
-    note_possession_of(ball, robots, constants)
+    note_single_possession(ball, robots, constants)
 
 
-def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
+def check_scene_numbers(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
     """Raise ValueError if a user's scene left a number that is not finite, or changed team, number or goalkeeper."""
     lined_up = np.zeros(robots.shape[1], robots.dtype)
     line_up(settings, lined_up)
@@ -103,7 +103,7 @@ def check_placed(scene: str, settings: Settings, ball: Any, robots: np.ndarray) 
                 raise ValueError(f"{scene} must leave {name} of {agent} {expected}, got {actual}")
 
 
-def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
+def check_scene_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
     """Raise ValueError if a user's scene put a body outside the boards, or one robot into another.
 
     Robots may overlap a little, since physics separates them: their centres must be half their reach apart.
@@ -124,12 +124,12 @@ def check_room(scene: str, settings: Settings, ball: Any, robots: np.ndarray) ->
 
 
 @compiled
-def begin_episode_of(matches, balls, robots, constants, seed, episode, half_length, drill):
+def begin_single_episode(matches, balls, robots, constants, seed, episode, half_length, drill):
     """Call `begin_episode` for a single match, given as (1,) arrays."""
     begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length, drill)
 
 
 @compiled
-def note_possession_of(balls, robots, constants):
+def note_single_possession(balls, robots, constants):
     """Call `note_possession` for a single match, given as (1,) arrays."""
     note_possession(balls[0], robots[0], constants[0])

@@ -13,23 +13,23 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import numbers_for, take_actions
+from soccer_env.actions import actions_to_numbers, write_learner_commands
 from soccer_env.guards.workers import Workers
 from soccer_env.match import truth_state
-from soccer_env.match.arguments import MatchArguments, made_from
-from soccer_env.match.batch import MatchBatch, Sums
-from soccer_env.match.saving import Branching, whole
+from soccer_env.match.arguments import MatchArguments, init_takes_fields_of
+from soccer_env.match.batch import ActionSums, MatchBatch
+from soccer_env.match.saving import Branching, guard_match_methods
 from soccer_env.match.senses import sensing_sides
 from soccer_env.match.settings import make_settings
-from soccer_env.match.squads import TeamArrays, assign, choose_teams, make_squads, run_compiled, run_python
-from soccer_env.match.user_code import OwnTerms, Seen
+from soccer_env.match.squads import TeamArrays, assign_teams, choose_teams, make_squads, run_compiled, run_python
+from soccer_env.match.user_code import UserObservations, UserTerms
 from soccer_env.match.views import Views
 from soccer_env.observations import layout
-from soccer_env.observations.own import pick
+from soccer_env.observations.own import index_arrays
 from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
-from soccer_env.teams.function_teams.asking import standing
+from soccer_env.teams.function_teams.asking import forbid_changes
 
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
@@ -39,7 +39,7 @@ FINAL = (  # kept of ended episodes
 )  # fmt: skip
 
 
-@whole
+@guard_match_methods
 class Match(Views, Branching):
     """M matches of one league, stepped together.
 
@@ -62,7 +62,7 @@ class Match(Views, Branching):
     | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
     """
 
-    @made_from(MatchArguments)
+    @init_takes_fields_of(MatchArguments)
     def __init__(self, arguments: MatchArguments) -> None:
         self.arguments = arguments
         self.count, self.threads, self.autoreset = arguments.matches, arguments.threads, arguments.autoreset
@@ -71,19 +71,21 @@ class Match(Views, Branching):
         self.agents = self.settings.agents
         self.state_names = [entry.name for entry in self.state_entries()]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
-        self.seen, self._own_terms = Seen(self.settings, self.count), OwnTerms(self.settings.rewards)
+        self.seen, self._own_terms = UserObservations(self.settings, self.count), UserTerms(self.settings.rewards)
         entries = {group.side: layout(self.league, group.observe) for group in self.seen.groups}
         names = {side: [entry.name for entry in side_entries] for side, side_entries in entries.items()}
         self.observation_entries: Any = entries if self.seen.by_side else entries[""]
         self.observation_names: Any = names if self.seen.by_side else names[""]  # by "home" and "away" if they differ
         self._make_arrays(arguments.backend)
         self._make_squads(
-            assign(self.agents, self.settings.home, arguments.opponents, arguments.teammates, arguments.controllers)
+            assign_teams(
+                self.agents, self.settings.home, arguments.opponents, arguments.teammates, arguments.controllers
+            )
         )
         self._pool = Workers(self.threads) if self.count >= 2 * self.threads > 2 else None
         self.recorder: Any = None  # a replay.Recorder, while one writes this match down
         self.seeds = np.zeros(self.count, np.uint64)
-        self.ended, self.final = NOBODY, truth_state.Final(self.settings)  # see _restart_same_step
+        self.ended, self.final = NOBODY, truth_state.FinalRecords(self.settings)  # see _restart_same_step
         self.started = self._stepped = False  # the last reset or step was completed; a first step was made
         self.reset(seed=arguments.seed, seeds=arguments.seeds)
         self.batch.build_spaces([0])  # changes nothing, but compiles the kernels that later resets need
@@ -143,7 +145,7 @@ class Match(Views, Branching):
             for squad in self.squads:
                 squad.memory[m] = np.zeros((), squad.memory.dtype)
             choose_teams(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
-            self.batch.look_first(m)
+            self.batch.sense_first_frame(m)
         self._observe_own()
         if self.recorder is not None:
             self.recorder.note_rebuild(rows)
@@ -171,14 +173,14 @@ class Match(Views, Branching):
         ended: Any = ()
         if mode == "next_step" and self._has_ended():
             ended = np.flatnonzero(self.terminated | self.truncated)
-        sums = Sums(self.batch) if repeat > 1 else None
+        sums = ActionSums(self.batch) if repeat > 1 else None
         for left in reversed(range(repeat)):  # a match that is over waits
             self.batch.discount(last and left == 0)
             self._control_step(numbers)
             if sums is not None:
                 sums.add()
         if sums is not None:
-            sums.hand_over()
+            sums.replace_last_step()
         if mode == "same_step":
             return self._restart_same_step()
         if len(ended):
@@ -191,7 +193,7 @@ class Match(Views, Branching):
     def _check_actions(self, actions: Any) -> np.ndarray:
         """Return the actions as numbers; ValueError names the first agent whose action is wrong or missing."""
         if actions is not None:
-            return numbers_for(self.settings.actions, actions, self.agents, self.learns, self.count)
+            return actions_to_numbers(self.settings.actions, actions, self.agents, self.learns, self.count)
         if self.learns.any():
             agent = self.agents[int(np.argmax(self.learns))]
             raise ValueError(f"actions are missing for {agent}: no team plays it")
@@ -229,7 +231,7 @@ class Match(Views, Branching):
 
     def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Fill the commands of a slice: learners' actions, and compiled teams."""
-        take_actions(self.robots, numbers, first, last, self.learns)
+        write_learner_commands(self.robots, numbers, first, last, self.learns)
         self._decide_compiled(first, last)
 
     def _decide_compiled(self, first: int, last: int) -> None:
@@ -254,7 +256,7 @@ class Match(Views, Branching):
         for squad in self.squads:
             if not squad.compiled:
                 self.batch.read(squad.players, 0, self.count)
-                with standing(self, squad.team.name):
+                with forbid_changes(self, squad.team.name):
                     run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
 
     def _observe_own(self) -> None:
@@ -277,7 +279,9 @@ class Match(Views, Branching):
             return self.observations, self.rewards, self.terminated, self.truncated
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
-        self.final = truth_state.Final(self.settings, {name: pick(getattr(self, name), self.ended) for name in FINAL})
+        self.final = truth_state.FinalRecords(
+            self.settings, {name: index_arrays(getattr(self, name), self.ended) for name in FINAL}
+        )
         self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated
 

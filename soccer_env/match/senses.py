@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.belief.believing import MemoryNumbers, Minds
+from soccer_env.belief.believing import BeliefArrays, MemoryNumbers
 from soccer_env.leagues.robot_kind import kind_of
 from soccer_env.match.settings import Settings
-from soccer_env.perception.ideal import tell_slice
-from soccer_env.perception.sensing import Sensing, SensorNumbers
+from soccer_env.perception.ideal import tell_match_state
+from soccer_env.perception.sensing import SensorArrays, SensorNumbers
 from soccer_env.records.world import World
 from soccer_env.types import AWAY, HOME
 
@@ -61,9 +61,9 @@ class Senses:
         self.constants = constants
         self.sides = sides
         self.kind = kind_of(league.sensors)
-        self._sensing = rows_of(sides, settings.rows)
+        self._sensing = rows_of_sides(sides, settings.rows)
         believing = tuple(side for side in sides if settings.senses[side] == "sensors")
-        self._believing = rows_of(believing, settings.rows)
+        self._believing = rows_of_sides(believing, settings.rows)
         everyone = np.arange(robots)
         self.sensing, self.rows = everyone[self._sensing], everyone[self._believing]
         self.senses, self.believes = (np.isin(everyone, rows) for rows in (self.sensing, self.rows))
@@ -90,8 +90,8 @@ class Senses:
         self.particles = np.zeros((*shape, count), kind.particle)
         noise, gazes = self.world.robots["noise"], self.world.robots["gaze"]
         self._truth = tuple(self.world)
-        self._perception = tuple(Sensing(self.percepts, self.sensor_states, self.pending))
-        self._minds = tuple(Minds(beliefs, tracks, self.memories, self.particles, self.messages, noise, gazes))
+        self._perception = tuple(SensorArrays(self.percepts, self.sensor_states, self.pending))
+        self._minds = tuple(BeliefArrays(beliefs, tracks, self.memories, self.particles, self.messages, noise, gazes))
 
     @property
     def parts(self) -> dict[str, np.ndarray]:
@@ -121,7 +121,7 @@ class Senses:
     def tell(self, first: int, last: int) -> None:
         """Write phase, score and clock of each match of a slice into the beliefs."""
         if len(self.rows):
-            tell_slice(self._truth, self.beliefs, self.asleep, self.rows, first, last)
+            tell_match_state(self._truth, self.beliefs, self.asleep, self.rows, first, last)
 
     def believe(self, first: int, last: int) -> None:
         """Update the beliefs of a slice from the percepts; of the truth only the robots' noise and gazes are read."""
@@ -137,7 +137,7 @@ class Senses:
         )  # fmt: skip
 
 
-def rows_of(sides: tuple[int, ...], sizes: tuple[int, int]) -> slice:
+def rows_of_sides(sides: tuple[int, ...], sizes: tuple[int, int]) -> slice:
     """Return the rows of the robots of some sides; `sizes` are the numbers of rows of home and of away."""
     if not sides:
         return slice(0, 0)

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from soccer_env.actions import ActionKind
-from soccer_env.guards.checking import one_of, refuse, whole_number
+from soccer_env.guards.checking import check_choice, check_whole_number, raise_not_allowed
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import Rules, rule_set
-from soccer_env.match.arguments import FREE, MatchSettings, Senses, part_of
-from soccer_env.observations.own import Sides, check_observe
+from soccer_env.match.arguments import FREE, MatchSettings, Senses, select_fields
+from soccer_env.observations.own import SideObservations, check_observe
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.scenes import SUCCESS, Scene, find_scene
 from soccer_env.types import MAX_TEAM
@@ -52,7 +52,11 @@ class Settings(MatchSettings):
     @property
     def observes(self) -> tuple[Any, Any]:
         """Return the kind of observation of home and of away."""
-        return (self.observe.home, self.observe.away) if isinstance(self.observe, Sides) else (self.observe,) * 2
+        return (
+            (self.observe.home, self.observe.away)
+            if isinstance(self.observe, SideObservations)
+            else (self.observe,) * 2
+        )
 
     @property
     def half_length(self) -> float:
@@ -89,7 +93,11 @@ class Settings(MatchSettings):
 
     def describe(self) -> dict[str, Any]:
         """Return the settings as plain values, for reports and files."""
-        return {item.name: plain(getattr(self, item.name)) for item in fields(self) if not item.metadata.get("part")}
+        return {
+            item.name: to_plain_types(getattr(self, item.name))
+            for item in fields(self)
+            if not item.metadata.get("part")
+        }
 
     def fingerprint(self) -> str:
         """Return a hash of everything that a match's future depends on."""
@@ -97,14 +105,14 @@ class Settings(MatchSettings):
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 
-def plain(value: Any) -> Any:
+def to_plain_types(value: Any) -> Any:
     """Convert a value to plain types that JSON can hold."""
     if is_dataclass(value) and not isinstance(value, type):
-        return {name: plain(part) for name, part in vars(value).items()}
+        return {name: to_plain_types(part) for name, part in vars(value).items()}
     if isinstance(value, Mapping):
-        return {str(name): plain(part) for name, part in value.items()}
+        return {str(name): to_plain_types(part) for name, part in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(part) for part in value]
+        return [to_plain_types(part) for part in value]
     if value is None or isinstance(value, (bool, int, float, str)):
         return value if not (isinstance(value, float) and not isfinite(value)) else str(value)
     return f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', type(value).__qualname__)}"
@@ -120,7 +128,7 @@ def check_senses(senses: Any) -> tuple[str, str]:
         both = senses
     else:
         both = (senses, senses)
-    return one_of("senses", both[0], SENSES), one_of("senses", both[1], SENSES)
+    return check_choice("senses", both[0], SENSES), check_choice("senses", both[1], SENSES)
 
 
 def check_options(name: str, value: Any, base: Any) -> Any:
@@ -132,7 +140,7 @@ def check_options(name: str, value: Any, base: Any) -> Any:
         return changed
     if isinstance(value, type(base)):
         return value
-    refuse(name, f"a mapping of names to values or a {type(base).__name__}", value)
+    raise_not_allowed(name, f"a mapping of names to values or a {type(base).__name__}", value)
 
 
 def with_sensors(league: League, sensors: Any, memory: Any) -> League:
@@ -155,7 +163,7 @@ def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League
 def check_keeper(keeper: Any, home: int, away: int) -> int:
     """Return the goalkeeper's number; ValueError if a team of two or more has no such number."""
     sizes = [size for size in (home, away) if size >= 2]
-    return whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
+    return check_whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
 
 
 def make_settings(arguments: MatchSettings) -> Settings:
@@ -171,7 +179,7 @@ def make_settings(arguments: MatchSettings) -> Settings:
         "league": league,
         "home": home,
         "away": away,
-        "max_players": whole_number("max_players", most, largest, MAX_TEAM),
+        "max_players": check_whole_number("max_players", most, largest, MAX_TEAM),
         "padded": arguments.max_players is not None,
         "observe": check_observe(arguments.observe),
         "senses": check_senses(arguments.senses),
@@ -182,7 +190,7 @@ def make_settings(arguments: MatchSettings) -> Settings:
     }
     scene.check(league, home, away)
     check_drill(arguments, scene)
-    return Settings(**{**part_of(arguments, MatchSettings), **resolved})
+    return Settings(**{**select_fields(arguments, MatchSettings), **resolved})
 
 
 def check_drill(arguments: MatchSettings, scene: Scene) -> None:

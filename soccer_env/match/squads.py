@@ -13,8 +13,8 @@ from soccer_env.compiling.numba_parts import NumbaError
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.match.settings import Settings
-from soccer_env.observations import names_of
-from soccer_env.teams import CompiledTeam, Lineup, ObservingTeam, Team, TeamRandom, View, called, make_team
+from soccer_env.observations import entry_names
+from soccer_env.teams import CompiledTeam, Lineup, ObservingTeam, Team, TeamRandom, View, make_team, result_name
 from soccer_env.teams.function_teams import FunctionTeam
 from soccer_env.types import AWAY, COMMAND, HOME
 
@@ -78,7 +78,7 @@ class Squad:
         return self._runs[first, last][1]
 
 
-def assign(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
+def assign_teams(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
     """Return {agent id: team}; `teammates` play all home robots but the last, `controllers` map agent ids or sides."""
     who: dict[str, Any] = {}
     sides = {side: [agent for agent in agents if agent.startswith(side)] for side in ("home", "away")}
@@ -110,7 +110,7 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
         chosen, players = who[agents[rows[0]]], np.array(rows, np.int64)
         if not isinstance(chosen, Lineup):
             squads.append(make_squad(make_team(chosen), players, settings, matches, len(agents)))
-            squads[-1].name = called(chosen, squads[-1].team)
+            squads[-1].name = result_name(chosen, squads[-1].team)
             continue
         for place, team in enumerate(chosen.teams):
             squad = make_squad(team, players, settings, matches, len(agents))
@@ -136,7 +136,7 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
                 f"team {team.name!r} observes {team.observe}: it needs senses={needed!r}, got {senses!r} "
                 f"(a command takes --senses {needed}; a policy trained with observe='belief' plays by either)"
             )
-        observed = len(names_of(settings.league, team.observe))
+        observed = len(entry_names(settings.league, team.observe))
     memory = np.zeros((matches, len(players)), check_memory(team))
     numbers = team.settings_in(settings.league) if isinstance(team, CompiledTeam) else None
     return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name, numbers)
@@ -178,7 +178,7 @@ def clip_commands(commands, players, first, last):
     return -1, -1
 
 
-def uncompiled(team: CompiledTeam, error: Exception) -> str:
+def cannot_compile_message(team: CompiledTeam, error: Exception) -> str:
     """Return a one-line message why a team's kernel cannot be compiled; it names the field that a record lacks."""
     if isinstance(error, KeyError):
         why = f"it reads {error} of a record that has no such field; skills read the numbers of skills.skill_settings()"
@@ -206,7 +206,7 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
         try:
             team.kernel(*seen, commands, rows, k, squad.settings, *run)
         except (KeyError, NumbaError) as error:
-            raise ValueError(uncompiled(team, error)) from error
+            raise ValueError(cannot_compile_message(team, error)) from error
     m, r = clip_commands(commands, rows, first, last)
     if m >= 0:
         command = commands[m, r].item()
@@ -244,7 +244,7 @@ def checked_commands(name: str, returned: Any, shape: tuple[int, ...]) -> np.nda
     return np.clip(commands, -1.0, 1.0)
 
 
-def who_plays(squads: list[Squad], row: int, matches: int) -> np.ndarray:
+def playing_team_names(squads: list[Squad], row: int, matches: int) -> np.ndarray:
     """Return the name of the team that now plays a robot (row) in each match, (M,) objects; "" for a learner."""
     names = np.full(matches, "", object)
     for squad in squads:

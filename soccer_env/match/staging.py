@@ -23,7 +23,7 @@ from soccer_env.scenes.drills_legged import PATIENT as PATIENT
 from soccer_env.types import NO_TEAM
 
 
-def patient(league: str | League) -> League:
+def league_without_calls(league: str | League) -> League:
     """Return the league with a referee who calls no stuck ball and no foul, and never separates robots."""
     preset = find_league(league)
     return replace(preset, rules=rule_set(preset.rules, PATIENT))
@@ -65,7 +65,7 @@ def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: 
     match.matches["still_clock"] = 0.0
 
 
-def begin(match: Match, placed: bool = False) -> None:
+def begin_scene(match: Match, placed: bool = False) -> None:
     """Begin a staged scene: move the bodies to the poses in the records, and clear percepts and beliefs.
 
     `placed`: robots know where they stand, as after a restart, and take their first look.
@@ -77,7 +77,7 @@ def begin(match: Match, placed: bool = False) -> None:
     if placed:
         match.robots["placed"] = match.robots["active"]
         for m in range(match.count):
-            match.batch.look_first(m)
+            match.batch.sense_first_frame(m)
 
 
 # Internal records of a match, as views: to be read and changed

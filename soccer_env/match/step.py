@@ -15,20 +15,27 @@ from typing import NamedTuple
 import numpy as np
 
 from soccer_env.compiled import compiled, inlined
-from soccer_env.compiling.borrowing import borrowed, keep
+from soccer_env.compiling.borrowing import borrow_arrays, keep_alive
 from soccer_env.observations.truth import observe_truth
-from soccer_env.physics.ball import hold, limit_speed, slow_down
+from soccer_env.physics.ball import limit_speed, slow_down, stop_ball
 from soccer_env.physics.contacts import find_collisions, find_touches
-from soccer_env.physics.drive import drive, move_head
-from soccer_env.physics.engine.chipmunk import fetch, step_match, write_bodies
-from soccer_env.physics.engine.prefetch import fetch_row
-from soccer_env.physics.exchange import count_substeps, is_finite, read_records, weigh_ball, write_rows, write_twists
-from soccer_env.physics.kicker import holds_ball, kicked_by, work_kicker
+from soccer_env.physics.drive import drive_robot, move_head
+from soccer_env.physics.engine.chipmunk import prefetch_step, step_match, write_bodies
+from soccer_env.physics.engine.prefetch import prefetch_row
+from soccer_env.physics.exchange import (
+    count_substeps,
+    is_finite,
+    read_records,
+    set_ball_mass,
+    write_poses,
+    write_twists,
+)
+from soccer_env.physics.kicker import advance_kicker, holds_ball, kicking_robot
 from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.records.world import World
-from soccer_env.referee.calls import judge
-from soccer_env.referee.formation import looks_on
+from soccer_env.referee.calls import judge_match
+from soccer_env.referee.formation import is_onlooker
 from soccer_env.referee.fouls.judging import judge_fouls
 from soccer_env.referee.fouls.penalties import pardon, serve_penalties
 from soccer_env.referee.restarts import carry_out_restart, end_placing
@@ -45,7 +52,7 @@ PLAY = int(Phase.PLAY)
 GOES_ON, PUT_ELSEWHERE, BROKEN = 0, -1, -2  # result of a match's step; above 0: substeps still to be made
 
 
-class Physics(NamedTuple):
+class PhysicsArrays(NamedTuple):
     """Arrays that a step exchanges with the physics of M matches, see `physics.engine.chipmunk`."""
 
     bodies: np.ndarray  # (M, rows, 6)
@@ -53,7 +60,7 @@ class Physics(NamedTuple):
     solvers: np.ndarray  # (M,) SOLVER
 
 
-class Outcome(NamedTuple):
+class StepOutcome(NamedTuple):
     """What learners get from a step, for M matches of R robots."""
 
     rewards: np.ndarray  # (M, R)
@@ -64,7 +71,7 @@ class Outcome(NamedTuple):
     statistics: np.ndarray  # (M,) STATISTICS
 
 
-class Numbers(NamedTuple):
+class StepNumbers(NamedTuple):
     """The settings that a step needs, as arrays and numbers."""
 
     constants: np.ndarray  # (1,) CONSTANTS
@@ -78,17 +85,17 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
 
     The whole step of a match runs before the next match begins, so that its records stay in the cache.
     """
-    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
+    world, physics, outcome, numbers = to_named_tuples(world, physics, outcome, numbers)
     k, weights = numbers.constants[0], numbers.weights[0]
     owned = make_scratch(world.robots.shape[1])
-    before, scratch = borrowed(owned)
+    before, scratch = borrow_arrays(owned)
     broken = -1
     for m in range(first, last):
         match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
         events, robot_events = world.events[m], world.robot_events[m]
         velocities, solver = physics.velocities[m], physics.solvers[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
-        fetch_match(links, world.robots, outcome.statistics, m + 1)
+        prefetch_match(links, world.robots, outcome.statistics, m + 1)
         substeps = begin_match(
             match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
         )
@@ -104,16 +111,16 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         elif result == BROKEN:
             broken = m if broken < 0 else broken
             continue
-        note_end(match, outcome, m, k, numbers.limit)
-    keep(owned)
+        note_episode_end(match, outcome, m, k, numbers.limit)
+    keep_alive(owned)
     return broken
 
 
 @compiled
 def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
     """Run the part of a step before the physics, for physics stepped by Python; `before` is (M, *POTENTIALS)."""
-    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
-    before = borrowed(before)
+    world, physics, outcome, numbers = to_named_tuples(world, physics, outcome, numbers)
+    before = borrow_arrays(before)
     for m in range(first, last):
         substeps[m] = begin_match(
             world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
@@ -125,10 +132,10 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
 @compiled
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
     """Run the part of a step after the physics; `results` (M,): substeps at first, then results of `finish_match`."""
-    world, physics, outcome, numbers = named(world, physics, outcome, numbers)
-    k, before = numbers.constants[0], borrowed(before)
+    world, physics, outcome, numbers = to_named_tuples(world, physics, outcome, numbers)
+    k, before = numbers.constants[0], borrow_arrays(before)
     owned = make_scratch(world.robots.shape[1])
-    _, scratch = borrowed(owned)
+    _, scratch = borrow_arrays(owned)
     for m in range(first, last):
         if results[m] == 0:
             continue
@@ -139,15 +146,20 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
             before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m], outcome.statistics[m],
         )  # fmt: skip
         if results[m] != BROKEN:
-            note_end(match, outcome, m, k, numbers.limit)
-    keep(owned)
+            note_episode_end(match, outcome, m, k, numbers.limit)
+    keep_alive(owned)
 
 
 @compiled
-def named(world, physics, outcome, numbers):
+def to_named_tuples(world, physics, outcome, numbers):
     """Convert bundles of arrays from plain tuples to named tuples of borrowed arrays."""
-    world, physics, outcome, numbers = borrowed(world), borrowed(physics), borrowed(outcome), borrowed(numbers)
-    return World(*world), Physics(*physics), Outcome(*outcome), Numbers(*numbers)
+    world, physics, outcome, numbers = (
+        borrow_arrays(world),
+        borrow_arrays(physics),
+        borrow_arrays(outcome),
+        borrow_arrays(numbers),
+    )
+    return World(*world), PhysicsArrays(*physics), StepOutcome(*outcome), StepNumbers(*numbers)
 
 
 # Below this line every function works on one match.
@@ -189,21 +201,21 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     """Let robots drive, kick and turn their heads, and the ball roll; return the number of substeps."""
     for r in range(robots.shape[0]):
         robot = robots[r]
-        if match.placing == 1 or (match.shoot_out > 0 and looks_on(match, robots, r)):
+        if match.placing == 1 or (match.shoot_out > 0 and is_onlooker(match, robots, r)):
             steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k, match.handedness)
-        drive(robot, k, match.step, match.handedness, stance_of(solver, r))
-        work_kicker(robots, r, robot_events[r], k, ball, match.handedness)
+        drive_robot(robot, k, match.step, match.handedness, stance_of(solver, r))
+        advance_kicker(robots, r, robot_events[r], k, ball, match.handedness)
         move_head(robot, k, ball)
         robot.placed = 0
         robot.fallen = max(robot.fallen - k.dt, 0.0)
     limit_speed(ball, k)
     if match.placing == 1:
-        hold(ball)
+        stop_ball(ball)
     slow_down(ball, k, 0.5 * k.dt)
     write_twists(ball, robots, velocities, solver, match.handedness)
-    weigh_ball(solver, match.placing)
+    set_ball_mass(solver, match.placing)
     return count_substeps(ball, robots, k)
 
 
@@ -224,7 +236,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     moved = serve_penalties(match, ball, robots, robot_events, k) or dead
     if not dead and match.over == 0:
         moved = judge_fouls(match, ball, robots, events, robot_events, touching, k) or moved
-    judge(match, ball, robots, events, k, toucher if toucher >= 0 else kicked_by(ball, robots, robot_events))
+    judge_match(match, ball, robots, events, k, toucher if toucher >= 0 else kicking_robot(ball, robots, robot_events))
     if match.phase == PLAY and match.over == 0 and pull_apart(ball, robots, match, k):
         events.separated = 1
         moved = True
@@ -240,7 +252,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     if is_notable(events):
         count_calls(match, robots, events, robot_events, bodies, tally)
     if moved:
-        write_rows(ball, robots, bodies)
+        write_poses(ball, robots, bodies)
     return moved
 
 
@@ -259,15 +271,15 @@ def make_scratch(robots):
 
 
 @inlined
-def fetch_match(links, robots, statistics, m):
+def prefetch_match(links, robots, statistics, m):
     """Prefetch the records that the step of match m touches into the cache, if match m exists."""
-    if fetch(links, m):
-        fetch_row(robots, m, robots.strides[0])
-        fetch_row(statistics, m, OFTEN)
+    if prefetch_step(links, m):
+        prefetch_row(robots, m, robots.strides[0])
+        prefetch_row(statistics, m, OFTEN)
 
 
 @inlined
-def note_end(match, outcome, m, k, limit):
+def note_episode_end(match, outcome, m, k, limit):
     """Set the flags of match m: terminated, or truncated after `limit` control steps or the time limit of a drill."""
     out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
     outcome.terminated[m] = match.over == 1

@@ -13,18 +13,18 @@ from typing import Any, get_args
 
 import numpy as np
 
-from soccer_env.guards.checking import one_of, refuse, whole_number
+from soccer_env.guards.checking import check_choice, check_whole_number, raise_not_allowed
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import StateSide
 from soccer_env.match.settings import Settings
-from soccer_env.observations.entry import FIELD, NONE, ROBOT, TEAM, TURN, Entry, X, Y, of_group
+from soccer_env.observations.entry import FIELD, NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group
 from soccer_env.types import AWAY, HOME, MAX_TEAM, Phase
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 Records = Mapping[str, np.ndarray]  # of n matches: matches (n,), balls (n,), robots (n, R)
 SIDES = get_args(StateSide)
 
-GAME = of_group(
+GAME = copy_to_group(
     "game",
     Entry("clock", "play in this half", "the half; without an end soft: t / (t + 60 s)", NONE),
     Entry("half", "0 first half, 1 second half", "1", NONE),
@@ -35,7 +35,7 @@ GAME = of_group(
     Entry("goals_home", "goals of home", "soft: g / (g + 2)", NONE),
     Entry("goals_away", "goals of away", "soft: g / (g + 2)", NONE),
 )
-BALL = of_group(
+BALL = copy_to_group(
     "ball",
     Entry("ball_x", "place along the field", "half length plus goal depth", FIELD, X),
     Entry("ball_y", "place across the field", "half width plus band", FIELD, Y),
@@ -98,7 +98,7 @@ def _renamed(entry: Entry) -> Entry:
 
 def check_side(side: Any) -> str:
     """Return the side, checked; ValueError names the known sides."""
-    found: str = one_of("side", side, SIDES)
+    found: str = check_choice("side", side, SIDES)
     return found
 
 
@@ -112,7 +112,7 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
     if side == "field":
         return state
     team = HOME if side == "home" else AWAY
-    columns, swapped, turned = orders(players, team)
+    columns, swapped, turned = side_orders(players, team)
     direction = records["matches"]["home_direction"] * (1.0 if team == HOME else -1.0)
     signs = np.where(direction[:, None] < 0.0, turned, np.float32(1.0)) * swapped
     turned_state: np.ndarray = (signs * state)[:, columns]
@@ -120,7 +120,7 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
 
 
 @cache
-def orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def side_orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return arrays that turn a state to a team's side: order of columns, signs of the swap, signs of a half-turn."""
     field_entries = entries(players)
     names = [entry.name for entry in field_entries]
@@ -137,19 +137,19 @@ def field_states(settings: Settings, records: Records, players: int) -> np.ndarr
     """Return states in the frame of the field: match, ball, then `players` rows for home and for away."""
     league, home_rows, count = settings.league, settings.rows[HOME], len(records["matches"])
     players_of_both = np.zeros((count, 2, players, len(PLAYER)))
-    numbers = in_order(PLAYER, robot_numbers(league, records["robots"]))
+    numbers = stack_entries(PLAYER, robot_numbers(league, records["robots"]))
     players_of_both[:, 0, :home_rows] = numbers[:, :home_rows]
     players_of_both[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
     game, ball = (
-        in_order(GAME, game_numbers(records["matches"])),
-        in_order(BALL, ball_numbers(league, records["balls"])),
+        stack_entries(GAME, game_numbers(records["matches"])),
+        stack_entries(BALL, ball_numbers(league, records["balls"])),
     )
     parts = [game, ball, players_of_both.reshape(count, -1)]
     state: np.ndarray = np.clip(np.concatenate(parts, axis=1), -1.0, 1.0).astype(np.float32)
     return state
 
 
-class Final(dict[str, np.ndarray]):
+class FinalRecords(dict[str, np.ndarray]):
     """The last records of the episodes that have just ended, by name; "state" is computed on demand."""
 
     def __init__(self, settings: Settings, records: Records | None = None) -> None:
@@ -167,7 +167,7 @@ class Final(dict[str, np.ndarray]):
         return states(self._settings, self, self._settings.state_side if side is None else check_side(side))
 
 
-def in_order(entries: Sequence[Entry], numbers: Mapping[str, Any]) -> np.ndarray:
+def stack_entries(entries: Sequence[Entry], numbers: Mapping[str, Any]) -> np.ndarray:
     """Stack numbers (...), given by name, into one array (..., n) in the order of the entries."""
     return np.stack([np.asarray(numbers[entry.name], float) for entry in entries], axis=-1)
 
@@ -240,10 +240,10 @@ class WholeTruth:
     needs_beliefs = False  # the robots that observe the truth need no sensors
 
     def __init__(self, players: int) -> None:
-        self.players = whole_number("players", players, 1, MAX_TEAM)
-        self.entries = [self._told(entry) for entry in entries(self.players, "home")]
+        self.players = check_whole_number("players", players, 1, MAX_TEAM)
+        self.entries = [self._rename_for_robot(entry) for entry in entries(self.players, "home")]
 
-    def _told(self, entry: Entry) -> Entry:
+    def _rename_for_robot(self, entry: Entry) -> Entry:
         """Return an entry of home's state, renamed for the observation of a single robot."""
         if entry.slot is None:
             return entry
@@ -257,7 +257,9 @@ class WholeTruth:
         """Return (M, R, numbers) in [-1, 1]."""
         settings = match.settings
         if settings.max_players > self.players:
-            refuse("players of WholeTruth", f"at least the match's {settings.max_players} a side", self.players)
+            raise_not_allowed(
+                "players of WholeTruth", f"at least the match's {settings.max_players} a side", self.players
+            )
         records = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
         by_side = [states(settings, records, side, self.players) for side in ("home", "away")]
         first, size, home = len(GAME) + len(BALL), len(PLAYER), settings.rows[HOME]

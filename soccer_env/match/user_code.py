@@ -9,17 +9,27 @@ import numpy as np
 
 from soccer_env.match.settings import Settings
 from soccer_env.observations import layout
-from soccer_env.observations.own import Form, Part, Sides, as_numbers, check_within, fill, form_of, pick, zeros
+from soccer_env.observations.own import (
+    ArrayForm,
+    Form,
+    SideObservations,
+    check_bounds,
+    convert_to_numbers,
+    fill,
+    index_arrays,
+    observation_form,
+    zero_observations,
+)
 from soccer_env.rewards import COUNT, POTENTIALS, TERMS, OwnTerm, Rewards, measure_potentials
 from soccer_env.scenes import Scene
 from soccer_env.teams.function_teams import FunctionTeam, ask_functions
 from soccer_env.types import HOME, Phase
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
-ANY = Part((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
+ANY = ArrayForm((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
 
 
-class Group(NamedTuple):
+class ObservationGroup(NamedTuple):
     """Robots with the same observation."""
 
     side: str  # "" for both teams
@@ -28,7 +38,7 @@ class Group(NamedTuple):
     form: Form
 
 
-class Seen:
+class UserObservations:
     """Observations that no kernel writes: made by a user's own object, or different for each team.
 
     `arrays` is (M, R, ...) or a dict of such arrays; if teams differ, {"home": (M, H, ...), "away": (M, A, ...)}.
@@ -36,16 +46,20 @@ class Seen:
 
     def __init__(self, settings: Settings, matches: int) -> None:
         home, self._agents = settings.rows[HOME], settings.agents
-        self.by_side = isinstance(settings.observe, Sides)
+        self.by_side = isinstance(settings.observe, SideObservations)
         self.own = not isinstance(settings.observe, str)
         who = {"home": slice(0, home), "away": slice(home, None)} if self.by_side else {"": slice(0, None)}
         observes = settings.observes if self.by_side else (settings.observe,)
         self.groups = [
-            Group(side, observe, rows, form_of(observe, len(layout(settings.league, observe))))
+            ObservationGroup(side, observe, rows, observation_form(observe, len(layout(settings.league, observe))))
             for (side, rows), observe in zip(who.items(), observes, strict=True)
         ]
-        self._all = [zeros(group.form, matches if self.own else 0, len(self._agents)) for group in self.groups]
-        views = [pick(seen, (slice(None), group.rows)) for group, seen in zip(self.groups, self._all, strict=True)]
+        self._all = [
+            zero_observations(group.form, matches if self.own else 0, len(self._agents)) for group in self.groups
+        ]
+        views = [
+            index_arrays(seen, (slice(None), group.rows)) for group, seen in zip(self.groups, self._all, strict=True)
+        ]
         self.arrays = dict(zip(who, views, strict=True)) if self.by_side else views[0]
 
     def fill(self, match: Match) -> None:
@@ -58,7 +72,7 @@ class Seen:
                 what = f"observe of {group.side}" if group.side else "observe"
                 fill(group.form, seen, group.observe(match), what, self._agents, group.rows)
 
-    def group_of(self, row: int) -> Group:
+    def group_of(self, row: int) -> ObservationGroup:
         """Return the group that a robot (row) belongs to."""
         return next(group for group in self.groups if row in range(len(self._agents))[group.rows])
 
@@ -66,10 +80,10 @@ class Seen:
         """Return the observation (M, ...) of one robot (row), taken from the observations of all robots."""
         group = self.group_of(row)
         seen = observations[group.side] if self.by_side else observations
-        return pick(seen, (slice(None), row - (group.rows.start or 0)))
+        return index_arrays(seen, (slice(None), row - (group.rows.start or 0)))
 
 
-class OwnTerms:
+class UserTerms:
     """The reward terms of users, in the columns after the built-in terms."""
 
     def __init__(self, rewards: Rewards) -> None:
@@ -89,17 +103,19 @@ class OwnTerms:
         if self._terms:
             self._waiting = match.matches["over"] == 1
             shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
-            self._before = {name: ask(match, name, term).copy() for name, term in shaping.items()}  # may be a view
+            self._before = {
+                name: ask_reward_term(match, name, term).copy() for name, term in shaping.items()
+            }  # may be a view
 
     def pay(self, match: Match) -> None:
         """Let a success function end matches, and add users' terms to the rewards of matches not over before."""
         if self._judges:
-            judge(match, match.settings.scene)
+            judge_scene(match, match.settings.scene)
         if not self._terms:  # the usual case: the lines below would cost a match alone 1 us of the 15 us of a step
             return
         over, gamma = match.matches["over"] == 1, float(match.batch.weights["gamma"][0])
         for column, (name, term) in enumerate(self._terms.items(), start=COUNT):
-            value = ask(match, name, term)
+            value = ask_reward_term(match, name, term)
             if term.kind == "potential":
                 value = gamma * np.where(over[:, None], 0.0, value) - self._before[name]
             value = -term.weight * value if term.kind == "cost" else term.weight * value
@@ -107,7 +123,7 @@ class OwnTerms:
             match.rewards += match.terms[..., column]
 
 
-def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
+def check_result(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
     """Convert the result of users' code to numbers of a shape; ValueError names the code and the wrong result."""
     try:
         numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
@@ -122,12 +138,12 @@ def checked(values: Any, shape: tuple[int, ...], what: str, limit: float = np.in
     return numbers
 
 
-def judge(match: Match, scene: Scene) -> None:
+def judge_scene(match: Match, scene: Scene) -> None:
     """End matches by a scene's success function (1 success, -1 failure, 0 goes on), truncate them by the time limit.
 
     A match that ends here has potential 0, like a match that the referee ends.
     """
-    verdicts = checked(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
+    verdicts = check_result(scene.success(match), (match.count,), f"success of scene {scene.name!r}", limit=1.0)  # type: ignore[operator]
     if (verdicts != np.rint(verdicts)).any():
         m = int(np.argmax(verdicts != np.rint(verdicts)))
         raise ValueError(
@@ -155,9 +171,9 @@ def take_back_shaping(match: Match, m: int) -> None:
         match.rewards[m] -= share
 
 
-def ask(match: Match, name: str, term: OwnTerm) -> np.ndarray:
+def ask_reward_term(match: Match, name: str, term: OwnTerm) -> np.ndarray:
     """Return the values (M, R) of a user's reward term; ValueError names the term, the robot and the wrong value."""
     what = f"reward term {name!r}"
-    numbers = as_numbers(term.function(match), match.rewards.shape, what, match.agents)
-    check_within(ANY, numbers, what, match.agents)
+    numbers = convert_to_numbers(term.function(match), match.rewards.shape, what, match.agents)
+    check_bounds(ANY, numbers, what, match.agents)
     return numbers.astype(float)

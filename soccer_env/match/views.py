@@ -11,7 +11,7 @@ from soccer_env.match.batch import MatchBatch
 from soccer_env.match.settings import Settings
 from soccer_env.match.squads import Squad
 from soccer_env.observations import Entry
-from soccer_env.observations.own import size_of
+from soccer_env.observations.own import form_size
 from soccer_env.types import HOME, Phase
 
 PICTURES = "soccer_env.api.shown"  # stands above this file: imported when a notebook asks for a picture
@@ -69,11 +69,11 @@ class Views:
         return env_info(self)
 
     def __repr__(self) -> str:
-        return in_words(self)
+        return match_in_words(self)
 
     def _repr_png_(self) -> bytes | None:
         """Return the picture of the first match that a notebook shows, or None if it cannot be drawn."""
-        drawn: bytes | None = import_module(PICTURES).png_of(self)
+        drawn: bytes | None = import_module(PICTURES).match_png(self)
         return drawn
 
 
@@ -82,14 +82,14 @@ def env_info(match: Match) -> dict[str, int | None]:
     settings, learner = match.settings, int(np.argmax(match.learns))
     return {
         "state_shape": len(match.state_names),
-        "obs_shape": size_of(match.seen.group_of(learner).form),
+        "obs_shape": form_size(match.seen.group_of(learner).form),
         "n_actions": len(DISCRETE) if settings.actions.name == "discrete" else settings.actions.size,
         "n_agents": int(match.learns.sum()),
         "episode_limit": settings.episode_limit,
     }
 
 
-def in_words(match: Match) -> str:
+def match_in_words(match: Match) -> str:
     """Return league, players and score: <Match legged-2001: 2 learners v 1 chaser; first half, 12.5 s, play, 0 : 1>."""
     settings = match.settings
     sides = (match.agents[: settings.rows[HOME]], match.agents[settings.rows[HOME] :])
@@ -98,11 +98,11 @@ def in_words(match: Match) -> str:
         shown.append(settings.scene.name)
     if match.count > 1:
         shown.append(f"{match.count} matches")
-    players = " v ".join(" and ".join(who_plays(match, side)) for side in sides)
-    return f"<{type(match).__name__} {', '.join(shown)}: {players}; {standing(match)}>"
+    players = " v ".join(" and ".join(player_counts(match, side)) for side in sides)
+    return f"<{type(match).__name__} {', '.join(shown)}: {players}; {standing_in_words(match)}>"
 
 
-def who_plays(match: Match, agents: list[str]) -> list[str]:
+def player_counts(match: Match, agents: list[str]) -> list[str]:
     """Return the numbers of active robots that each team plays, and of learners, such as ["2 learners"]."""
     counts: dict[str, int] = {}
     for agent in agents:
@@ -113,7 +113,7 @@ def who_plays(match: Match, agents: list[str]) -> list[str]:
     return [f"{count} {name}" for name, count in counts.items() if count]
 
 
-def standing(match: Match) -> str:
+def standing_in_words(match: Match) -> str:
     """Return half, clock, phase and score of a single match in words, or how many of several matches have ended."""
     over = match.terminated | match.truncated
     if match.count > 1:

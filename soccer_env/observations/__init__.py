@@ -40,7 +40,7 @@ def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
     return listed
 
 
-def names_of(league: League, observe: str | Observation) -> list[str]:
+def entry_names(league: League, observe: str | Observation) -> list[str]:
     """Return the names of the entries of an observation, built-in or a user's own."""
     return [entry.name for entry in layout(league, observe)]
 
@@ -68,4 +68,4 @@ def entries_named(observe: str, names: Sequence[str]) -> list[Entry]:
     return [known.get(name) or Entry(name) for name in names]
 
 
-__all__ = ["OBSERVE", "Entry", "Observation", "entries_named", "layout", "names_of"]
+__all__ = ["OBSERVE", "Entry", "Observation", "entries_named", "layout", "entry_names"]

@@ -14,8 +14,19 @@ from soccer_env.geometry import clip, into_frame
 from soccer_env.leagues.constants import has_ranger
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import write_command, write_duty, write_joints
-from soccer_env.observations.entry import NONE, ROBOT, TURN, Entry, X, Y, of_group, record_of, slot_entries, slots_of
-from soccer_env.observations.row import part
+from soccer_env.observations.entry import (
+    NONE,
+    ROBOT,
+    TURN,
+    Entry,
+    X,
+    Y,
+    copy_to_group,
+    entries_dtype,
+    slot_counts,
+    slot_entries,
+)
+from soccer_env.observations.row import record_view
 from soccer_env.observations.truth import BALL, GAME, GOALS, NEAR, OWN, PLAYER, SLOW
 from soccer_env.types import MAX_TEAM, Phase
 
@@ -23,8 +34,8 @@ PLAY = int(Phase.PLAY)
 AGE = 1.0  # [s] half-way point of the soft scale for ages, assumed
 SURE = 100.0
 
-OWN_MORE = of_group("own pose", Entry("own_confidence", "confidence in the own pose", "100", NONE))
-BALL_MORE = of_group(
+OWN_MORE = copy_to_group("own pose", Entry("own_confidence", "confidence in the own pose", "100", NONE))
+BALL_MORE = copy_to_group(
     "ball",
     Entry("ball_raw_x", "latest reading of the ball, ahead", "soft: x / (|x| + a tenth of the diagonal)", ROBOT, X),
     Entry("ball_raw_y", "the same to the left", "soft: y / (|y| + a tenth of the diagonal)", ROBOT, Y),
@@ -38,7 +49,7 @@ PLAYER_MORE = (
     Entry("age", "time since it was seen", "soft: t / (t + 1 s)", NONE),
 )
 NOBODY = "nearness of somebody whom the ranger alone knows of; 0: nobody"
-OBSTACLE = of_group(  # of robots with an infrared ranger
+OBSTACLE = copy_to_group(  # of robots with an infrared ranger
     "obstacle",
     Entry("obstacle_near", NOBODY, "soft: a / (distance + a), a = a tenth of the diagonal", NONE),
     Entry("obstacle_cos", "cosine of its bearing; 0 if there is nobody", "1", ROBOT, X),
@@ -46,13 +57,13 @@ OBSTACLE = of_group(  # of robots with an infrared ranger
 )
 FIXED = OWN + OWN_MORE + BALL + BALL_MORE + GOALS + GAME
 BELIEVED_PLAYER = PLAYER + PLAYER_MORE
-FIXED_ROW, OBSTACLE_ROW, PLAYER_ROW = record_of(FIXED), record_of(OBSTACLE), record_of(BELIEVED_PLAYER)
+FIXED_ROW, OBSTACLE_ROW, PLAYER_ROW = entries_dtype(FIXED), entries_dtype(OBSTACLE), entries_dtype(BELIEVED_PLAYER)
 FIXED_SIZE, OBSTACLE_SIZE, PLAYER_SIZE = len(FIXED), len(OBSTACLE), len(BELIEVED_PLAYER)
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a robot's observation in a league, in order."""
-    return [*FIXED, *(OBSTACLE if has_ranger(league) else ()), *slot_entries(*slots_of(league), BELIEVED_PLAYER)]
+    return [*FIXED, *(OBSTACLE if has_ranger(league) else ()), *slot_entries(*slot_counts(league), BELIEVED_PLAYER)]
 
 
 def every_entry() -> list[Entry]:
@@ -70,16 +81,16 @@ def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_
             belief = beliefs[m, r]
             observation = observations[m, r]
             at = FIXED_SIZE
-            row = part(observation, 0, FIXED_ROW)
+            row = record_view(observation, 0, FIXED_ROW)
             write_body(robots[m, r], belief, row, k)
             write_ball(belief.ball, row, k, diagonal)
             write_goals(belief.own, row, k, diagonal)
             write_game(belief.situation, row, half_length)
             if k.ranger == 1:
-                write_obstacle(belief.obstacle, part(observation, at, OBSTACLE_ROW), diagonal)
+                write_obstacle(belief.obstacle, record_view(observation, at, OBSTACLE_ROW), diagonal)
                 at += OBSTACLE_SIZE
             for slot in range(k.teammate_slots + k.opponent_slots):
-                write_player(tracks[m, r, slot], part(observation, at, PLAYER_ROW), k, diagonal)
+                write_player(tracks[m, r, slot], record_view(observation, at, PLAYER_ROW), k, diagonal)
                 at += PLAYER_SIZE
 
 
@@ -107,13 +118,13 @@ def write_ball(ball, row, k, diagonal):
     distance = sqrt(ball.x * ball.x + ball.y * ball.y)
     away = max(distance, 1e-9)
     row.ball_x, row.ball_y = clip(ball.x / diagonal, -1.0, 1.0), clip(ball.y / diagonal, -1.0, 1.0)
-    row.ball_near_x, row.ball_near_y = soft(ball.x, near), soft(ball.y, near)
+    row.ball_near_x, row.ball_near_y = soft_scale(ball.x, near), soft_scale(ball.y, near)
     row.ball_cos, row.ball_sin = clip(ball.x / away, -1.0, 1.0), clip(ball.y / away, -1.0, 1.0)
     row.ball_near = near / (distance + near)
-    row.ball_vx, row.ball_vy = soft(ball.vx, slow), soft(ball.vy, slow)
-    row.ball_raw_x = soft(ball.distance * cos(ball.bearing), near)
-    row.ball_raw_y = soft(ball.distance * sin(ball.bearing), near)
-    row.ball_radial, row.ball_angular = soft(ball.radial, slow), soft(ball.angular, 1.0)
+    row.ball_vx, row.ball_vy = soft_scale(ball.vx, slow), soft_scale(ball.vy, slow)
+    row.ball_raw_x = soft_scale(ball.distance * cos(ball.bearing), near)
+    row.ball_raw_y = soft_scale(ball.distance * sin(ball.bearing), near)
+    row.ball_radial, row.ball_angular = soft_scale(ball.radial, slow), soft_scale(ball.angular, 1.0)
     row.ball_confidence, row.ball_age = ball.confidence / SURE, soft_age(ball.age)
 
 
@@ -136,7 +147,7 @@ def write_game(situation, row, half_length):
     row.restart = situation.ours
     row.placing = situation.placing
     row.time_left = 1.0 if half_length == inf else clip(situation.seconds_left / (2.0 * half_length), 0.0, 1.0)
-    row.score = soft(difference, 2.0)
+    row.score = soft_scale(difference, 2.0)
 
 
 @compiled
@@ -161,7 +172,7 @@ def write_player(track, row, k, diagonal):
 
 
 @compiled
-def soft(value, half):
+def soft_scale(value, half):
     """Map a value to value / (|value| + half), a soft scale between -1 and 1 on which `half` becomes 0.5."""
     return value / (abs(value) + half)
 

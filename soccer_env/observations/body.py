@@ -6,9 +6,9 @@
 from math import cos, pi, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.observations.entry import NONE, OWN_COMMAND, ROBOT, TURN, Entry, X, Y, of_group
+from soccer_env.observations.entry import NONE, OWN_COMMAND, ROBOT, TURN, Entry, X, Y, copy_to_group
 
-JOINTS = of_group(
+JOINTS = copy_to_group(
     "own body",
     Entry("gait_cos", "cosine of the gait phase", "1", NONE),
     Entry("gait_sin", "sine of the gait phase", "1", NONE),
@@ -16,13 +16,13 @@ JOINTS = of_group(
     Entry("tilt", "head tilt", "pi / 2", ROBOT),
     Entry("kick_ready", "1 ready, 0 winding up, -1 recharging", "1", NONE),
 )
-DUTY = of_group(
+DUTY = copy_to_group(
     "own duty",
     Entry("upright", "1 upright, -1 fallen", "1", NONE),
     Entry("active", "1 playing, -1 sent off", "1", NONE),
     Entry("keeper", "1 goalkeeper, -1 field player", "1", NONE),
 )
-COMMAND = of_group(
+COMMAND = copy_to_group(
     OWN_COMMAND,
     Entry("last_forward", "last command: forward", "1", ROBOT, X),
     Entry("last_left", "last command: left", "1", ROBOT, Y),

@@ -78,7 +78,7 @@ class Observation(Protocol):
         ...
 
 
-def of_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
+def copy_to_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
     """Return copies of the entries with `group` as their group."""
     return tuple(replace(entry, group=group) for entry in entries)
 
@@ -93,7 +93,7 @@ def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[
     ]
 
 
-def things(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
+def object_entries(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
     """Return the entries `rows` for each of `count` objects called `name`, numbered if `count` is above 1."""
     return [
         replace(entry, name=f"{one}_{entry.name}", meaning=f"{words}: {entry.meaning}", group=name, slot=slot)
@@ -103,11 +103,11 @@ def things(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
     ]
 
 
-def slots_of(league: League) -> tuple[int, int]:
+def slot_counts(league: League) -> tuple[int, int]:
     """Return how many slots a league has for team-mates and for opponents."""
     return league.slots.teammates, league.slots.opponents
 
 
-def record_of(entries: Iterable[Entry]) -> np.dtype:
+def entries_dtype(entries: Iterable[Entry]) -> np.dtype:
     """Return a record dtype with one float32 field for each entry, in order; kernels write the fields by name."""
     return np.dtype([(entry.name, "f4") for entry in entries])

@@ -9,18 +9,18 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations.belief import write_game
-from soccer_env.observations.entry import CAMERA, NONE, SIDE, Entry, Y, of_group, record_of, things
+from soccer_env.observations.entry import CAMERA, NONE, SIDE, Entry, Y, copy_to_group, entries_dtype, object_entries
 from soccer_env.observations.percepts import BODY, BODY_ROW, BODY_SIZE, write_body
-from soccer_env.observations.row import part
+from soccer_env.observations.row import record_view
 from soccer_env.observations.truth import GAME, GAME_ROW
 from soccer_env.records.percepts import BLOBS, LANDMARKS
 
-RANGER = of_group(
+RANGER = copy_to_group(
     "infrared ranger",
     Entry("infrared_valid", "1: the infrared ranger gave a reading", "1", NONE),
     Entry("infrared", "its range", "its greatest valid range", NONE),
 )
-TOUCH = of_group(
+TOUCH = copy_to_group(
     "touch sensors",
     Entry("touch_head", "1: the switch on the head is pressed", "1", NONE),
     Entry("touch_chin", "1: the one under the chin", "1", NONE),
@@ -36,14 +36,18 @@ BLOB = (
 )
 LANDMARK = tuple(replace(entry, frame=CAMERA, axis=SIDE) for entry in BLOB)  # landmarks stand on both sides
 COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
-RANGER_ROW, TOUCH_ROW, BLOB_ROW = record_of(RANGER), record_of(TOUCH), record_of(BLOB)  # for the writers below
+RANGER_ROW, TOUCH_ROW, BLOB_ROW = (
+    entries_dtype(RANGER),
+    entries_dtype(TOUCH),
+    entries_dtype(BLOB),
+)  # for the writers below
 RANGER_SIZE, TOUCH_SIZE, BLOB_SIZE = len(RANGER), len(TOUCH), len(BLOB)
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a legged robot's observation, in order; they are equal in every league."""
-    blobs = [entry for colour in COLOURS for entry in things(colour, BLOBS, BLOB)]
-    return [*BODY, *RANGER, *TOUCH, *blobs, *things("landmarks", LANDMARKS, LANDMARK), *GAME]
+    blobs = [entry for colour in COLOURS for entry in object_entries(colour, BLOBS, BLOB)]
+    return [*BODY, *RANGER, *TOUCH, *blobs, *object_entries("landmarks", LANDMARKS, LANDMARK), *GAME]
 
 
 @compiled
@@ -53,17 +57,17 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
     for m in range(first, last):
         for r in rows:
             percept, observation = percepts[m, r], observations[m, r]
-            write_body(percept.body, robots[m, r], part(observation, 0, BODY_ROW), k)
-            write_ranger(percept, part(observation, BODY_SIZE, RANGER_ROW), s)
+            write_body(percept.body, robots[m, r], record_view(observation, 0, BODY_ROW), k)
+            write_ranger(percept, record_view(observation, BODY_SIZE, RANGER_ROW), s)
             at = BODY_SIZE + RANGER_SIZE
-            write_touch(percept.touch, part(observation, at, TOUCH_ROW))
+            write_touch(percept.touch, record_view(observation, at, TOUCH_ROW))
             at = write_blobs(percept.ball, observation, s, at + TOUCH_SIZE)
             at = write_blobs(percept.teammates, observation, s, at)
             at = write_blobs(percept.opponents, observation, s, at)
             at = write_blobs(percept.own_goal, observation, s, at)
             at = write_blobs(percept.opponent_goal, observation, s, at)
             at = write_blobs(percept.landmarks, observation, s, at)
-            write_game(beliefs[m, r].situation, part(observation, at, GAME_ROW), half_length)
+            write_game(beliefs[m, r].situation, record_view(observation, at, GAME_ROW), half_length)
 
 
 @compiled
@@ -85,7 +89,7 @@ def write_blobs(blobs, observation, s, at):
     """Write the blobs of one colour into the observation from index `at` on; return the next index."""
     width, height = 44.0 * 2.0**s.resolution, 36.0 * 2.0**s.resolution
     for i in range(blobs.shape[0]):
-        blob, row = blobs[i], part(observation, at, BLOB_ROW)
+        blob, row = blobs[i], record_view(observation, at, BLOB_ROW)
         seen = 1.0 if blob.area > 0 else 0.0
         row.seen = seen
         row.x, row.y = seen * (blob.left + blob.right) / width, seen * (blob.high + blob.low) / height

@@ -9,9 +9,9 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.leagues.league import League
 from soccer_env.observations.belief import write_game
-from soccer_env.observations.entry import NONE, ROBOT, SIDE, Entry, X, Y, record_of, things
+from soccer_env.observations.entry import NONE, ROBOT, SIDE, Entry, X, Y, entries_dtype, object_entries
 from soccer_env.observations.percepts import BODY, BODY_ROW, BODY_SIZE, write_body
-from soccer_env.observations.row import part
+from soccer_env.observations.row import record_view
 from soccer_env.observations.truth import GAME, GAME_ROW
 from soccer_env.records.percepts import OTHERS
 
@@ -25,16 +25,16 @@ MARKER = (Entry("teammate", "1 team-mate, -1 opponent, by its marker", "1", NONE
 LINE = "distance of the first white line in this direction, 1 if none is seen"
 HALF = 2.0  # [m] half-way point of the soft scale for distances in the mirror's picture, assumed
 THINGS = ("ball", "own_goal", "opponent_goal")
-SIGHTING_ROW, MARKER_ROW = record_of(SIGHTING), record_of(MARKER)  # for the writers below
+SIGHTING_ROW, MARKER_ROW = entries_dtype(SIGHTING), entries_dtype(MARKER)  # for the writers below
 SIGHTING_SIZE, MARKER_SIZE = len(SIGHTING), len(MARKER)
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a middle-size robot's observation in a league, in order."""
-    single = [entry for name in THINGS for entry in things(name, 1, SIGHTING)]
+    single = [entry for name in THINGS for entry in object_entries(name, 1, SIGHTING)]
     slots = min(league.slots.teammates + league.slots.opponents, OTHERS)
     lines = [Entry(f"line_{i}", LINE, "greatest range", ROBOT, SIDE, "line", i) for i in range(league.sensors.lines)]
-    return [*BODY, *single, *things("player", slots, SIGHTING + MARKER), *lines, *GAME]
+    return [*BODY, *single, *object_entries("player", slots, SIGHTING + MARKER), *lines, *GAME]
 
 
 @compiled
@@ -44,25 +44,25 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
     for m in range(first, last):
         for r in rows:
             percept, observation = percepts[m, r], observations[m, r]
-            write_body(percept.body, robots[m, r], part(observation, 0, BODY_ROW), k)
+            write_body(percept.body, robots[m, r], record_view(observation, 0, BODY_ROW), k)
             at = write_sighting(percept.ball, observation, BODY_SIZE)
             at = write_sighting(percept.own_goal, observation, at)
             at = write_sighting(percept.opponent_goal, observation, at)
             for slot in range(min(k.teammate_slots + k.opponent_slots, OTHERS)):
                 player = percept.players[slot]
                 at = write_sighting(player, observation, at)
-                part(observation, at, MARKER_ROW).teammate = player.seen * (2.0 * player.teammate - 1.0)
+                record_view(observation, at, MARKER_ROW).teammate = player.seen * (2.0 * player.teammate - 1.0)
                 at += MARKER_SIZE
             for i in range(s.lines):
                 distance = percept.lines[i]
                 observation[at + i] = clip(distance / s.line_range, 0.0, 1.0) if distance > 0.0 else 1.0
-            write_game(beliefs[m, r].situation, part(observation, at + s.lines, GAME_ROW), half_length)
+            write_game(beliefs[m, r].situation, record_view(observation, at + s.lines, GAME_ROW), half_length)
 
 
 @compiled
 def write_sighting(sighting, observation, at):
     """Write a sighting from the mirror's picture into the observation from index `at` on; return the next index."""
-    row, seen = part(observation, at, SIGHTING_ROW), 1.0 if sighting.seen == 1 else 0.0
+    row, seen = record_view(observation, at, SIGHTING_ROW), 1.0 if sighting.seen == 1 else 0.0
     row.seen = seen
     row.cos, row.sin = seen * cos(sighting.bearing), seen * sin(sighting.bearing)
     row.near = seen * HALF / (sighting.distance + HALF)

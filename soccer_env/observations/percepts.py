@@ -11,10 +11,10 @@ from math import cos, sin
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
-from soccer_env.observations.entry import NONE, ROBOT, TEAM, TURN, Entry, X, Y, of_group, record_of
+from soccer_env.observations.entry import NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group, entries_dtype
 
 BODY = (
-    *of_group(
+    *copy_to_group(
         "own pose",
         Entry("pose_known", "1: a pose was given in this frame; else its entries are 0", "1", NONE),
         Entry("own_x", "given position, towards the opponent's goal", "half length plus goal depth", TEAM, X),
@@ -22,21 +22,21 @@ BODY = (
         Entry("own_cos", "cosine of the given heading", "1", TEAM, X),
         Entry("own_sin", "sine of the given heading", "1", TEAM, Y),
     ),
-    *of_group(
+    *copy_to_group(
         "odometry",
         Entry("odometry_forward", "displacement ahead since the last frame", "a control step at top speed", ROBOT, X),
         Entry("odometry_left", "displacement to the left", "a control step at top speed", ROBOT, Y),
         Entry("odometry_turn", "turn", "a control step at the top turn rate", ROBOT, TURN),
     ),
     *JOINTS,
-    *of_group(
+    *copy_to_group(
         "own body",
         Entry("held", "1: the light barrier at the kicker is broken (middle size)", "1", NONE),
     ),
     *DUTY,
     *COMMAND,
 )
-BODY_ROW, BODY_SIZE = record_of(BODY), len(BODY)
+BODY_ROW, BODY_SIZE = entries_dtype(BODY), len(BODY)
 
 
 @compiled

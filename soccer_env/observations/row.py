@@ -8,7 +8,7 @@ from numba.extending import intrinsic, overload
 NUMBER = np.dtype("f4").itemsize  # [bytes]
 
 
-def part(row: Any, at: int, record: Any) -> Any:
+def record_view(row: Any, at: int, record: Any) -> Any:
     """Return a record view of the row (n,) from index `at` on; writing to the record changes the row.
 
     `record` comes from `entry.record_of`. In compiled code this costs nothing, while the checks of a view of a slice
@@ -18,8 +18,8 @@ def part(row: Any, at: int, record: Any) -> Any:
 
 
 @intrinsic
-def _part(context, row, at, record):
-    """Compile `part`: cast the address of the row's number at index `at` to the address of a record."""
+def _record_view(context, row, at, record):
+    """Compile `record_view`: cast the address of the row's number at index `at` to the address of a record."""
 
     def generate(target, builder, signature, arguments):
         array = target.make_array(signature.args[0])(target, builder, arguments[0])
@@ -28,8 +28,8 @@ def _part(context, row, at, record):
     return record.dtype(row, at, record), generate
 
 
-@overload(part)
-def _compiled_part(row, at, record):  # numba compares the signatures
+@overload(record_view)
+def _compiled_record_view(row, at, record):  # numba compares the signatures
     if row.ndim == 1 and row.layout == "C" and row.dtype.bitwidth == 8 * NUMBER:
-        return lambda row, at, record: _part(row, at, record)  # type: ignore[call-arg]  # numba gives the context
+        return lambda row, at, record: _record_view(row, at, record)  # type: ignore[call-arg]  # numba gives the context
     return None

@@ -13,14 +13,14 @@ from soccer_env.observations.truth import NEAR, SLOW
 from soccer_env.types import Phase
 
 
-def in_numbers(entry: Entry, league: League) -> str:
+def scale_in_numbers(entry: Entry, league: League) -> str:
     """Return the quantity that an entry shows as 1, or its soft scale's formula, as text with numbers and units."""
-    known = words(league)
+    known = scale_phrases(league)
     pattern = "|".join(re.escape(text) for text in sorted(known, key=len, reverse=True))
     return re.sub(pattern, lambda found: known[found[0]], entry.scale).removeprefix("soft: ")
 
 
-def words(league: League) -> dict[str, str]:
+def scale_phrases(league: League) -> dict[str, str]:
     """Return a dict of the phrases that scales use: for each the number and unit in a league."""
     pitch, drive, fastest = league.pitch, league.drive, league.ball.top_speed
     diagonal = hypot(pitch.length, pitch.width)
@@ -41,11 +41,11 @@ def words(league: League) -> dict[str, str]:
         "the last phase": f"{max(Phase):d}",
         "the match": f"{120.0 * league.rules.half_minutes:g} s, or the match that `minutes` asks for",
         "the half": f"{60.0 * league.rules.half_minutes:g} s, or half of `minutes`",
-        **words_of_sensors(league.sensors),
+        **sensor_phrases(league.sensors),
     }
 
 
-def words_of_sensors(sensors: Any) -> dict[str, str]:
+def sensor_phrases(sensors: Any) -> dict[str, str]:
     """Return a dict of the phrases about sensors that scales use: for each the number and unit."""
     numbers = {}
     if hasattr(sensors, "infrared_far"):

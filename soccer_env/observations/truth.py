@@ -11,7 +11,7 @@ from math import cos, inf, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, into_frame
+from soccer_env.geometry import attack_direction, clip, into_frame
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
 from soccer_env.observations.entry import (
@@ -22,12 +22,12 @@ from soccer_env.observations.entry import (
     Entry,
     X,
     Y,
-    of_group,
-    record_of,
+    copy_to_group,
+    entries_dtype,
+    slot_counts,
     slot_entries,
-    slots_of,
 )
-from soccer_env.observations.row import part
+from soccer_env.observations.row import record_view
 from soccer_env.perception.ideal import nearest_players, seconds_left
 from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
 
@@ -38,7 +38,7 @@ SLOW = 0.1  # [1] of the ball's top speed: half-way point of the soft scale for 
 DIAGONAL, SOFT_SPEED = "diagonal of the pitch", "soft: v / (|v| + a tenth of its top speed)"
 
 OWN = (
-    *of_group(
+    *copy_to_group(
         "own pose",
         Entry("own_x", "own position, towards the opponent's goal", "half length plus goal depth", TEAM, X),
         Entry("own_y", "own position, to the left", "half width plus band", TEAM, Y),
@@ -49,11 +49,11 @@ OWN = (
         Entry("own_turn", "own turn rate", "top turn rate", ROBOT, TURN),
     ),
     *JOINTS,
-    *of_group("ball", Entry("has_ball", "1: the ball lies in the pocket or at the kicker", "1", NONE)),
+    *copy_to_group("ball", Entry("has_ball", "1: the ball lies in the pocket or at the kicker", "1", NONE)),
     *DUTY,
     *COMMAND,
 )
-BALL = of_group(
+BALL = copy_to_group(
     "ball",
     Entry("ball_x", "ball ahead", DIAGONAL, ROBOT, X),
     Entry("ball_y", "ball to the left", DIAGONAL, ROBOT, Y),
@@ -65,14 +65,14 @@ BALL = of_group(
     Entry("ball_vx", "ball speed over the ground, along the robot", SOFT_SPEED, ROBOT, X),
     Entry("ball_vy", "ball speed over the ground, to the left", SOFT_SPEED, ROBOT, Y),
 )
-GOALS = of_group(
+GOALS = copy_to_group(
     "goals",
     Entry("goal_x", "centre of the opponent's goal, ahead", DIAGONAL, ROBOT, X),
     Entry("goal_y", "centre of the opponent's goal, to the left", DIAGONAL, ROBOT, Y),
     Entry("own_goal_x", "centre of the own goal, ahead", DIAGONAL, ROBOT, X),
     Entry("own_goal_y", "centre of the own goal, to the left", DIAGONAL, ROBOT, Y),
 )
-GAME = of_group(
+GAME = copy_to_group(
     "game",
     Entry("in_play", "1 in play, -1 a restart", "1", NONE),
     Entry("restart", "1 our restart, -1 theirs, 0 neither", "1", NONE),
@@ -90,15 +90,15 @@ PLAYER = (
     Entry("sin", "sine of its heading, seen from the robot", "1", ROBOT, Y),
 )
 FIXED = OWN + BALL + GOALS + GAME
-FIXED_ROW = record_of(FIXED)  # the records that writers fill
-GAME_ROW = record_of(GAME)
-PLAYER_ROW = record_of(PLAYER)
+FIXED_ROW = entries_dtype(FIXED)  # the records that writers fill
+GAME_ROW = entries_dtype(GAME)
+PLAYER_ROW = entries_dtype(PLAYER)
 FIXED_SIZE, PLAYER_SIZE = len(FIXED), len(PLAYER)
 
 
 def entries(league: League) -> list[Entry]:
     """Return the entries of a robot's observation in a league, in order."""
-    return [*FIXED, *slot_entries(*slots_of(league), PLAYER)]
+    return [*FIXED, *slot_entries(*slot_counts(league), PLAYER)]
 
 
 def every_entry() -> list[Entry]:
@@ -117,8 +117,8 @@ def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for r in range(robots.shape[0]):
         observation, at = observations[r], FIXED_SIZE
-        row = part(observation, 0, FIXED_ROW)
-        write_own(match, robots[r], row, k, axes[r, 0], axes[r, 1])
+        row = record_view(observation, 0, FIXED_ROW)
+        write_own_body(match, robots[r], row, k, axes[r, 0], axes[r, 1])
         write_ball(robots[r], ball, row, k, axes[r, 0], axes[r, 1], diagonal)
         write_goals(match, robots[r], row, k, axes[r, 0], axes[r, 1], 1.0 / diagonal)
         write_game(match, robots[r], row)
@@ -139,9 +139,9 @@ def observe_slice(matches, balls, robots, observations, constants, first, last):
 
 
 @compiled
-def write_own(match, robot, row, k, cosine, sine):
+def write_own_body(match, robot, row, k, cosine, sine):
     """Write the robot's own pose, speed and body."""
-    side = direction_of(match, robot.team)
+    side = attack_direction(match, robot.team)
     row.own_x = clip(side * robot.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(side * robot.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
     row.own_cos, row.own_sin = side * cosine, side * sine
@@ -175,7 +175,7 @@ def write_ball(robot, ball, row, k, cosine, sine, diagonal):
 @compiled
 def write_goals(match, robot, row, k, cosine, sine, scale):
     """Write the places of the two goals."""
-    goal = 0.5 * k.pitch_length * direction_of(match, robot.team)
+    goal = 0.5 * k.pitch_length * attack_direction(match, robot.team)
     ahead, left = into_frame(goal - robot.x, -robot.y, cosine, sine)
     row.goal_x, row.goal_y = clip(ahead * scale, -1.0, 1.0), clip(left * scale, -1.0, 1.0)
     ahead, left = into_frame(-goal - robot.x, -robot.y, cosine, sine)
@@ -200,7 +200,7 @@ def write_players(robots, r, observation, k, axes, scale, at, rows, count, slots
     cosine, sine = axes[r, 0], axes[r, 1]
     speed = 1.0 / k.drive_forward
     for slot in range(count):
-        other, row = rows[slot], part(observation, at + slot * PLAYER_SIZE, PLAYER_ROW)
+        other, row = rows[slot], record_view(observation, at + slot * PLAYER_SIZE, PLAYER_ROW)
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         row.present = 1.0
         ahead, left = into_frame(x, y, cosine, sine)

@@ -52,7 +52,7 @@ def share_of_tilt(tilt, low, high):
 
 
 @compiled
-def tilted(ahead, up, level, steep, pivot):
+def tilt_point(ahead, up, level, steep, pivot):
     """Return the distance ahead of the neck and the height of a point of a tilted head [m, m].
 
     ahead, up: the point from the neck's pivot while the head is level [m]; level, steep: cosine and sine of the tilt;
@@ -64,7 +64,7 @@ def tilted(ahead, up, level, steep, pivot):
 @compiled
 def camera_place(pan, tilt, s):
     """Return the place of the camera: ahead, left, height [m], robot frame."""
-    forward, height = tilted(s.camera_ahead, s.camera_up, cos(tilt), sin(tilt), s.neck_height)
+    forward, height = tilt_point(s.camera_ahead, s.camera_up, cos(tilt), sin(tilt), s.neck_height)
     return s.neck_ahead + forward * cos(pan), forward * sin(pan), height
 
 

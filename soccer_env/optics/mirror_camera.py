@@ -13,7 +13,7 @@ where h is `camera_height`, and scale [px], the camera's focal length times (e^2
 image's edge shows the ground at `mirror_edge`. The sensor draws its pictures with this curve, and the robot, whose
 mirror was measured once, reads them with it.
 
-`s`: settings of the sensors; `mirror`: the result of `mirror_of`.
+`s`: settings of the sensors; `mirror`: the result of `mirror_parameters`.
 """
 
 from math import sqrt
@@ -25,7 +25,7 @@ HORIZON = 0.98  # [1] of the radius of the ground's horizon; readings are limite
 
 
 @compiled
-def mirror_of(s: Any) -> Any:
+def mirror_parameters(s: Any) -> Any:
     """Return scale [px], bend [1] and height of the viewpoint [m] of the settings' mirror."""
     bend = 2.0 * s.mirror_eccentricity / (1.0 + s.mirror_eccentricity * s.mirror_eccentricity)
     edge, height = s.mirror_edge, s.camera_height

@@ -12,16 +12,16 @@ from math import exp, pi, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, wrap
-from soccer_env.guards.ranges import NUMBER, record
-from soccer_env.random_numbers import normal, uniform
+from soccer_env.geometry import attack_direction, wrap
+from soccer_env.guards.ranges import NUMBER, ranged_record
+from soccer_env.random_numbers import draw_normal, draw_uniform
 from soccer_env.records.percepts import NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.types import RobotStream
 
 ODOMETRY = int(RobotStream.ODOMETRY)
 BARRIER = int(RobotStream.BARRIER)
 POSE = int(RobotStream.POSE)
-POSE_ERROR = record(
+POSE_ERROR = ranged_record(
     [  # error of the noisy pose: state of the sensor, which delivers the pose alone
         ("x", "f4", NUMBER),  # [m] team frame
         ("y", "f4", NUMBER),  # [m] team frame
@@ -45,50 +45,50 @@ def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
     body.upright = 0 if robot.fallen > 0.0 else 1
     body.kicked = events.kick
     body.held = 0
-    count_steps(robot, body, k, s)
+    measure_odometry(robot, body, k, s)
     if pose_sensed == 1:
-        follow_pose(match, robot, body, pose_error, k, s, first)
+        sense_noisy_pose(match, robot, body, pose_error, k, s, first)
     else:
-        no_pose(body)
+        mark_no_pose(body)
     if robot.placed == 1:
         tell_pose(match, robot, body, s)
 
 
 @compiled
-def count_steps(robot, body, k, s):
+def measure_odometry(robot, body, k, s):
     """Fill in the odometry: the motion of legs or wheels in this frame, with or without slip on the ground.  MS06
 
     The robot feels neither slip nor pushing: when stuck, it believes that it walks. The body keeps its direction over
     the ground during a step, so the odometry is the displacement in the axes of the last frame. Errors are factors on
     the measurement and equal in a mirrored match, so handedness plays no part.
     """
-    body.forward = measured(robot.walk.forward * k.dt, robot.noise, s)
-    body.left = measured(robot.walk.left * k.dt, robot.noise, s)
-    body.turn = measured(robot.walk.turn * k.dt, robot.noise, s)
+    body.forward = add_encoder_error(robot.walk.forward * k.dt, robot.noise, s)
+    body.left = add_encoder_error(robot.walk.left * k.dt, robot.noise, s)
+    body.turn = add_encoder_error(robot.walk.turn * k.dt, robot.noise, s)
 
 
 @compiled
-def measured(step, noise, s):
+def add_encoder_error(step, noise, s):
     """Return a step with the measurement error of the encoders in legs or wheels; a step of 0 has no error."""
-    return 0.0 if step == 0.0 else step * (1.0 + s.odometry_noise * normal(noise, ODOMETRY))
+    return 0.0 if step == 0.0 else step * (1.0 + s.odometry_noise * draw_normal(noise, ODOMETRY))
 
 
 @compiled
-def light_barrier(robot, body, s):
+def sense_light_barrier(robot, body, s):
     """Fill in whether the ball breaks the light barrier at the kicker; a share of the readings is wrong."""
-    wrong = uniform(robot.noise, BARRIER) < s.barrier_miss
+    wrong = draw_uniform(robot.noise, BARRIER) < s.barrier_miss
     body.held = 1 if (robot.has_ball == 1) != wrong else 0
 
 
 @compiled
-def no_pose(body):
+def mark_no_pose(body):
     """Mark the percept as one without a pose."""
     body.pose = NO_POSE
     body.x = body.y = body.heading = 0.0
 
 
 @compiled
-def follow_pose(match, robot, body, error, k, s, first):
+def sense_noisy_pose(match, robot, body, error, k, s, first):
     """Fill in the noisy pose: the truth plus an error (POSE_ERROR) that changes slowly.
 
     Each component of the error is a first-order autoregressive process e' = a e + sqrt(1 - a^2) sd n with
@@ -97,9 +97,9 @@ def follow_pose(match, robot, body, error, k, s, first):
     keep = 0.0 if first else exp(-k.dt / max(s.pose_time, LEAST_TIME))
     fresh = sqrt(1.0 - keep * keep)
     hand = match.handedness
-    error.x = keep * np.float64(error.x) + fresh * s.pose_noise * normal(robot.noise, POSE)
-    error.y = keep * np.float64(error.y) + fresh * s.pose_noise * hand * normal(robot.noise, POSE)
-    error.heading = keep * np.float64(error.heading) + fresh * s.pose_turn_noise * hand * normal(robot.noise, POSE)
+    error.x = keep * np.float64(error.x) + fresh * s.pose_noise * draw_normal(robot.noise, POSE)
+    error.y = keep * np.float64(error.y) + fresh * s.pose_noise * hand * draw_normal(robot.noise, POSE)
+    error.heading = keep * np.float64(error.heading) + fresh * s.pose_turn_noise * hand * draw_normal(robot.noise, POSE)
     body.pose = POSE_SENSED
     give_pose(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
 
@@ -108,16 +108,16 @@ def follow_pose(match, robot, body, error, k, s, first):
 def tell_pose(match, robot, body, s):
     """Fill in the pose that a robot is told when it is placed: true to about a hand's breadth."""
     hand = match.handedness
-    x = s.place_noise * normal(robot.noise, POSE)
-    y = s.place_noise * hand * normal(robot.noise, POSE)
+    x = s.place_noise * draw_normal(robot.noise, POSE)
+    y = s.place_noise * hand * draw_normal(robot.noise, POSE)
     body.pose = POSE_TOLD
-    give_pose(match, robot, body, x, y, s.place_turn_noise * hand * normal(robot.noise, POSE))
+    give_pose(match, robot, body, x, y, s.place_turn_noise * hand * draw_normal(robot.noise, POSE))
 
 
 @compiled
 def give_pose(match, robot, body, error_x, error_y, error_heading):
     """Fill in the true pose in the team frame [m, m, rad] plus an error in the same axes."""
-    side = direction_of(match, robot.team)
+    side = attack_direction(match, robot.team)
     heading = robot.heading if side > 0.0 else robot.heading + pi
     body.x, body.y = side * robot.x + error_x, side * robot.y + error_y
     body.heading = wrap(heading + error_heading)

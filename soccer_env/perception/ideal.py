@@ -11,8 +11,8 @@ from math import atan2, cos, inf, pi, sin
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, into_frame, length, wrap
-from soccer_env.records.ball_words import word_for
+from soccer_env.geometry import attack_direction, into_frame, length, wrap
+from soccer_env.records.ball_words import word_for_distance
 from soccer_env.records.beliefs import clear_slots
 from soccer_env.records.world import World
 from soccer_env.types import MAX_TEAM, NO_TEAM
@@ -34,14 +34,14 @@ def believe_truth_slice(world, beliefs, tracks, constants, rows, first, last):
 
 
 @compiled
-def tell_slice(world, beliefs, asleep, rows, first, last):
+def tell_match_state(world, beliefs, asleep, rows, first, last):
     """Tell some robots of a slice of matches how the match stands, except in matches that are `asleep` (M,)."""
     world = World(*world)
     for m in range(first, last):
         match, robots = world.matches[m], world.robots[m]
         if not asleep[m]:
             for r in rows:
-                situation(match, robots, beliefs[m, r].situation, r)
+                fill_situation(match, robots, beliefs[m, r].situation, r)
 
 
 @compiled
@@ -49,19 +49,19 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     """Fill robot r's belief and its (slots,) tracks with the truth; `rows` and `squares` are scratch for sorting."""
     robot, belief = robots[r], beliefs[r]
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    own_pose(match, robot, belief.own, cosine, sine)
-    ball_truth(robot, ball, belief.ball, cosine, sine)
-    situation(match, robots, belief.situation, r)
-    heard_truth(ball, robots, belief.heard, r)
+    fill_own_pose(match, robot, belief.own, cosine, sine)
+    fill_ball(robot, ball, belief.ball, cosine, sine)
+    fill_situation(match, robots, belief.situation, r)
+    fill_heard_distance(ball, robots, belief.heard, r)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # the tracks show every player
     fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
     fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 
 
 @compiled
-def own_pose(match, robot, own, cosine, sine):
+def fill_own_pose(match, robot, own, cosine, sine):
     """Fill in the robot's own pose, in its team's frame, and its speeds, from the truth."""
-    side = direction_of(match, robot.team)
+    side = attack_direction(match, robot.team)
     own.x, own.y = side * robot.x, side * robot.y
     own.heading = robot.heading if side > 0.0 else wrap(robot.heading + pi)
     own.forward, own.left = into_frame(robot.vx, robot.vy, cosine, sine)
@@ -70,7 +70,7 @@ def own_pose(match, robot, own, cosine, sine):
 
 
 @compiled
-def ball_truth(robot, ball, believed, cosine, sine):
+def fill_ball(robot, ball, believed, cosine, sine):
     """Fill in the ball's true place and velocity."""
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
@@ -88,7 +88,7 @@ def ball_truth(robot, ball, believed, cosine, sine):
 
 
 @compiled
-def situation(match, robots, known, r):
+def fill_situation(match, robots, known, r):
     """Fill in the state of the match that robot r may know: phase, score, time, numbers."""
     team = robots[r].team
     known.phase = match.phase
@@ -109,13 +109,13 @@ def situation(match, robots, known, r):
 
 
 @compiled
-def heard_truth(ball, robots, heard, r):
+def fill_heard_distance(ball, robots, heard, r):
     """Fill in the ball's true distance from the nearest team-mate, as if reports had no delay or error."""
     nearest = inf
     for other in range(robots.shape[0]):
         if other != r and robots[other].team == robots[r].team and robots[other].active == 1:
             nearest = min(nearest, length(ball.x - robots[other].x, ball.y - robots[other].y))
-    heard.word, heard.distance = word_for(nearest), nearest
+    heard.word, heard.distance = word_for_distance(nearest), nearest
     heard.age = inf if nearest == inf else 0.0
 
 

@@ -13,7 +13,7 @@ from soccer_env.perception.body import sense_body
 from soccer_env.records.world import World
 
 
-class Sensing(NamedTuple):
+class SensorArrays(NamedTuple):
     """The arrays that perception fills for M matches of R robots; each kind of robot has its own records."""
 
     percepts: np.ndarray  # (M, R) what the sensors deliver, with a BODY_PERCEPT "body"
@@ -29,7 +29,7 @@ class SensorNumbers(NamedTuple):
     pose_sensed: int  # 1: robots get the noisy pose as a percept
 
 
-def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., None]) -> Callable[..., None]:
+def make_sensor_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., None]) -> Callable[..., None]:
     """Compile and return the loop over matches and robots of one kind of robot.
 
     sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s) fills in robot r's percept, except what
@@ -43,7 +43,7 @@ def sense_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., No
         numbers = SensorNumbers(*numbers)
         k, s = numbers.constants[0], numbers.sensors[0]
         pose_sensed = numbers.pose_sensed
-        percepts, states, pending = Sensing(*sensing)
+        percepts, states, pending = SensorArrays(*sensing)
         scratch = make_scratch(k, s)
         for m in range(first, last):
             if asleep[m]:

@@ -9,13 +9,13 @@ exact at the ends of a step, and the stopping distance is exactly v^2 / 2a.
 from __future__ import annotations
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, toward
+from soccer_env.geometry import length, step_toward
 
 
 @compiled
 def slow_down(ball, k, seconds):
     """Apply the carpet's friction to a ball for a time [s]."""
-    ball.spin = toward(ball.spin, 0.0, k.ball_pivot * seconds)
+    ball.spin = step_toward(ball.spin, 0.0, k.ball_pivot * seconds)
     slip_x, slip_y = ball.vx - ball.roll_x, ball.vy - ball.roll_y
     slip = length(slip_x, slip_y)
     if slip > 0.0:
@@ -64,6 +64,6 @@ def limit_speed(ball, k):
 
 
 @compiled
-def hold(ball):
+def stop_ball(ball):
     """Stop the ball."""
     ball.vx = ball.vy = ball.roll_x = ball.roll_y = ball.spin = 0.0

@@ -43,7 +43,7 @@ def is_blocking(robot, k):
 
 
 @compiled
-def spread_of(robot, k, later):
+def foreleg_spread(robot, k, later):
     """Return how far a robot's forelegs will be spread after a time [s]: 0 not at all, 1 fully."""
     if not is_blocking(robot, k):
         return 0.0
@@ -53,7 +53,7 @@ def spread_of(robot, k, later):
 
 
 @compiled
-def paw_out(k, leg, spread, handedness):
+def paw_shift(k, leg, spread, handedness):
     """Return how far a block moves a paw from its stance [m, m], robot frame."""
     if leg >= TIPS:
         return 0.0, 0.0
@@ -68,23 +68,23 @@ def paws_off_stance(robots, k, handedness, paws):
     The order is left fore, right fore, left hind, right hind, also in a mirrored match, which numbers the right first.
     """
     for r in range(robots.shape[0]):
-        spread = spread_of(robots[r], k, 0.0)
+        spread = foreleg_spread(robots[r], k, 0.0)
         for leg in range(LEGS):
             x, y = paw_offset(robots[r], k, leg, handedness)
-            out_x, out_y = paw_out(k, leg, spread, handedness)
+            out_x, out_y = paw_shift(k, leg, spread, handedness)
             place = leg if handedness > 0.0 else leg ^ 1
             paws[r, place, 0], paws[r, place, 1] = x + out_x, y + out_y
 
 
 @compiled
-def leg_back(k, leg, spread, handedness):
+def leg_vector(k, leg, spread, handedness):
     """Return the vector [m, m] from a paw to the upper end of the part of its leg that stops a ball, robot frame."""
     side = handedness if leg == 0 else -handedness
     return spread * (k.block_shoulder_x - k.block_paw_x), side * spread * (k.block_shoulder_y - k.block_paw_y)
 
 
 @compiled
-def share_along(x, y, leg_x, leg_y):
+def nearest_leg_fraction(x, y, leg_x, leg_y):
     """Return where a leg is nearest to the point x, y: 0 at its paw, 1 at its upper end.
     The point x, y and the leg's upper end leg_x, leg_y [m] are relative to the paw.
     """
@@ -98,15 +98,15 @@ def forelegs_gap(robot, k, ahead, left, handedness, swings):
 
     With `swings` 1 the legs are at their present place in the stroke, with 0 in mid-stroke.
     """
-    spread = spread_of(robot, k, 0.0)
+    spread = foreleg_spread(robot, k, 0.0)
     gap = 1e9
     for leg in range(TIPS):
         x, y = stance(k, leg, handedness)
         swing_x, swing_y = paw_offset(robot, k, leg, handedness)
-        out_x, out_y = paw_out(k, leg, spread, handedness)
+        out_x, out_y = paw_shift(k, leg, spread, handedness)
         x, y = ahead - x - out_x - swings * swing_x, left - y - out_y - swings * swing_y
-        leg_x, leg_y = leg_back(k, leg, spread, handedness)
-        share = share_along(x, y, leg_x, leg_y)
+        leg_x, leg_y = leg_vector(k, leg, spread, handedness)
+        share = nearest_leg_fraction(x, y, leg_x, leg_y)
         gap = min(gap, length(x - share * leg_x, y - share * leg_y) - k.body_tip_radius)
     return gap
 

@@ -11,7 +11,14 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, point_of_frame
-from soccer_env.physics.block import forelegs_gap, is_blocking, most_reach, most_reach_walking, paw_out, spread_of
+from soccer_env.physics.block import (
+    foreleg_spread,
+    forelegs_gap,
+    is_blocking,
+    most_reach,
+    most_reach_walking,
+    paw_shift,
+)
 from soccer_env.physics.gait import LEGS, TIPS, paw_offset, stance
 
 TOUCH_GAP = 0.004  # [m] assumed: a ball nearer than this touches
@@ -157,10 +164,10 @@ def robots_touch(robot, other, k):
 @compiled
 def points_touch(robot, other, k, cosine, sine, its_cosine, its_sine):
     """Tell whether a post, a corner or an end of the trunk of one robot touches the outline of the other."""
-    spread = spread_of(robot, k, 0.0)
+    spread = foreleg_spread(robot, k, 0.0)
     for leg in range(LEGS if k.body_hind_y > 0.0 else TIPS):
         x, y = stance(k, leg, 1.0)
-        out_x, out_y = paw_out(k, leg, spread, 1.0)
+        out_x, out_y = paw_shift(k, leg, spread, 1.0)
         if disc_touches(robot, other, k, x + out_x, y + out_y, k.body_tip_radius, cosine, sine, its_cosine, its_sine):
             return True
     for i in range(k.corners):

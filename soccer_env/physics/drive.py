@@ -12,19 +12,19 @@ from __future__ import annotations
 from math import atan2, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, out_of_frame, toward
+from soccer_env.geometry import clip, into_frame, length, out_of_frame, step_toward
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL, WHEELS_OMNI
 from soccer_env.optics.head_camera import tilt_at
-from soccer_env.physics.block import paw_out, spread_of
+from soccer_env.physics.block import foreleg_spread, paw_shift
 from soccer_env.physics.gait import LEGS, TIPS, paw_offset
-from soccer_env.random_numbers import normal
+from soccer_env.random_numbers import draw_normal
 from soccer_env.types import RobotStream
 
 SLIP = int(RobotStream.SLIP)
 
 
 @compiled
-def drive(robot, k, step, handedness, stance):
+def drive_robot(robot, k, step, handedness, stance):
     """Turn a robot's command into the velocity that its legs or wheels want."""
     if k.legs == 1:
         note_paws(robot, k, stance, handedness)
@@ -39,7 +39,7 @@ def drive(robot, k, step, handedness, stance):
     change_walk(robot, k)
     if k.legs == 1:
         aim_paws(robot, k, stance, handedness)
-    stand_on_ground(robot, k, stance)
+    set_wanted_velocity(robot, k, stance)
 
 
 @compiled
@@ -69,9 +69,9 @@ def latch_walk(robot, k, step):
 @compiled
 def draw_slip(robot, k, handedness):
     """Draw random slip factors for the next steps: actual over commanded speed, forward, sideways and in turning."""
-    robot.slip.forward = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
-    robot.slip.left = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
-    robot.slip.turn = 1.0 + k.drive_slip * normal(robot.noise, SLIP)
+    robot.slip.forward = 1.0 + k.drive_slip * draw_normal(robot.noise, SLIP)
+    robot.slip.left = 1.0 + k.drive_slip * draw_normal(robot.noise, SLIP)
+    robot.slip.turn = 1.0 + k.drive_slip * draw_normal(robot.noise, SLIP)
 
 
 @compiled
@@ -88,11 +88,13 @@ def change_walk(robot, k):
     share = 1.0 if change <= most else most / change
     robot.walk.forward += share * ahead
     robot.walk.left += share * aside
-    robot.walk.turn = toward(robot.walk.turn, 0.0 if stands else robot.target.turn, k.drive_turn_acceleration * k.dt)
+    robot.walk.turn = step_toward(
+        robot.walk.turn, 0.0 if stands else robot.target.turn, k.drive_turn_acceleration * k.dt
+    )
 
 
 @compiled
-def stand_on_ground(robot, k, stance):
+def set_wanted_velocity(robot, k, stance):
     """Set the velocity that the legs or wheels want in this control step, and the force that the ground bears.  MH01
 
     A standing robot holds with all paws or wheels. A moving robot has less: a trot stands on two of four paws, and
@@ -150,8 +152,8 @@ def move_head(robot, k, ball):
         pan, tilt = robot.gaze.pan, robot.gaze.tilt
     else:
         pan, tilt = gaze_at(robot, k, ball)
-    robot.pan = toward(robot.pan, clip(pan, -k.head_pan_limit, k.head_pan_limit), k.head_pan_speed * k.dt)
-    robot.tilt = toward(robot.tilt, clip(tilt, k.head_tilt_low, k.head_tilt_high), k.head_tilt_speed * k.dt)
+    robot.pan = step_toward(robot.pan, clip(pan, -k.head_pan_limit, k.head_pan_limit), k.head_pan_speed * k.dt)
+    robot.tilt = step_toward(robot.tilt, clip(tilt, k.head_tilt_low, k.head_tilt_high), k.head_tilt_speed * k.dt)
 
 
 @compiled
@@ -171,11 +173,11 @@ def note_paws(robot, k, stance, handedness):
         paw = stance.posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)
         paw.x, paw.y = paw.stand_x + ahead, handedness * paw.stand_y + left
-    stance.spread = spread_of(robot, k, 0.0)
+    stance.spread = foreleg_spread(robot, k, 0.0)
     if stance.spread > 0.0:
         for leg in range(TIPS):
             paw = stance.posts[leg]
-            ahead, left = paw_out(k, leg, stance.spread, handedness)
+            ahead, left = paw_shift(k, leg, stance.spread, handedness)
             paw.x += ahead
             paw.y += left
 
@@ -183,13 +185,13 @@ def note_paws(robot, k, stance, handedness):
 @compiled
 def aim_paws(robot, k, stance, handedness):
     """Set the velocity that moves each paw within a control step to its new place in the gait or block."""
-    spread = spread_of(robot, k, k.dt)
+    spread = foreleg_spread(robot, k, k.dt)
     stance.spread_rate = (spread - stance.spread) / k.dt
     for leg in range(LEGS):
         paw = stance.posts[leg]
         ahead, left = paw_offset(robot, k, leg, handedness)
         if spread > 0.0:
-            out_x, out_y = paw_out(k, leg, spread, handedness)
+            out_x, out_y = paw_shift(k, leg, spread, handedness)
             ahead += out_x
             left += out_y
         paw.vx = (paw.stand_x + ahead - paw.x) / k.dt

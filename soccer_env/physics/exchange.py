@@ -58,7 +58,7 @@ def write_twists(ball, robots, velocities, solver, handedness):
 
 
 @compiled
-def weigh_ball(solver, held):
+def set_ball_mass(solver, held):
     """Make the ball immovable while the referee holds it, else give it its own mass."""
     share = HELD if held == 1 else 1.0
     store(solver.ball + BODY_MASS_INVERSE, share * solver.ball_lightness)
@@ -78,7 +78,7 @@ def read_records(ball, robots, bodies, solver):
 
 
 @compiled
-def write_rows(ball, robots, bodies):
+def write_poses(ball, robots, bodies):
     """Copy poses and velocities from the records into `bodies`, from which the engine sets its bodies."""
     bodies[0, 0], bodies[0, 1], bodies[0, 2] = ball.x, ball.y, ball.angle
     bodies[0, 3], bodies[0, 4], bodies[0, 5] = ball.vx, ball.vy, ball.spin
@@ -89,10 +89,10 @@ def write_rows(ball, robots, bodies):
 
 
 @compiled
-def write_rows_of(balls, robots, bodies, rows):
-    """Call `write_rows` for the matches in `rows`."""
+def write_poses_of_matches(balls, robots, bodies, rows):
+    """Call `write_poses` for the matches in `rows`."""
     for m in rows:
-        write_rows(balls[m], robots[m], bodies[m])
+        write_poses(balls[m], robots[m], bodies[m])
 
 
 @compiled

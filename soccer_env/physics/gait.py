@@ -39,12 +39,12 @@ def paw_offset(robot, k, leg, handedness):
     The stroke is the path of the ground under the stance in half a gait step; in a turn each paw has its own stroke.
     """
     x, y = stance(k, leg, handedness)
-    half = swing(robot.gait_phase, k.gait_steps, leg) * 0.25 * k.gait_steps * k.dt
+    half = stroke_place(robot.gait_phase, k.gait_steps, leg) * 0.25 * k.gait_steps * k.dt
     return half * (robot.walk.forward - robot.walk.turn * y), half * (robot.walk.left + robot.walk.turn * x)
 
 
 @compiled
-def swing(phase, gait_steps, leg):
+def stroke_place(phase, gait_steps, leg):
     """Return the place of a leg in its stroke, 1 fore to -1 hind, `phase` control steps into a gait step."""
     done = (phase % gait_steps) / gait_steps
     ahead = 4.0 * done - 1.0 if done <= 0.5 else 3.0 - 4.0 * done

@@ -15,14 +15,14 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length
 from soccer_env.physics.block import begin_block, is_blocking, may_block, most_reach_walking
 from soccer_env.physics.contacts import TOUCH_GAP, paws_gap
-from soccer_env.random_numbers import normal, uniform
+from soccer_env.random_numbers import draw_normal, draw_uniform
 from soccer_env.types import RobotStream
 
 KICK = int(RobotStream.KICK)
 
 
 @compiled
-def work_kicker(robots, r, events, k, ball, handedness):
+def advance_kicker(robots, r, events, k, ball, handedness):
     """Advance robot r's kicker by one control step: start a commanded kick or block, or finish one."""
     robot = robots[r]
     if robot.kick_clock < 0.0:
@@ -62,12 +62,12 @@ def finish_kick(robots, r, events, k, ball, handedness):
     """
     robot = robots[r]
     robot.kick_clock = -k.kicker_recharge
-    stray = handedness * k.kicker_spread * normal(robot.noise, KICK)
-    pace = max(1.0 + k.kicker_speed_spread * normal(robot.noise, KICK), 0.0)
-    luck = uniform(robot.noise, KICK)
+    stray = handedness * k.kicker_spread * draw_normal(robot.noise, KICK)
+    pace = max(1.0 + k.kicker_speed_spread * draw_normal(robot.noise, KICK), 0.0)
+    luck = draw_uniform(robot.noise, KICK)
     if not holds_ball(robot, k, ball.x, ball.y):
         return
-    badness = 1.0 if is_pinched(robots, r, k, ball, handedness) else lies_badly(robot, k, ball.x, ball.y)
+    badness = 1.0 if is_pinched(robots, r, k, ball, handedness) else kick_misalignment(robot, k, ball.x, ball.y)
     if luck < k.kicker_miss * badness * badness:
         return
     direction = robot.heading + (1.0 + badness) * stray
@@ -90,7 +90,7 @@ def kick_speed(k, strength):
 
 
 @compiled
-def lies_badly(robot, k, ball_x, ball_y):
+def kick_misalignment(robot, k, ball_x, ball_y):
     """Return how badly a ball in the pocket lies for a kick: 0 in the middle of the front, 1 at the kicker's edge."""
     gap, left = place_at_kicker(robot, k, ball_x, ball_y)
     far, aside = gap / max(k.kicker_reach, 1e-9), abs(left) / max(k.kicker_half_width, 1e-9)
@@ -133,7 +133,7 @@ def place_at_kicker(robot, k, ball_x, ball_y):
 
 
 @compiled
-def kicked_by(ball, robots, robot_events):
+def kicking_robot(ball, robots, robot_events):
     """Return the row of the robot that kicked in this step, or -1; if several kicked, of the nearest to the ball."""
     row, least = -1, 0.0
     for r in range(robot_events.shape[0]):

@@ -20,7 +20,7 @@ GROWTH = 1.28  # [1] so that the words reach from the chest across a field of 3 
 
 
 @compiled
-def word_for(distance: float) -> int:
+def word_for_distance(distance: float) -> int:
     """Return the word 1 ... 15 for a distance to the ball [m]; 0 for an infinite distance: no ball is seen."""
     if distance == inf:
         return SILENT
@@ -31,7 +31,7 @@ def word_for(distance: float) -> int:
 
 
 @compiled
-def distance_of(word: int) -> float:
+def distance_of_word(word: int) -> float:
     """Return the distance that a word stands for [m]: the geometric mean of its range; inf for word 0."""
     if word <= SILENT:
         return inf

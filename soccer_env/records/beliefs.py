@@ -4,7 +4,7 @@ Filled from percepts by `belief/` or, with ideal senses, from the truth. Frames 
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, COUNT, ENDLESS, FLAG, NUMBER, UNIT, Range, record
+from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, COUNT, ENDLESS, FLAG, NUMBER, UNIT, Range, ranged_record
 from soccer_env.records.ball_words import FARTHEST, SILENT
 from soccer_env.types import MAX_TEAM, PHASE, PLAYER, PLAYERS
 
@@ -12,7 +12,7 @@ UNKNOWN = -1  # number of a player who has not been identified
 PLAYER_OR_UNKNOWN = Range(UNKNOWN, MAX_TEAM - 1)
 WORDS = Range(SILENT, FARTHEST)
 
-SITUATION = record(
+SITUATION = ranged_record(
     [  # what a player may know of the match
         ("phase", "i2", PHASE),  # a Phase
         ("placing", "i2", FLAG),  # 1 while robots are driven to their places
@@ -30,7 +30,7 @@ SITUATION = record(
     ]
 )
 
-OWN_POSE = record(
+OWN_POSE = ranged_record(
     [
         ("x", "f8", NUMBER),  # [m] team frame
         ("y", "f8", NUMBER),  # [m] team frame
@@ -42,7 +42,7 @@ OWN_POSE = record(
     ]
 )
 
-BALL_BELIEF = record(
+BALL_BELIEF = ranged_record(
     [
         ("distance", "f8", AMOUNT),  # [m] latest (raw) estimate
         ("bearing", "f8", NUMBER),  # [rad] robot frame
@@ -60,7 +60,7 @@ BALL_BELIEF = record(
     ]
 )
 
-TRACK = record(
+TRACK = ranged_record(
     [  # what a robot believes about one other player; slots of team-mates come first, then opponents
         ("present", "i2", FLAG),  # 1: the slot is in use
         ("teammate", "i2", FLAG),  # 1 team-mate, 0 opponent
@@ -78,7 +78,7 @@ TRACK = record(
     ]
 )
 
-HEARD = record(
+HEARD = ranged_record(
     [  # what team-mates say of the ball; the team-mate nearest to it counts
         ("word", "i8", WORDS),  # 1 ... 15: range of its distance to the ball, see ball_words.py; 0: nobody says
         ("distance", "f8", ENDLESS),  # [m] its distance to the ball; inf if nobody says
@@ -86,14 +86,14 @@ HEARD = record(
     ]
 )
 
-OBSTACLE = record(
+OBSTACLE = ranged_record(
     [  # a robot that the infrared ranger meets and the picture does not show; only legged robots with sensors
         ("distance", "f4", AMOUNT),  # [m] to the middle of its body; 0: there is none
         ("bearing", "f4", NUMBER),  # [rad] robot frame
     ]
 )
 
-BELIEF = record(
+BELIEF = ranged_record(
     [("own", OWN_POSE), ("ball", BALL_BELIEF), ("situation", SITUATION), ("heard", HEARD), ("obstacle", OBSTACLE)]
 )
 

@@ -9,7 +9,7 @@ code receives.
     middle size   OMNI_PERCEPT: bearings and distances from an omnidirectional camera, white lines, a light barrier
 """
 
-from soccer_env.guards.ranges import AMOUNT, FLAG, NUMBER, STEP, UNIT, Range, record
+from soccer_env.guards.ranges import AMOUNT, FLAG, NUMBER, STEP, UNIT, Range, ranged_record
 from soccer_env.types import MAX_TEAM
 
 BLOBS = 4  # largest blobs of a colour that the vision delivers, Sacks 2001, 2  MS04
@@ -24,7 +24,7 @@ POSE_TOLD = 2  # the robot was put somewhere and told where
 PIXEL = Range(-10000, 10000)  # [px] from the middle of a picture
 PIXELS = Range(0, 32767)
 
-BLOB = record(
+BLOB = ranged_record(
     [  # box round a blob [px] from the image's centre, left and up positive; the vision counts whole pixels
         ("left", "i2", PIXEL),
         ("right", "i2", PIXEL),  # right <= left
@@ -34,7 +34,7 @@ BLOB = record(
     ]
 )
 
-BODY_PERCEPT = record(
+BODY_PERCEPT = ranged_record(
     [  # what every robot feels of itself
         ("frame", "i4", STEP),  # frames since the reset
         ("handedness", "f4", UNIT),  # +1; -1 mirrors each lateral noise draw (for symmetry tests)
@@ -52,7 +52,7 @@ BODY_PERCEPT = record(
     ]
 )
 
-TOUCH = record(
+TOUCH = ranged_record(
     [  # switches of a legged robot  [Sacks 2001, 1]  MS06
         ("head", "i1", FLAG),  # 1: the one on the head is pressed
         ("chin", "i1", FLAG),  # 1: the one under the chin
@@ -61,7 +61,7 @@ TOUCH = record(
     ]
 )
 
-LEGGED_PERCEPT = record(
+LEGGED_PERCEPT = ranged_record(
     [
         ("body", BODY_PERCEPT),
         ("touch", TOUCH),
@@ -77,7 +77,7 @@ LEGGED_PERCEPT = record(
     ]
 )
 
-SIGHTING = record(
+SIGHTING = ranged_record(
     [  # a thing in the picture of the omnidirectional camera
         ("distance", "f4", AMOUNT),  # [m] along the ground, by the mirror's curve
         ("bearing", "f4", NUMBER),  # [rad] robot frame
@@ -86,7 +86,7 @@ SIGHTING = record(
     ]
 )
 
-OMNI_PERCEPT = record(
+OMNI_PERCEPT = ranged_record(
     [
         ("body", BODY_PERCEPT),
         ("age", "f4", AMOUNT),  # [s] since the exposure of this picture

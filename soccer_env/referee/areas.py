@@ -4,13 +4,13 @@
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of
+from soccer_env.geometry import attack_direction
 
 
 @compiled
 def in_area(match, robot, team, k, depth, width):
     """Tell whether a robot stands in an area of depth and width [m, m] before the goal of a team."""
-    inside = -direction_of(match, team) * robot.x > 0.5 * k.pitch_length - depth
+    inside = -attack_direction(match, team) * robot.x > 0.5 * k.pitch_length - depth
     return inside and abs(robot.y) < 0.5 * width
 
 

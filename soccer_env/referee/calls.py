@@ -20,7 +20,7 @@ ASIDE = 0.25  # [1] of the pitch's width, from the middle to a ball dropped afte
 
 
 @compiled
-def judge(match, ball, robots, events, k, toucher):
+def judge_match(match, ball, robots, events, k, toucher):
     """Apply the rules to one match after a control step; `toucher`: row of the robot that touched the ball, or -1."""
     events.ball_x, events.ball_y = ball.x, ball.y
     match.clock += k.dt if match.shoot_out == 0 else 0.0

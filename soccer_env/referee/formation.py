@@ -6,9 +6,9 @@
 from math import atan2, pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, length, wrap
-from soccer_env.random_numbers import uniform
-from soccer_env.referee.set_pieces import defender_place, has_to_pass, out_of_area, receiver_place, way_to_receiver
+from soccer_env.geometry import attack_direction, clip, length, wrap
+from soccer_env.random_numbers import draw_uniform
+from soccer_env.referee.set_pieces import defender_place, has_to_pass, move_out_of_area, receiver_place, way_to_receiver
 from soccer_env.types import NO_TEAM, Phase, RobotStream
 
 KICK_OFF, PENALTY_KICK = int(Phase.KICK_OFF), int(Phase.PENALTY_KICK)
@@ -29,10 +29,10 @@ def choose_places(match, robots, k):
     for r in range(robots.shape[0]):
         if robots[r].active == 0:
             continue
-        side = direction_of(match, robots[r].team)
+        side = attack_direction(match, robots[r].team)
         across = side * match.handedness
         spot_x, spot_y = side * match.restart_x, across * match.restart_y
-        index, count = rank(robots, r)
+        index, count = rank_in_team(robots, r)
         if robots[r].keeper == 1:
             x, y, heading = keeper_place(k, spot_x, spot_y)
         elif has_to_pass(match, k) and match.restart_team != NO_TEAM:
@@ -42,15 +42,15 @@ def choose_places(match, robots, k):
             x, y, heading = taker_place(k, spot_x, spot_y, 0.5 * k.pitch_length - spot_x, -spot_y)
         else:
             x, y, heading = field_place(match, k, index, count, spot_x, spot_y)
-        x += JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
-        y += JITTER * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0)
-        heading = match.handedness * (heading + JITTER_TURN * (2.0 * uniform(robots[r].noise, PLACEMENT) - 1.0))
+        x += JITTER * (2.0 * draw_uniform(robots[r].noise, PLACEMENT) - 1.0)
+        y += JITTER * (2.0 * draw_uniform(robots[r].noise, PLACEMENT) - 1.0)
+        heading = match.handedness * (heading + JITTER_TURN * (2.0 * draw_uniform(robots[r].noise, PLACEMENT) - 1.0))
         robots[r].place_x, robots[r].place_y = side * x, across * y
         robots[r].place_heading = wrap(heading if side > 0.0 else heading + pi)
 
 
 @compiled
-def rank(robots, r):
+def rank_in_team(robots, r):
     """Return the rank of robot r by number among its team's active field players, and their count."""
     index = count = 0
     for other in range(robots.shape[0]):
@@ -66,12 +66,12 @@ def is_taker(match, robots, r):
     """Tell whether robot r takes the match's current restart."""
     if match.restart_team == NO_TEAM or robots[r].team != match.restart_team or robots[r].keeper == 1:
         return False
-    index, count = rank(robots, r)
+    index, count = rank_in_team(robots, r)
     return index == count - 1
 
 
 @compiled
-def looks_on(match, robots, r):
+def is_onlooker(match, robots, r):
     """Tell whether robot r neither takes the current penalty kick nor keeps the goal."""
     if is_taker(match, robots, r) or r == match.taker:
         return False
@@ -97,7 +97,7 @@ def set_piece_place(match, k, ours, index, count, spot_x, spot_y):
     if not ours and count - 1 - index < DEFENDERS:
         return defender_place(k, count - 1 - index, spot_x, spot_y)
     x, y, _ = field_place(match, k, index, count, spot_x, spot_y)
-    return out_of_area(k, x, y, spot_x, spot_y)
+    return move_out_of_area(k, x, y, spot_x, spot_y)
 
 
 @compiled

@@ -12,7 +12,7 @@ from math import atan2, cos, pi, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, length
+from soccer_env.geometry import attack_direction, clip, length
 from soccer_env.types import Phase
 
 PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
@@ -24,7 +24,7 @@ HAIR = 1e-9  # [m] tolerance for rounding
 
 
 @compiled
-def settle(match, robots, settled, bans, goal_gap, k):
+def assign_free_places(match, robots, settled, bans, goal_gap, k):
     """Give each robot that is not settled (R,) the nearest free place, the robot with the longest path first.
 
     `bans` (R, N, 3) are discs that a robot has to stay out of: x, y and radius [m], radius 0: none. A robot comes no
@@ -50,24 +50,24 @@ def find_place(match, robots, settled, r, bans, goal_gap, k):
     A robot is sent at most FARTHER beyond the rules' distance. Without such a place it may come nearer to a goal, then
     nearer to its discs by a body's reach, or two in play, where it only has to get free; only then is it sent farther.
     """
-    most = most_way(bans, k)
+    most = farthest_move(bans, k)
     if goal_gap > 0.0:
-        x, y, way = search(match, robots, settled, r, bans, goal_gap, most, k)
+        x, y, way = search_place(match, robots, settled, r, bans, goal_gap, most, k)
         if way >= 0.0:
             return x, y, way
-    x, y, way = search(match, robots, settled, r, bans, 0.0, most, k)
+    x, y, way = search_place(match, robots, settled, r, bans, 0.0, most, k)
     fewer = bans
     for _ in range(2 if match.phase == PLAY else 1):
         if way < 0.0:
-            fewer = nearer(fewer, k)
-            x, y, way = search(match, robots, settled, r, fewer, 0.0, most, k)
+            fewer = shrink_discs(fewer, k)
+            x, y, way = search_place(match, robots, settled, r, fewer, 0.0, most, k)
     if way < 0.0:
-        x, y, way = search(match, robots, settled, r, bans, 0.0, k.pitch_length + k.pitch_width, k)
+        x, y, way = search_place(match, robots, settled, r, bans, 0.0, k.pitch_length + k.pitch_width, k)
     return x, y, max(way, 0.0)
 
 
 @compiled
-def most_way(bans, k):
+def farthest_move(bans, k):
     """Return how far a robot that has to leave the discs may be sent [m]."""
     distance = k.rules_separation
     for i in range(bans.shape[0]):
@@ -76,7 +76,7 @@ def most_way(bans, k):
 
 
 @compiled
-def nearer(bans, k):
+def shrink_discs(bans, k):
     """Return copies of discs (N, 3), smaller by a body's reach, but large enough to keep a robot out of the ball."""
     smaller = bans.copy()
     for i in range(bans.shape[0]):
@@ -85,23 +85,23 @@ def nearer(bans, k):
 
 
 @compiled
-def search(match, robots, settled, r, bans, goal_gap, most, k):
+def search_place(match, robots, settled, r, bans, goal_gap, most, k):
     """Return the nearest allowed and free place within `most` [m], and its distance; -1: there is none."""
     robot = robots[r]
-    ahead = way_out(match, robot, bans)
+    ahead = direction_out_of_discs(match, robot, bans)
     step = STEP * k.body_reach
     for number in range(int(most / step) + 1):
         for i in range(DIRECTIONS if number > 0 else 1):
             turn = (i + 1) // 2 * (1.0 if i % 2 == 1 else -1.0) * match.handedness * 2.0 * pi / DIRECTIONS
             x = robot.place_x + number * step * cos(ahead + turn)
             y = robot.place_y + number * step * sin(ahead + turn)
-            if is_allowed(match, robot, x, y, bans, goal_gap, k) and is_free(robots, settled, r, x, y, k):
+            if is_allowed(match, robot, x, y, bans, goal_gap, k) and is_place_free(robots, settled, r, x, y, k):
                 return x, y, number * step
     return robot.place_x, robot.place_y, -1.0
 
 
 @compiled
-def way_out(match, robot, bans):
+def direction_out_of_discs(match, robot, bans):
     """Return the direction [rad] straight out of a robot's discs, towards its own goal if it is in none."""
     x = y = 0.0
     for i in range(bans.shape[0]):
@@ -110,7 +110,7 @@ def way_out(match, robot, bans):
         if 1e-6 < away < bans[i, 2]:
             x, y = x + (bans[i, 2] - away) * away_x / away, y + (bans[i, 2] - away) * away_y / away
     if length(x, y) < 1e-6:
-        x, y = -direction_of(match, robot.team), 0.0
+        x, y = -attack_direction(match, robot.team), 0.0
     return atan2(y, x)
 
 
@@ -120,16 +120,16 @@ def is_allowed(match, robot, x, y, bans, goal_gap, k):
     room = k.body_reach + k.legs * k.pitch_board_foot + MARGIN
     if abs(x) > 0.5 * k.pitch_length - room + HAIR or abs(y) > 0.5 * k.pitch_width - room + HAIR:
         return False
-    side = direction_of(match, robot.team)
+    side = attack_direction(match, robot.team)
     if match.phase == KICK_OFF and side * x > -k.body_reach + HAIR:
         return False
     if length(x - side * 0.5 * k.pitch_length, y) < goal_gap - HAIR:
         return False
-    return is_clear(x, y, bans)
+    return is_outside_discs(x, y, bans)
 
 
 @compiled
-def is_clear(x, y, bans):
+def is_outside_discs(x, y, bans):
     """Tell whether a place [m, m] lies in none of the discs (N, 3)."""
     clear = True
     for i in range(bans.shape[0]):
@@ -138,19 +138,19 @@ def is_clear(x, y, bans):
 
 
 @compiled
-def is_free(robots, settled, r, x, y, k):
+def is_place_free(robots, settled, r, x, y, k):
     """Tell whether robot r can stand at a place [m, m] with its heading, clear of all settled robots."""
     heading = robots[r].place_heading
     for other in range(robots.shape[0]):
         if other != r and settled[other] and robots[other].active == 1:
             there = robots[other]
-            if in_the_way(k, x, y, heading, there.place_x, there.place_y, there.place_heading):
+            if are_robots_too_near(k, x, y, heading, there.place_x, there.place_y, there.place_heading):
                 return False
     return True
 
 
 @compiled
-def in_the_way(k, x, y, heading, other_x, other_y, other_heading):
+def are_robots_too_near(k, x, y, heading, other_x, other_y, other_heading):
     """Tell whether two robots at poses [m, m, rad], taken as capsules, stand nearer than the margin."""
     away = length(x - other_x, y - other_y)
     if away >= 2.0 * k.body_reach + MARGIN:
@@ -187,6 +187,6 @@ def spine_gap(x, y, other_x, other_y, heading, half):
 
 
 @compiled
-def new_bans(count, each):
-    """Return empty arguments of `settle`: bans (count, each, 3), settled (count,) all False, goal gaps (count,)."""
+def empty_bans(count, each):
+    """Return empty arguments of `assign_free_places`: bans (count, each, 3), settled and goal gaps (count,)."""
     return np.zeros((count, each, 3)), np.zeros(count, np.bool_), np.zeros(count)

@@ -11,13 +11,20 @@ place where it may stand; no other robot is moved. A dropped ball has no formati
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, length
-from soccer_env.physics.ball import hold
+from soccer_env.geometry import attack_direction, clip, length
+from soccer_env.physics.ball import stop_ball
 from soccer_env.physics.contacts import robots_touch
 from soccer_env.referee.areas import in_penalty_area
 from soccer_env.referee.formation import choose_places, is_taker
-from soccer_env.referee.places import MARGIN, is_allowed, is_clear, is_free, new_bans, settle
-from soccer_env.referee.steering import ARRIVED, keep_off
+from soccer_env.referee.places import (
+    MARGIN,
+    assign_free_places,
+    empty_bans,
+    is_allowed,
+    is_outside_discs,
+    is_place_free,
+)
+from soccer_env.referee.steering import ARRIVED, move_off_ball
 from soccer_env.types import Phase
 
 KICK_OFF, DROP_BALL = int(Phase.KICK_OFF), int(Phase.DROP_BALL)
@@ -35,22 +42,22 @@ def carry_out_restart(match, ball, robots, k, drive):
     put_ball(ball, match.restart_x, match.restart_y)
     if match.phase == DROP_BALL:
         for r in range(robots.shape[0]):
-            stay(robots[r])
+            keep_present_pose(robots[r])
     else:
         choose_places(match, robots, k)
     keep_distances(match, robots, k)
     if drive == 1 and match.phase != DROP_BALL:
         match.placing = 1
-        keep_all_off(match, ball, robots, k)
+        move_robots_off_ball(match, ball, robots, k)
     else:
         place_robots(robots)
 
 
 @compiled
-def keep_all_off(match, ball, robots, k):
+def move_robots_off_ball(match, ball, robots, k):
     """Move robots out of the ball that is laid down; a robot moved far counts as carried and is told its place."""
     for r in range(robots.shape[0]):
-        if keep_off(robots[r], k, ball, match.handedness) > CARRIED:
+        if move_off_ball(robots[r], k, ball, match.handedness) > CARRIED:
             robots[r].placed = 1
     for _ in range(robots.shape[0]):
         for r in range(robots.shape[0]):
@@ -84,11 +91,11 @@ def make_room(robots, r, ball, k):
 def put_ball(ball, x, y):
     """Lay the ball down [m, field frame]."""
     ball.x, ball.y = x, y
-    hold(ball)
+    stop_ball(ball)
 
 
 @compiled
-def stay(robot):
+def keep_present_pose(robot):
     """Make a robot stay: set its assigned place to its present pose."""
     robot.place_x, robot.place_y, robot.place_heading = robot.x, robot.y, robot.heading
 
@@ -112,11 +119,11 @@ def put_robot(robot):
         robot.pan = robot.tilt = 0.0
         robot.trespass = -TO_WALK_OUT
     robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
-    stop(robot)
+    stop_robot(robot)
 
 
 @compiled
-def stop(robot):
+def stop_robot(robot):
     """Stop a robot: no speed, no delayed walk, no kick begun."""
     robot.vx = robot.vy = robot.omega = 0.0
     robot.walk.forward = robot.walk.left = robot.walk.turn = 0.0
@@ -135,7 +142,7 @@ def keep_distances(match, robots, k):
     first; each remaining robot gets the nearest place where it may stand.
     """
     count = robots.shape[0]
-    bans, settled, goal_gap = new_bans(count, 1)
+    bans, settled, goal_gap = empty_bans(count, 1)
     for r in range(count):
         ball_gap = gap_to_keep(match, robots, r, k)
         bans[r, 0, 0], bans[r, 0, 1], bans[r, 0, 2] = match.restart_x, match.restart_y, ball_gap
@@ -148,17 +155,17 @@ def keep_distances(match, robots, k):
             goal_gap[r] = 1.0  # looked at
             settled[r] = may_stay(match, robots, settled, r, bans[r], k)
     goal_gap[:] = 0.0
-    settle(match, robots, settled, bans, goal_gap, k)
+    assign_free_places(match, robots, settled, bans, goal_gap, k)
 
 
 @compiled
 def send_back(match, robots, r, k):
     """Move the place of robot r alone to the nearest free place at the required distance from the ball."""
-    bans, settled, goal_gap = new_bans(robots.shape[0], 1)
+    bans, settled, goal_gap = empty_bans(robots.shape[0], 1)
     settled[:] = True
     settled[r] = False
     bans[r, 0, 0], bans[r, 0, 1], bans[r, 0, 2] = match.restart_x, match.restart_y, gap_to_keep(match, robots, r, k)
-    settle(match, robots, settled, bans, goal_gap, k)
+    assign_free_places(match, robots, settled, bans, goal_gap, k)
 
 
 @compiled
@@ -183,8 +190,10 @@ def may_stay(match, robots, settled, r, bans, k):
     robot = robots[r]
     x, y = robot.place_x, robot.place_y
     if is_carried(robot):
-        return is_allowed(match, robot, x, y, bans, 0.0, k) and is_free(robots, settled, r, x, y, k)
-    if not is_clear(x, y, bans) or (match.phase == KICK_OFF and direction_of(match, robot.team) * x > -k.body_reach):
+        return is_allowed(match, robot, x, y, bans, 0.0, k) and is_place_free(robots, settled, r, x, y, k)
+    if not is_outside_discs(x, y, bans) or (
+        match.phase == KICK_OFF and attack_direction(match, robot.team) * x > -k.body_reach
+    ):
         return False
     carried = np.zeros(robots.shape[0], np.bool_)
     for other in range(robots.shape[0]):
@@ -192,7 +201,7 @@ def may_stay(match, robots, settled, r, bans, k):
         near = settled[other] and not carried[other] and match.phase != DROP_BALL and robots[other].active == 1
         if near and other != r and robots_touch(robot, robots[other], k):
             return False
-    return is_free(robots, carried, r, x, y, k)
+    return is_place_free(robots, carried, r, x, y, k)
 
 
 @compiled
@@ -229,7 +238,7 @@ def is_ready(match, robots, r, k):
         return length(robot.x - robot.place_x, robot.y - robot.place_y) <= ARRIVED
     if length(robot.x - match.restart_x, robot.y - match.restart_y) < distance_from_ball(match, robot, k):
         return False
-    return match.phase != KICK_OFF or robot.x * direction_of(match, robot.team) <= 0.0
+    return match.phase != KICK_OFF or robot.x * attack_direction(match, robot.team) <= 0.0
 
 
 @compiled
@@ -245,6 +254,6 @@ def end_placing(match, ball, robots, k):
     match.phase_clock = 0.0
     for r in range(robots.shape[0]):
         if not is_taker(match, robots, r):
-            stay(robots[r])
+            keep_present_pose(robots[r])
     keep_distances(match, robots, k)
     place_robots(robots)

@@ -18,11 +18,11 @@ team-mates that merely push each other are left alone.
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, length
+from soccer_env.geometry import attack_direction, length
 from soccer_env.physics.contacts import touches
 from soccer_env.referee.areas import in_penalty_area
-from soccer_env.referee.places import HAIR, MARGIN, new_bans, settle
-from soccer_env.referee.restarts import put_robot, stay
+from soccer_env.referee.places import HAIR, MARGIN, assign_free_places, empty_bans
+from soccer_env.referee.restarts import keep_present_pose, put_robot
 
 
 @compiled
@@ -97,26 +97,26 @@ def pull_apart(ball, robots, match, k):
         overdue = overdue or is_overdue(robots[r], k)
     if not overdue:
         return False
-    bans, settled, goal_gap = new_bans(count, count + 1)
+    bans, settled, goal_gap = empty_bans(count, count + 1)
     settled[:] = True
     for r in range(count):
-        stay(robots[r])
+        keep_present_pose(robots[r])
         for other in range(count):
             if are_locked(robots, r, other, k) and has_to_go(match, ball, robots, r, other, k):
                 settled[r] = False
-                ban_other(robots, bans, r, other, k)
+                ban_near_robot(robots, bans, r, other, k)
     stays = settled.copy()
     for r in range(count):
         if not settled[r]:
-            ban_ball(ball, robots[r], bans[r], k)
-            side = direction_of(match, robots[r].team)
+            ban_near_ball(ball, robots[r], bans[r], k)
+            side = attack_direction(match, robots[r].team)
             goal_gap[r] = length(robots[r].x - side * 0.5 * k.pitch_length, robots[r].y)
-    settle(match, robots, settled, bans, goal_gap, k)
+    assign_free_places(match, robots, settled, bans, goal_gap, k)
     moved = False
     for r in range(count):
         if not stays[r]:
             moved = True
-            release(robots, r, k)
+            place_pulled_robot(robots, r, k)
     return moved
 
 
@@ -131,14 +131,14 @@ def has_to_go(match, ball, robots, r, other, k):
     away, its_away = length(robot.x - ball.x, robot.y - ball.y), length(its.x - ball.x, its.y - ball.y)
     if robot.team == its.team:
         return away > its_away or (away == its_away and r > other)
-    attack = direction_of(match, robot.team) * ball.x
+    attack = attack_direction(match, robot.team) * ball.x
     if attack == 0.0:  # on the halfway line: the robot farther from its own goal goes
-        attack = direction_of(match, robot.team) * (robot.x + its.x)
+        attack = attack_direction(match, robot.team) * (robot.x + its.x)
     return attack > 0.0
 
 
 @compiled
-def ban_other(robots, bans, r, other, k):
+def ban_near_robot(robots, bans, r, other, k):
     """Ban robot r from places too near to the robot `other`, from which the referee pulls it apart.
 
     Team-mates, who hold each other by the legs, only have to come free.
@@ -151,7 +151,7 @@ def ban_other(robots, bans, r, other, k):
 
 
 @compiled
-def ban_ball(ball, robot, bans, k):
+def ban_near_ball(ball, robot, bans, k):
     """Ban a robot from places nearer to the ball than it was, within the rules' distance at a dropped ball."""
     ball_row = bans.shape[0] - 1
     clear = k.body_reach + k.ball_radius + MARGIN
@@ -160,7 +160,7 @@ def ban_ball(ball, robot, bans, k):
 
 
 @compiled
-def release(robots, r, k):
+def place_pulled_robot(robots, r, k):
     """Put robot r at its new place, and clear the time in contact of robot r and of those it was pulled from.
 
     The other robots keep everything else: the referee has not moved them.

@@ -67,11 +67,11 @@ def defender_place(k, index, spot_x, spot_y):
     else:
         x = max(0.5 * spot_x - 2.5, OFF_AREA + k.pitch_penalty_depth - 0.5 * k.pitch_length)
         y = (COVER_Y if index == 2 else -COVER_Y) + 0.2 * spot_y
-    return out_of_area(k, x, y, spot_x, spot_y)
+    return move_out_of_area(k, x, y, spot_x, spot_y)
 
 
 @compiled
-def out_of_area(k, x, y, spot_x, spot_y):
+def move_out_of_area(k, x, y, spot_x, spot_y):
     """Return a place moved out of the own penalty area, facing the ball [m, m, rad].
 
     A place that then lies too near the ball is moved aside.

@@ -10,7 +10,7 @@ is a draw (assumed, so that every match ends).
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of
+from soccer_env.geometry import attack_direction
 from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
@@ -43,7 +43,7 @@ def kicking_team(match):
 def call_penalty(match, events, k):
     """Call a penalty kick by the team whose turn it is."""
     team = kicking_team(match)
-    x = direction_of(match, team) * (0.5 * k.pitch_length - k.rules_penalty_mark)
+    x = attack_direction(match, team) * (0.5 * k.pitch_length - k.rules_penalty_mark)
     call_restart(match, events, PENALTY_KICK, team, x, 0.0)
 
 
@@ -53,7 +53,7 @@ def judge_penalty(match, ball, events, k, in_goal, out):
     team = kicking_team(match)
     late = match.phase_clock >= k.rules_shoot_out_time - 0.5 * k.dt
     rests = match.phase == PLAY and ball.vx * ball.vx + ball.vy * ball.vy < AT_REST * AT_REST
-    if in_goal and not late and ball.x * direction_of(match, team) > 0.0:
+    if in_goal and not late and ball.x * attack_direction(match, team) > 0.0:
         end_kick(match, events, k, team, SCORED)
     elif in_goal or out or late or rests:
         end_kick(match, events, k, team, MISSED)

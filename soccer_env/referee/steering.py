@@ -36,17 +36,17 @@ def steer_to_place(match, robot, k):
     place_x, place_y = robot.place_x - match.restart_x, robot.place_y - match.restart_y
     turn = wrap(robot.place_heading - robot.heading)
     may_turn = length(now_x, now_y) > ring - CLEAR  # inside, a paw or a guide would sweep over the ball
-    if steps_up(x, y, place_x, place_y, turn, ring):
-        to_x, to_y = paced(k, place_x - x, place_y - y)
+    if is_behind_place(x, y, place_x, place_y, turn, ring):
+        to_x, to_y = paced_velocity(k, place_x - x, place_y - y)
     else:
-        place_x, place_y = out_to_ring(place_x, place_y, ring)
-        to_x, to_y = way_round(x, y, place_x, place_y, ring, match.handedness)
-        to_x, to_y = paced(k, to_x, to_y)
-        to_x, to_y = hold_off(k, x, y, to_x, to_y, ring)
+        place_x, place_y = move_out_to_ring(place_x, place_y, ring)
+        to_x, to_y = path_round_ring(x, y, place_x, place_y, ring, match.handedness)
+        to_x, to_y = paced_velocity(k, to_x, to_y)
+        to_x, to_y = avoid_ring(k, x, y, to_x, to_y, ring)
         turn = turn if may_turn else 0.0
     ahead, left = into_frame(to_x, to_y, cos(robot.heading), sin(robot.heading))
     if k.drive_sideways <= 0.0:  # a differential base cannot step aside: it turns towards the place first
-        ahead, left, turn = aim_ahead(ahead, left, turn, length(place_x - x, place_y - y), may_turn)
+        ahead, left, turn = steer_without_sidestep(ahead, left, turn, length(place_x - x, place_y - y), may_turn)
     robot.command.forward = clip(ahead, -1.0, 1.0)
     robot.command.left = clip(left, -1.0, 1.0)
     robot.command.turn = clip(turn, -1.0, 1.0)
@@ -60,7 +60,7 @@ def braking_speed(k, room):
 
 
 @compiled
-def paced(k, x, y):
+def paced_velocity(k, x, y):
     """Return a velocity along the path x, y [m], a share of the top speed, from which a robot can stop at its end."""
     distance = max(length(x, y), 1e-9)
     share = min(braking_speed(k, distance) / k.drive_forward, 1.0) / distance
@@ -68,14 +68,14 @@ def paced(k, x, y):
 
 
 @compiled
-def steps_up(x, y, place_x, place_y, turn, ring):
+def is_behind_place(x, y, place_x, place_y, turn, ring):
     """Tell whether a robot whose place lies inside the ring stands behind that place with its final heading."""
     near = length(place_x, place_y) < ring and abs(turn) < ALIGNED
     return near and x * place_x + y * place_y > BEHIND * length(x, y) * length(place_x, place_y)
 
 
 @compiled
-def out_to_ring(x, y, ring):
+def move_out_to_ring(x, y, ring):
     """Return a place, moved straight out to the ring if it lies inside."""
     away = length(x, y)
     share = ring / away if 0.0 < away < ring else 1.0
@@ -83,7 +83,7 @@ def out_to_ring(x, y, ring):
 
 
 @compiled
-def way_round(x, y, to_x, to_y, ring, handedness):
+def path_round_ring(x, y, to_x, to_y, ring, handedness):
     """Return a vector from (x, y) along the path to (to_x, to_y): straight, or along a tangent of the ring.
 
     Its length is that of the straight path. If the straight path leads through the centre, handedness chooses the side.
@@ -103,7 +103,7 @@ def way_round(x, y, to_x, to_y, ring, handedness):
 
 
 @compiled
-def hold_off(k, x, y, to_x, to_y, ring):
+def avoid_ring(k, x, y, to_x, to_y, ring):
     """Return the velocity to_x, to_y (shares of the top speed), changed to stay out of the ring or to leave it."""
     away = max(length(x, y), 1e-6)
     room = away - ring
@@ -114,7 +114,7 @@ def hold_off(k, x, y, to_x, to_y, ring):
 
 
 @compiled
-def aim_ahead(ahead, left, turn, distance, may_turn):
+def steer_without_sidestep(ahead, left, turn, distance, may_turn):
     """Return the walk of a base that cannot move sideways: turn to the target, drive, turn to the final heading."""
     if distance < 0.5 * ARRIVED:
         return 0.0, 0.0, turn
@@ -125,7 +125,7 @@ def aim_ahead(ahead, left, turn, distance, may_turn):
 
 
 @compiled
-def keep_off(robot, k, ball, handedness):
+def move_off_ball(robot, k, ball, handedness):
     """Move a robot out of a ball that is laid down on it, until it only touches the ball; return how far [m].
 
     The robot loses its speed towards the ball. Afterwards no robot can move the ball (`physics.exchange.weigh_ball`).

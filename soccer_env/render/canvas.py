@@ -53,7 +53,7 @@ def packed_surface(width: int, height: int) -> pygame.Surface:
     return pygame.Surface((width, height), 0, 24, masks=RED_FIRST)
 
 
-class Letters:
+class TextSurfaces:
     """Words as surfaces, in the font of pygame, so that pictures agree between machines."""
 
     def __init__(self) -> None:
@@ -94,14 +94,14 @@ class Canvas:
         self.small = small
         self.width, self.height = small.get_size()
         self.large = new_surface(self.width * FACTOR, self.height * FACTOR)
-        self.letters = Letters()
+        self.letters = TextSurfaces()
         self._background: pygame.Surface | None = None
         self._pane: pygame.Surface | None = None  # working surface of `glass`
         self._touched: list[pygame.Rect] = []
         self._stale: list[pygame.Rect] = []  # touched in the frame before
 
     @contextmanager
-    def as_one(self) -> Iterator[None]:
+    def shrink_as_one(self) -> Iterator[None]:
         """Shrink all shapes drawn inside the `with` as one part, for shapes that lie near each other."""
         before = len(self._touched)
         yield
@@ -154,7 +154,7 @@ class Canvas:
         if len(points) < 2:
             return
         for at in range(0, len(points) - 1, PIECE):
-            with self.as_one():
+            with self.shrink_as_one():
                 piece = points[at : at + PIECE + 1]
                 for start, end in zip(piece, piece[1:]):
                     self._bar(start, end, width, colour)
@@ -198,7 +198,7 @@ class Canvas:
         import pygame
 
         large = (np.clip(corners, -FAR, FAR) * FACTOR).tolist()
-        with self.as_one():
+        with self.shrink_as_one():
             self._touched += [
                 pygame.draw.polygon(self.large, tint, shape) for shape, tint in zip(large, tints, strict=True)
             ]
@@ -249,8 +249,8 @@ class Canvas:
         """Shrink every touched part onto the small surface."""
         import pygame
 
-        touched = merged(self._touched, self.large.get_rect())
-        for rect in merged(self._stale + touched, self.large.get_rect()):
+        touched = merge_rectangles(self._touched, self.large.get_rect())
+        for rect in merge_rectangles(self._stale + touched, self.large.get_rect()):
             x, y, width, height = (side // FACTOR for side in rect)
             part = self.small.subsurface((x, y, width, height))
             pygame.transform.smoothscale(self.large.subsurface(rect), (width, height), part)
@@ -265,7 +265,7 @@ def enlarge(point: Point) -> Point:
     return min(max(x, -FAR), FAR) * FACTOR, min(max(y, -FAR), FAR) * FACTOR
 
 
-def merged(rects: list[pygame.Rect], bounds: pygame.Rect) -> list[pygame.Rect]:
+def merge_rectangles(rects: list[pygame.Rect], bounds: pygame.Rect) -> list[pygame.Rect]:
     """Return fewer rectangles that cover `rects`, cut to the bounds, on whole pixels of the small surface."""
     import pygame
 

@@ -12,10 +12,10 @@ from soccer_env.leagues.league import League
 from soccer_env.render import colours
 from soccer_env.render.canvas import Canvas, Point, new_surface, packed_surface, require_pygame
 from soccer_env.render.colours import TEAM_NAMES
-from soccer_env.render.header import Header, height_of, story_of
+from soccer_env.render.header import Header, bar_height, header_contents
 from soccer_env.render.overlays import Overlay
 from soccer_env.render.pitch import Ground
-from soccer_env.render.robots import Figure, Players, figures_of
+from soccer_env.render.robots import Figure, PlayerDrawer, figures_of
 from soccer_env.render.view import View, view_of
 
 LEAST_WIDTH, MOST_WIDTH = 240, 2560  # [px]
@@ -37,7 +37,7 @@ class Picture:
         self.league = find_league(league)
         self.width = int(width)
         self.view, pitch_height = view_of(self.league.pitch, self.width)
-        self.header_height = height_of(self.width)
+        self.header_height = bar_height(self.width)
         self.height = self.header_height + pitch_height
         self._screen = new_surface(self.width, self.height)
         self._packed = packed_surface(self.width, self.height)
@@ -45,7 +45,7 @@ class Picture:
         self._header = Header(Canvas(self._screen.subsurface((0, 0, self.width, self.header_height))), self.league)
         self._ground = Ground(self.league.pitch, self.view, self._canvas)
         self._ground.draw()
-        self._players = Players(self.league, self.view, self._canvas)
+        self._players = PlayerDrawer(self.league, self.view, self._canvas)
 
     def pixel(self, x: float, y: float) -> Point:
         """Return column and row of a point of the field frame [m] in the frames."""
@@ -62,7 +62,7 @@ class Picture:
         """
         check_records(match, ball, robots)
         home, away = (name.upper() for name in TEAM_NAMES) if title is None else (one_line(name) for name in title)
-        self._header.draw(story_of(match, robots, (home, away), self.league))
+        self._header.draw(header_contents(match, robots, (home, away), self.league))
         self._canvas.clean()
         self._ground.draw_directions(float(match["home_direction"]))
         figures = figures_of(robots, self.league, float(match["handedness"]))
@@ -70,7 +70,7 @@ class Picture:
         return self._pixels()
 
     def _draw_play(
-        self, view: View, players: Players, figures: list[Figure], ball: np.void, overlays: Sequence[Overlay]
+        self, view: View, players: PlayerDrawer, figures: list[Figure], ball: np.void, overlays: Sequence[Overlay]
     ) -> None:
         """Draw robots and ball, and the overlays under and over them."""
         for overlay in overlays:

@@ -18,7 +18,7 @@ SIDE = 0.17  # of the width, for the clock on the left and the league on the rig
 SCORE = 0.15  # of the width
 
 
-class Story(NamedTuple):
+class HeaderContents(NamedTuple):
     """The contents of the bar; an equal story needs no new drawing."""
 
     title: tuple[str, str]
@@ -32,17 +32,17 @@ class Story(NamedTuple):
     goal: int
 
 
-def height_of(width: int) -> int:
+def bar_height(width: int) -> int:
     """Return the height of the bar for a picture's width [px]; even, and legible in small pictures too."""
     return 2 * round(22.0 + 0.0225 * width)
 
 
-def story_of(match: np.void, robots: np.ndarray, title: tuple[str, str], league: League) -> Story:
+def header_contents(match: np.void, robots: np.ndarray, title: tuple[str, str], league: League) -> HeaderContents:
     """Return the contents of the bar for the records of a match and its robots."""
     score, (possession, team) = (int(match["score"][0]), int(match["score"][1])), possession_words(match, robots)
     phase, colour = phase_words(match, league.rules), phase_colour(match)
     clock, half, goal = clock_words(match), half_words(match), goal_team(match)
-    return Story(title, score, clock, half, phase, colour, possession, team, goal)
+    return HeaderContents(title, score, clock, half, phase, colour, possession, team, goal)
 
 
 def phase_colour(match: np.void) -> Colour:
@@ -60,9 +60,9 @@ class Header:
 
     def __init__(self, canvas: Canvas, league: League) -> None:
         self.canvas, self.league = canvas, league
-        self._shown: Story | None = None
+        self._shown: HeaderContents | None = None
 
-    def draw(self, story: Story) -> None:
+    def draw(self, story: HeaderContents) -> None:
         """Draw the bar unless it already shows this story."""
         if story == self._shown:
             return
@@ -73,7 +73,7 @@ class Header:
         self.canvas.shrink()
         self._shown = story
 
-    def _draw_sides(self, story: Story) -> None:
+    def _draw_sides(self, story: HeaderContents) -> None:
         width, row = self.canvas.width, self.canvas.height * SCORE_ROW
         pad, room = 0.014 * width, (SIDE - 0.025) * width
         self.canvas.text(story.clock, (pad, 0.40 * row), 0.66 * row, colours.WHITE, "left", room)
@@ -82,7 +82,7 @@ class Header:
         self.canvas.text(family, (width - pad, 0.36 * row), 0.34 * row, colours.DIM, "right", room)
         self.canvas.text(self.league.name, (width - pad, 0.72 * row), 0.30 * row, colours.DIM, "right", room)
 
-    def _draw_score(self, story: Story) -> None:
+    def _draw_score(self, story: HeaderContents) -> None:
         width, row = self.canvas.width, self.canvas.height * SCORE_ROW
         plate = (1.0 - 2.0 * SIDE - SCORE) / 2 * width
         top, high = 0.14 * row, 0.80 * row
@@ -96,7 +96,7 @@ class Header:
         score = f"{story.score[0]} : {story.score[1]}"
         self.canvas.text(score, middle, 1.08 * row, colours.WHITE, room=0.92 * SCORE * width)
 
-    def _draw_chips(self, story: Story) -> None:
+    def _draw_chips(self, story: HeaderContents) -> None:
         width, top = self.canvas.width, self.canvas.height * SCORE_ROW
         high, pad = self.canvas.height - top, 0.014 * width
         phase = f"goal {colours.TEAM_NAMES[story.goal]}!  {story.phase}" if story.goal != NO_TEAM else story.phase

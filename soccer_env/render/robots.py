@@ -16,7 +16,7 @@ from soccer_env.physics.gait import LEGS, TIPS
 from soccer_env.render import colours
 from soccer_env.render.canvas import FACTOR, Canvas, Point, new_surface
 from soccer_env.render.colours import Colour
-from soccer_env.render.view import View, rounded
+from soccer_env.render.view import View, rounded_outline
 
 if TYPE_CHECKING:
     import pygame
@@ -68,18 +68,18 @@ def figures_of(robots: np.ndarray, league: League, handedness: float) -> list[Fi
     if not league.body.legs:
         return [Figure(*row) for row in rows]
     paws = np.zeros((len(robots), LEGS, 2))
-    paws_off_stance(robots, numbers_of(league)[0], handedness, paws)
+    paws_off_stance(robots, cached_constants(league)[0], handedness, paws)
     swings = [tuple((x, y) for x, y in legs) for legs in paws.tolist()]
     return [Figure(*row)._replace(paws=swing) for row, swing in zip(rows, swings, strict=True)]
 
 
 @lru_cache(maxsize=8)
-def numbers_of(league: League) -> np.ndarray:
+def cached_constants(league: League) -> np.ndarray:
     """Return the constants of a league, cached."""
     return constants_of(league)
 
 
-class Part(NamedTuple):
+class RobotPiece(NamedTuple):
     """A piece of a robot in the robot's frame [m]: the outline with a rim, and the outline itself."""
 
     rim: list[Point]
@@ -88,10 +88,10 @@ class Part(NamedTuple):
     leg: int = -1  # leg whose paw the second half of both outlines surrounds; -1: no leg
 
 
-def parts_of(body: Body, rim: float, walks: bool) -> list[Part]:
+def robot_pieces(body: Body, rim: float, walks: bool) -> list[RobotPiece]:
     """Return the pieces of a robot, the lowest first, with rims `rim` wide [m]."""
     if body.legs:
-        return legged_parts(body, rim)
+        return legged_pieces(body, rim)
     root = min(body.front - body.tip_radius, body.tip_x)
     pieces: list[tuple[list[Point], float, str]] = []
     for side in (-1.0, 1.0):
@@ -102,28 +102,33 @@ def parts_of(body: Body, rim: float, walks: bool) -> list[Part]:
     if walks:
         (start, y), (end, _), radius = HIND_LEG
         pieces += [([(start, side * y), (end, side * y)], radius, "leg") for side in (-1.0, 1.0)]
-    return [Part(rounded(corners, radius + rim), rounded(corners, radius), role) for corners, radius, role in pieces]
+    return [
+        RobotPiece(rounded_outline(corners, radius + rim), rounded_outline(corners, radius), role)
+        for corners, radius, role in pieces
+    ]
 
 
-def legged_parts(body: Body, rim: float) -> list[Part]:
+def legged_pieces(body: Body, rim: float) -> list[RobotPiece]:
     """Return the pieces of a robot with legs: forelegs and hind legs from shoulder to paw, then its trunk."""
-    ahead, aside = SHOULDER
-    shoulders = [(x, y) for x in (ahead, -ahead) for y in (aside, -aside)]
+    shoulders = [(x, y) for x in (SHOULDER[0], -SHOULDER[0]) for y in (SHOULDER[1], -SHOULDER[1])]
     pieces: list[tuple[list[Point], float, str, int]] = [
         ([shoulder, paw], body.tip_radius, "tip" if leg < TIPS else "leg", leg)
         for leg, (shoulder, paw) in enumerate(zip(shoulders, body.posts, strict=True))
     ]
     pieces.append(([(body.disc_x - body.disc_back, 0.0), (body.disc_x, 0.0)], body.disc_radius, "body", -1))
-    return [Part(rounded(way, wide + rim), rounded(way, wide), role, leg) for way, wide, role, leg in pieces]
+    return [
+        RobotPiece(rounded_outline(way, wide + rim), rounded_outline(way, wide), role, leg)
+        for way, wide, role, leg in pieces
+    ]
 
 
-def swung(points: list[Point], offset: Point) -> list[Point]:
+def swing_leg_outline(points: list[Point], offset: Point) -> list[Point]:
     """Return the outline of a leg whose paw is moved by an offset."""
     half = len(points) // 2
     return points[:half] + [(x + offset[0], y + offset[1]) for x, y in points[half:]]
 
 
-class Players:
+class PlayerDrawer:
     """Draws robots and ball through a view onto a canvas."""
 
     def __init__(self, league: League, view: View, canvas: Canvas) -> None:
@@ -133,10 +138,10 @@ class Players:
         body = league.body
         self.walks = league.drive.kind == "gait"
         self.rim = max(1.2, 0.006 * view.scale)  # [px]
-        self.parts = parts_of(body, self.rim / view.scale, self.walks)
+        self.parts = robot_pieces(body, self.rim / view.scale, self.walks)
         self.keeper_rim = 2.4 * self.rim  # [px]
-        self.keeper_parts = parts_of(body, self.keeper_rim / view.scale, self.walks)
-        self.keeper_edges = parts_of(body, (self.keeper_rim + 1.0) / view.scale, self.walks)
+        self.keeper_parts = robot_pieces(body, self.keeper_rim / view.scale, self.walks)
+        self.keeper_edges = robot_pieces(body, (self.keeper_rim + 1.0) / view.scale, self.walks)
         self.shadow = soft_shadow(1.25 * body.reach * view.scale)
         half = league.kicker.half_width
         depth = 0.14 * body.front
@@ -152,7 +157,7 @@ class Players:
             x, y = self.view.pixel(figure.x, figure.y)
             self.canvas.stamp(self.shadow, (x + 1.5, y + 2.5))
         for figure in playing:
-            with self.canvas.as_one():
+            with self.canvas.shrink_as_one():
                 if self.walks:
                     self._draw_walker(figure)
                 else:
@@ -200,11 +205,13 @@ class Players:
     def _draw_parts(self, figure: Figure, tip: Colour) -> None:
         """Draw legs or guides and the trunk, a goalkeeper's trunk with a wide yellow rim."""
         team = colours.TEAMS[figure.team]
-        fills = {"tip": tip, "body": faded(team) if figure.fallen > 0.0 else team, "leg": darker(team)}
+        fills = {"tip": tip, "body": fade_colour(team) if figure.fallen > 0.0 else team, "leg": darker(team)}
         for part, wide, edge in zip(self.parts, self.keeper_parts, self.keeper_edges):
             if part.leg >= 0 and figure.paws:
                 offset = figure.paws[part.leg]
-                part = part._replace(rim=swung(part.rim, offset), outline=swung(part.outline, offset))
+                part = part._replace(
+                    rim=swing_leg_outline(part.rim, offset), outline=swing_leg_outline(part.outline, offset)
+                )
             if part.role == "body" and figure.keeper:
                 self.canvas.polygon(self._pixels(edge.rim, figure), colours.INK)
                 self.canvas.polygon(self._pixels(wide.rim, figure), colours.KEEPER)
@@ -238,7 +245,7 @@ class Players:
             self.canvas.disc(centre, radius + self.keeper_rim, colours.KEEPER)
         self.canvas.disc(centre, radius + (0.0 if figure.keeper else 0.5 * self.rim), colours.CHASSIS)
         team = colours.TEAMS[figure.team]
-        self.canvas.disc(centre, radius - 1.6 * self.rim, faded(team) if figure.fallen > 0.0 else team)
+        self.canvas.disc(centre, radius - 1.6 * self.rim, fade_colour(team) if figure.fallen > 0.0 else team)
         self.canvas.polygon(self._pixels(self.kicker, figure), colours.AMBER if self._kicks(figure) else colours.STEEL)
         self.canvas.polygon(self._pixels(self.nose, figure), colours.WHITE)
 
@@ -283,7 +290,7 @@ def soft_shadow(radius: float) -> pygame.Surface:
     return image
 
 
-def faded(colour: Colour) -> Colour:
+def fade_colour(colour: Colour) -> Colour:
     """Return the colour mixed half and half with grey."""
     return tuple((part + grey) // 2 for part, grey in zip(colour, colours.GREY))  # type: ignore[return-value]
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.render.canvas import require_pygame
 from soccer_env.render.colours import PANEL
 
@@ -26,7 +26,7 @@ def save_png(frame: np.ndarray, path: str | PathLike[str]) -> None:
     content = png_of_frame(frame)
     if not fspath(path).lower().endswith(".png"):
         raise ValueError(f"the path of a picture must end with .png, got {fspath(path)!r}")
-    write_whole(Path(path), content)
+    write_atomically(Path(path), content)
 
 
 def png_of_frame(frame: np.ndarray) -> bytes:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.whole_files import written_aside
+from soccer_env.guards.whole_files import atomic_file
 from soccer_env.render import colours
 from soccer_env.render.sheet import check_frame
 
@@ -31,11 +31,13 @@ def video_kind(path: str | os.PathLike[str]) -> str:
     kind = Path(path).suffix.lower()
     if kind not in KINDS:
         raise ValueError(f"the path of a film must end with {' or '.join(KINDS)}, got {str(path)!r}")
-    need("imageio_ffmpeg" if kind == ".mp4" else "PIL.Image", "imageio-ffmpeg" if kind == ".mp4" else "pillow", kind)
+    import_video_module(
+        "imageio_ffmpeg" if kind == ".mp4" else "PIL.Image", "imageio-ffmpeg" if kind == ".mp4" else "pillow", kind
+    )
     return kind
 
 
-def need(module: str, name: str, kind: str) -> Any:
+def import_video_module(module: str, name: str, kind: str) -> Any:
     """Return a module of the extra `video`; ImportError says how to install it."""
     try:
         return import_module(module)
@@ -56,14 +58,14 @@ def write_video(path: str | os.PathLike[str], frames: Iterator[np.ndarray], fps:
     kind, target = video_kind(path), Path(path)
     if kind == ".gif" and count > MOST_GIF_FRAMES:
         raise ValueError(f"a GIF holds at most {MOST_GIF_FRAMES} frames, this one would have {count}: write an MP4")
-    with written_aside(target, kind) as aside:
+    with atomic_file(target, kind) as aside:
         (write_mp4 if kind == ".mp4" else write_gif)(aside, frames, fps)
     return target
 
 
 def write_mp4(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
     """Write an MP4 that browsers play: H.264, 4:2:0."""
-    ffmpeg = need("imageio_ffmpeg", "imageio-ffmpeg", ".mp4")
+    ffmpeg = import_video_module("imageio_ffmpeg", "imageio-ffmpeg", ".mp4")
     writer = None
     try:
         for frame in frames:
@@ -81,7 +83,7 @@ def write_mp4(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
 
 def write_gif(path: Path, frames: Iterator[np.ndarray], fps: float) -> None:
     """Write a GIF that repeats for ever, with one palette for all frames."""
-    image = need("PIL.Image", "pillow", ".gif")
+    image = import_video_module("PIL.Image", "pillow", ".gif")
     first = next(frames)
     check_frame(first)
     palette = image.fromarray(np.concatenate([first, swatches(first.shape[1])])).quantize(GIF_COLOURS)

@@ -43,7 +43,7 @@ def view_of(pitch: Pitch, width: int) -> tuple[View, int]:
     return View(scale, width / 2, height / 2, margin), height
 
 
-def rounded(corners: Sequence[Point], radius: float) -> list[Point]:
+def rounded_outline(corners: Sequence[Point], radius: float) -> list[Point]:
     """Return the outline around a convex polygon at a distance, both counter-clockwise; two corners give a capsule."""
     outline = []
     for index, (x, y) in enumerate(corners):

@@ -42,22 +42,22 @@ class Clips:
 
     def cut(self, whole: Replay) -> list[tuple[int, Replay]]:
         """Return the first control step of each clip, and the clip; `whole` is what the recorder has recorded."""
-        return [exact(whole, moments, min(step + self._after, len(whole))) for step, moments in self._marks]
+        return [exact_clip(whole, moments, min(step + self._after, len(whole))) for step, moments in self._marks]
 
 
-def exact(whole: Replay, moments: list[Moment], last: int) -> tuple[int, Replay]:
+def exact_clip(whole: Replay, moments: list[Moment], last: int) -> tuple[int, Replay]:
     """Return the shortest part of a replay up to step `last` that begins at one of `moments` and plays again."""
     for first, records in reversed(moments):
-        clip = part_of(whole, records, first, last)
+        clip = cut_steps(whole, records, first, last)
         try:
             clip.check()
         except ValueError:
             continue
         return first, clip
-    return 0, part_of(whole, whole.start, 0, last)
+    return 0, cut_steps(whole, whole.start, 0, last)
 
 
-def part_of(whole: Replay, start: bytes, first: int, last: int) -> Replay:
+def cut_steps(whole: Replay, start: bytes, first: int, last: int) -> Replay:
     """Return the control steps first, ..., last - 1 of a replay; `start`: the records at the first step."""
     log = [(step - first, rows, records) for step, rows, records in whole.log if first <= step < last]
     notes = whole.notes()

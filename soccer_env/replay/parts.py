@@ -5,18 +5,18 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from soccer_env.guards.ranges import outside
+from soccer_env.guards.ranges import first_out_of_range
 from soccer_env.match import Match
 from soccer_env.match.arguments import REPLAYED
-from soccer_env.match.settings import plain
+from soccer_env.match.settings import to_plain_types
 
 
-def as_numbers(records: np.ndarray) -> np.ndarray:
+def records_to_numbers(records: np.ndarray) -> np.ndarray:
     """Return records as numbers (..., fields); commands have 7 fields."""
     return np.stack([records[name] for name in records.dtype.names or ()], axis=-1)
 
 
-def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
+def numbers_to_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
     """Return numbers (T, M, R, fields) as records (T, M, R); ValueError for a wrong shape or range."""
     names = dtype.names or ()
     if numbers.ndim != 4 or numbers.shape[-1] != len(names) or numbers.dtype != np.float64:
@@ -24,12 +24,12 @@ def as_records(numbers: np.ndarray, dtype: np.dtype, what: str) -> np.ndarray:
     records = np.zeros(numbers.shape[:-1], dtype)
     for index, name in enumerate(names):
         records[name] = numbers[..., index]
-    if field := outside(records, robots=numbers.shape[2]):
+    if field := first_out_of_range(records, robots=numbers.shape[2]):
         raise ValueError(f"{field} of its {what} is out of range")
     return records
 
 
-def rebuild(kind: type, values: dict[str, Any]) -> Any:
+def rebuild_settings(kind: type, values: dict[str, Any]) -> Any:
     """Return a settings record from the plain values that `settings.plain` made of it; its own checks apply."""
     types = get_type_hints(kind)
     known = {item.name for item in fields(kind)}
@@ -38,7 +38,7 @@ def rebuild(kind: type, values: dict[str, Any]) -> Any:
     arguments = {}
     for name, value in values.items():
         if is_dataclass(types[name]):
-            value = rebuild(types[name], value)
+            value = rebuild_settings(types[name], value)
         elif name in ("sensors", "memory"):
             value = None  # a replay repeats commands: no robot senses
         elif name == "corners":
@@ -47,13 +47,13 @@ def rebuild(kind: type, values: dict[str, Any]) -> Any:
     return kind(**arguments)
 
 
-def describe(match: Match) -> dict[str, Any]:
+def replay_settings(match: Match) -> dict[str, Any]:
     """Return the settings of a match that a replay needs."""
     settings, scene = match.settings, match.settings.scene
     success = scene.success if isinstance(scene.success, str) else "none"
     playing = [squad for squad in match.squads if squad.plays is None or squad.plays[0]]  # the present team of a lineup
     return {
-        "league": plain(settings.league),
+        "league": to_plain_types(settings.league),
         **{name: getattr(settings, name) for name in REPLAYED},
         "max_players": settings.max_players if settings.padded else None,
         "max_cycles": settings.max_cycles,

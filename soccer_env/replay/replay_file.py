@@ -15,13 +15,13 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-from soccer_env.guards.checking import brief
-from soccer_env.guards.whole_files import read_plain, write_whole
+from soccer_env.guards.checking import short_repr
+from soccer_env.guards.whole_files import read_regular_file, write_atomically
 from soccer_env.leagues.league import League
 from soccer_env.match import Match, saving
 from soccer_env.match.arguments import REPLAYED, version
 from soccer_env.replay.checks import FORMAT, LARGEST, check_format, check_room, check_size, check_start
-from soccer_env.replay.parts import as_numbers, as_records, describe, rebuild
+from soccer_env.replay.parts import numbers_to_records, rebuild_settings, records_to_numbers, replay_settings
 from soccer_env.scenes import Scene
 from soccer_env.thoughts.thoughts import Notes, Thoughts
 from soccer_env.types import COMMAND, GAZE
@@ -83,7 +83,7 @@ class Recorder:
         self._match.recorder = None
         commands = np.array(self.commands) if self.commands else np.zeros((0, *self._match.robots.shape), COMMAND)
         gazes = np.array(self.gazes) if self.gazes else np.zeros(commands.shape, GAZE)
-        settings = describe(self._match)
+        settings = replay_settings(self._match)
         thoughts = {} if self.thoughts is None else self.thoughts.packed()
         return Replay(settings, self.start, commands, gazes, list(self.hashes), list(self.log), version(), thoughts)
 
@@ -104,7 +104,7 @@ class Replay:
         return len(self.commands)
 
     def __repr__(self) -> str:
-        names = (brief(name)[1:-1] for name in self.teams)  # of an untrusted file
+        names = (short_repr(name)[1:-1] for name in self.teams)  # of an untrusted file
         return f"<Replay of {' against '.join(names)}: {len(self)} control steps>"
 
     @property
@@ -132,7 +132,7 @@ class Replay:
         try:
             scene = settings["scene"]
             wanted = {name: settings[name] for name in (*REPLAYED, "matches")}
-            wanted["league"] = rebuild(League, settings["league"])
+            wanted["league"] = rebuild_settings(League, settings["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
             check_start(self.start, wanted)
             match = Match(actions="full", seed=0, **wanted)
@@ -157,7 +157,7 @@ class Replay:
             if step == len(self.commands):
                 return
             match.robots["gaze"] = self.gazes[step]
-            match.step(as_numbers(self.commands[step]))
+            match.step(records_to_numbers(self.commands[step]))
             if saving.play_hash(match) != self.hashes[step]:
                 raise ValueError(f"this replay differs from the recorded match at control step {step}{self._other()}")
             yield match
@@ -179,22 +179,22 @@ class Replay:
         arrays = {
             "header": np.frombuffer(json.dumps(header).encode(), np.uint8),
             "start": np.frombuffer(self.start, np.uint8),
-            "commands": as_numbers(self.commands),
-            "gazes": as_numbers(self.gazes),
+            "commands": records_to_numbers(self.commands),
+            "gazes": records_to_numbers(self.gazes),
             "hashes": np.array(self.hashes, "S32"),
             **{f"records_{index}": np.frombuffer(entry[2], np.uint8) for index, entry in enumerate(self.log)},
             **self.thoughts,
         }
         content = io.BytesIO()
         np.savez_compressed(content, **arrays)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
-        write_whole(path, content.getvalue())
+        write_atomically(path, content.getvalue())
         return path
 
     @staticmethod
     def read(path: str | Path) -> Replay:
         """Read a replay file; ValueError if it is damaged or no replay. Nothing in the file is executed."""
         try:
-            content = io.BytesIO(read_plain(path, LARGEST))
+            content = io.BytesIO(read_regular_file(path, LARGEST))
             check_size(content)
             with np.load(content, allow_pickle=False) as file:
                 arrays = {name: file[name] for name in file.files}
@@ -207,8 +207,8 @@ class Replay:
                 for index, (step, rows) in enumerate(header["log"])
             ]
             hashes = [value.decode() for value in arrays["hashes"]]
-            commands = as_records(arrays["commands"], COMMAND, "commands")
-            gazes = as_records(arrays["gazes"], GAZE, "gazes")
+            commands = numbers_to_records(arrays["commands"], COMMAND, "commands")
+            gazes = numbers_to_records(arrays["gazes"], GAZE, "gazes")
             if commands.shape != gazes.shape:
                 raise ValueError(f"it has commands of shape {commands.shape} and gazes of {gazes.shape}")
             if len(commands) != len(hashes):

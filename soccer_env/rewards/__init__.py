@@ -14,7 +14,7 @@ a loop, so that it cannot be farmed; a goal therefore also takes back the potent
 several control steps, s and s' are the states before the first and after the last.
 """
 
-from soccer_env.rewards.paying import make_pay, measure_potentials, reward_robots
+from soccer_env.rewards.paying import make_reward_kernel, measure_potentials, reward_robots
 from soccer_env.rewards.table import (
     COUNT,
     KINDS,
@@ -31,5 +31,5 @@ from soccer_env.rewards.table import (
 
 __all__ = [
     "COUNT", "KINDS", "NAMES", "POTENTIALS", "PRESETS", "TERMS", "WEIGHTS", "OwnTerm", "Rewards", "Term",
-    "find_rewards", "make_pay", "measure_potentials", "reward_robots",
+    "find_rewards", "make_reward_kernel", "measure_potentials", "reward_robots",
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from soccer_env.rewards.table import COUNT, TERMS, Term
 # the work. A term of weight 0 costs one comparison.
 
 
-def make_measure(terms: tuple[Term, ...]) -> Callable[..., None]:
+def make_potential_kernel(terms: tuple[Term, ...]) -> Callable[..., None]:
     """Return a kernel that writes a team's row of the potentials (2, potentials), one column for each term."""
 
     @inlined
@@ -37,7 +37,7 @@ def add_potential(measure_others, column, index, function):
     return measure
 
 
-def make_pay(terms: tuple[Term, ...]) -> Callable[..., None]:
+def make_reward_kernel(terms: tuple[Term, ...]) -> Callable[..., None]:
     """Return a kernel that adds the robots' rewards to an array (R, terms or more), one column for each term."""
 
     @inlined
@@ -85,8 +85,8 @@ def add_event(pay_others, column, function, sign):
     return pay
 
 
-measure_team = make_measure(TERMS)
-pay_robots = make_pay(TERMS)
+measure_team = make_potential_kernel(TERMS)
+pay_robots = make_reward_kernel(TERMS)
 
 
 @compiled

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.checking import SHARE, Range, check_names, number, one_of, refuse
-from soccer_env.guards.names import of_module
+from soccer_env.guards.checking import SHARE, Range, check_choice, check_finite_number, check_names, raise_not_allowed
+from soccer_env.guards.names import object_in_module
 from soccer_env.rewards.terms import approach, cover, crowding, effort, foul, guard, progress, score, shot, strength
 
 KINDS = ("potential", "event", "cost")
@@ -37,16 +37,16 @@ class OwnTerm:
 
     def __post_init__(self) -> None:
         if not callable(self.function):
-            refuse("OwnTerm.function", "a function of the Match", self.function)
-        one_of("OwnTerm.kind", self.kind, KINDS)
-        number("OwnTerm.weight", self.weight, WEIGHT)
+            raise_not_allowed("OwnTerm.function", "a function of the Match", self.function)
+        check_choice("OwnTerm.kind", self.kind, KINDS)
+        check_finite_number("OwnTerm.weight", self.weight, WEIGHT)
 
 
 TERMS = (
     Term("goal", "+1 when the own team scores, -1 when the opponents do", score, "event", 1.0),
     Term(
         "progress",
-        "how much nearer the ball is to the opponent's goal than to the own, over twice the length",
+        "how much nearer the ball is to the opponents' goal than to the own, divided by twice the pitch's length",
         progress, "potential", 0.5,
     ),
     Term(
@@ -100,8 +100,8 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     def __post_init__(self) -> None:
         for name in NAMES:
-            number(f"Rewards.{name}", getattr(self, name), WEIGHT)
-        number("Rewards.gamma", self.gamma, SHARE)
+            check_finite_number(f"Rewards.{name}", getattr(self, name), WEIGHT)
+        check_finite_number("Rewards.gamma", self.gamma, SHARE)
         own = {}
         for name, term in self.extra.items():
             if not (callable(term) or isinstance(term, OwnTerm)) or name in NAMES:
@@ -130,7 +130,7 @@ PRESETS = {
 
 def find_rewards(rewards: str | Rewards) -> Rewards:
     """Return the rewards of a preset or MODULE:NAME; a Rewards passes through. ValueError lists the presets."""
-    rewards = of_module("rewards", rewards, Rewards) or rewards
+    rewards = object_in_module("rewards", rewards, Rewards) or rewards
     if isinstance(rewards, Rewards):
         return rewards
     if callable(rewards):

@@ -6,8 +6,8 @@
 from math import asin, atan2, inf, pi, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, length
-from soccer_env.statistics.flights import ON_TARGET, aim_of
+from soccer_env.geometry import attack_direction, clip, length
+from soccer_env.statistics.flights import ON_TARGET, predict_aim
 from soccer_env.types import NO_TEAM
 
 CROWD = 3.0  # [body reaches] from the ball: a second robot within is in its mate's way, assumed
@@ -26,7 +26,7 @@ def shot(match, ball, robots, events, robot_events, k, r, weight):
     """Return the weight for a kick of the robot after which the ball would roll between the opponents' posts."""
     if robot_events[r].kick == 0 or events.restart != 0:
         return 0.0
-    return weight if aim_of(ball, direction_of(match, robots[r].team), k) == ON_TARGET else 0.0
+    return weight if predict_aim(ball, attack_direction(match, robots[r].team), k) == ON_TARGET else 0.0
 
 
 @compiled
@@ -34,19 +34,19 @@ def progress(match, ball, robots, k, team):
     """Return how much nearer the ball is to the opponents' goal than to the own, over twice the pitch's length."""
     half = 0.5 * k.pitch_length
     left, right = length(ball.x + half, ball.y), length(ball.x - half, ball.y)
-    return direction_of(match, team) * (left - right) / (2.0 * k.pitch_length)
+    return attack_direction(match, team) * (left - right) / (2.0 * k.pitch_length)
 
 
 @compiled
 def approach(match, ball, robots, k, team):
     """Return minus the distance of the team's nearest active robot from the ball, over the pitch's diagonal."""
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
-    square = nearest_square(ball, robots, team)
+    square = squared_nearest_distance(ball, robots, team)
     return -(0.0 if square == inf else sqrt(square)) / diagonal
 
 
 @compiled
-def nearest_square(ball, robots, team):
+def squared_nearest_distance(ball, robots, team):
     """Return the square of the distance [m2] of a team's nearest active robot from the ball, inf if it has none."""
     least = inf
     for r in range(robots.shape[0]):
@@ -63,8 +63,8 @@ def cover(match, ball, robots, k, team):
     The cover place is halfway between the ball and the own goal, outside the penalty area, where field players may not
     be. A mate that is out counts as a diagonal away; a team of one robot gets 0.
     """
-    first, mates = at_ball(ball, robots, team), 0
-    goal = -0.5 * k.pitch_length * direction_of(match, team)
+    first, mates = nearest_robot_to_ball(ball, robots, team), 0
+    goal = -0.5 * k.pitch_length * attack_direction(match, team)
     outside = 0.5 * k.pitch_length - k.pitch_penalty_depth - k.body_reach
     x, y = clip(0.5 * (ball.x + goal), -outside, outside), 0.5 * ball.y
     diagonal = length(k.pitch_length, k.pitch_width)
@@ -83,7 +83,7 @@ def guard(match, ball, robots, k, team):
 
     The goalkeeper counts as a disc of its reach; the farther it stands behind the line, the less it covers.
     """
-    forward = direction_of(match, team)
+    forward = attack_direction(match, team)
     x, y = 0.5 * k.pitch_length + forward * ball.x, forward * ball.y  # of the ball, from the middle of the own goal
     if x <= 0.0:
         return -1.0
@@ -102,7 +102,7 @@ def guard(match, ball, robots, k, team):
 @compiled
 def crowding(match, ball, robots, k, team):
     """Return minus the nearness to the ball of the team's second-nearest robot: 0 far from the ball, -1 at the ball."""
-    first, far = at_ball(ball, robots, team), CROWD * k.body_reach
+    first, far = nearest_robot_to_ball(ball, robots, team), CROWD * k.body_reach
     least = far
     for r in range(robots.shape[0]):
         if robots[r].team == team and r != first and robots[r].active == 1:
@@ -111,7 +111,7 @@ def crowding(match, ball, robots, k, team):
 
 
 @compiled
-def at_ball(ball, robots, team):
+def nearest_robot_to_ball(ball, robots, team):
     """Return the row of a team's active robot nearest to the ball, -1 if it has none."""
     first, least = -1, inf
     for r in range(robots.shape[0]):

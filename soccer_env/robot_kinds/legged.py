@@ -5,7 +5,7 @@ import numpy as np
 from soccer_env.belief.legged.believe import LEGGED_MEMORY, believe_slice
 from soccer_env.belief.legged.talk import SOUND_MESSAGE
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.leagues.robot_kind import CENTI, POLAR, Group, Noted, RobotKind, Seen
+from soccer_env.leagues.robot_kind import CENTI, POLAR, Group, NotedPercepts, PerceptSummary, RobotKind
 from soccer_env.observations.legged import entries, observe_slice
 from soccer_env.perception.legged.calibration import calibrate
 from soccer_env.perception.legged.sense import LEGGED_SENSOR_STATE, sense_slice
@@ -20,7 +20,7 @@ GROUPS: tuple[Group, ...] = (  # percepts of a camera on a head; those of severa
 )
 
 
-def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
+def percept_columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     """Return the columns that a replay keeps of robots (R,): head, blobs and obstacle, each (R, n, parts)."""
     obstacle = beliefs["obstacle"]
     arrays = {"head": np.stack([CENTI * percepts["pan"], CENTI * percepts["tilt"]], axis=-1)[:, None]}
@@ -32,11 +32,11 @@ def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     return arrays
 
 
-def seen(percepts: np.ndarray) -> Seen:
-    """Return the summary `Seen` of percepts (R,): ball, goals, number of players and of landmarks, ranger."""
+def summarise_percepts(percepts: np.ndarray) -> PerceptSummary:
+    """Return the summary `PerceptSummary` of percepts (R,): ball, goals, number of players and of landmarks, ranger."""
     ball, own_goal, opponent_goal = (percepts[name]["area"][:, 0] > 0 for name in ("ball", "own_goal", "opponent_goal"))
     mates, opponents, marks = ((percepts[n]["area"] > 0).sum(axis=1) for n in ("teammates", "opponents", "landmarks"))
-    return Seen(ball, own_goal, opponent_goal, mates + opponents, marks, percepts["infrared"])
+    return PerceptSummary(ball, own_goal, opponent_goal, mates + opponents, marks, percepts["infrared"])
 
 
 LEGGED = RobotKind(
@@ -50,5 +50,5 @@ LEGGED = RobotKind(
     entries=entries,
     observe=observe_slice,
     tables=calibrate,
-    noted=Noted(GROUPS, columns, seen),
+    noted=NotedPercepts(GROUPS, percept_columns, summarise_percepts),
 )

@@ -5,7 +5,7 @@ import numpy as np
 from soccer_env.belief.omni.believe import OMNI_MEMORY, believe_slice
 from soccer_env.belief.omni.radio import RADIO_MESSAGE
 from soccer_env.belief.particles import PARTICLE
-from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS, POLAR, Group, Noted, RobotKind, Seen
+from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS, POLAR, Group, NotedPercepts, PerceptSummary, RobotKind
 from soccer_env.observations.omni import entries, observe_slice
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
 from soccer_env.records.percepts import OMNI_PERCEPT
@@ -18,7 +18,7 @@ GROUPS: tuple[Group, ...] = (
 )
 
 
-def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
+def percept_columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     """Return the columns that a replay keeps of robots (R,): sightings and lines, each (R, n, parts)."""
     arrays = {}
     for name, count, _ in GROUPS[:-1]:
@@ -29,11 +29,11 @@ def columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     return arrays | {"lines": LINE_STEPS * percepts["lines"][..., None]}
 
 
-def seen(percepts: np.ndarray) -> Seen:
-    """Return the summary `Seen` of percepts (R,): ball, goals, players and lines; these robots have no ranger."""
+def summarise_percepts(percepts: np.ndarray) -> PerceptSummary:
+    """Return the `PerceptSummary` of percepts (R,): ball, goals, players and lines; these robots have no ranger."""
     ball, own_goal, opponent_goal = (percepts[name]["seen"] > 0 for name in ("ball", "own_goal", "opponent_goal"))
     players, lines = percepts["players"]["seen"].sum(axis=1), (percepts["lines"] > 0.0).sum(axis=1)
-    return Seen(ball, own_goal, opponent_goal, players, lines, np.zeros(len(percepts)))
+    return PerceptSummary(ball, own_goal, opponent_goal, players, lines, np.zeros(len(percepts)))
 
 
 OMNI = RobotKind(
@@ -47,6 +47,6 @@ OMNI = RobotKind(
     entries=entries,
     observe=observe_slice,
     tables=line_tables,
-    noted=Noted(GROUPS, columns, seen),
+    noted=NotedPercepts(GROUPS, percept_columns, summarise_percepts),
     late=lambda sensors: sensors.camera_delay,
 )

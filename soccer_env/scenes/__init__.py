@@ -13,7 +13,7 @@
 """
 
 from soccer_env.guards.checking import check_names
-from soccer_env.guards.names import MODULE_PATH, of_module
+from soccer_env.guards.names import MODULE_PATH, object_in_module
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
@@ -21,7 +21,7 @@ from soccer_env.scenes.drills_middle import DRILLS_MIDDLE
 from soccer_env.scenes.judging import SUCCESS, judge_drill
 from soccer_env.scenes.mixture import Mixture
 from soccer_env.scenes.scattered import SCATTERED
-from soccer_env.scenes.scene import Draw, Place, Scene, put, send_away
+from soccer_env.scenes.scene import Place, Scene, SceneRandom, put_robot, send_away
 
 KICK_OFF = Scene("kick-off", "a match from the kick-off on")
 SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE, *DRILLS_MIDDLE)}
@@ -29,7 +29,7 @@ SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_
 
 def find_scene(scene: str | Scene) -> Scene:
     """Return the scene of a name, MODULE:NAME or names with shares; a Scene passes through. ValueError lists names."""
-    chosen = of_module("scene", scene, Scene) or scene
+    chosen = object_in_module("scene", scene, Scene) or scene
     if isinstance(chosen, Scene):
         return chosen
     if isinstance(chosen, str) and not {",", ":"}.isdisjoint(chosen):
@@ -38,7 +38,7 @@ def find_scene(scene: str | Scene) -> Scene:
     return SCENES[chosen]
 
 
-def is_own(scene: Scene) -> bool:
+def is_user_scene(scene: Scene) -> bool:
     """Tell whether a scene, or a part of a mixture, is a user's own."""
     parts = scene.parts if isinstance(scene, Mixture) else (scene,)
     return any(SCENES.get(part.name) != part for part in parts)
@@ -46,7 +46,7 @@ def is_own(scene: Scene) -> bool:
 
 def mixture(text: str) -> Scene:
     """Return the mixture for a text such as "kick-off:0.6,MODULE:NAME:0.4"; the share is 1 if left out."""
-    parts = [share_of(part.strip()) for part in text.split(",")]
+    parts = [split_share(part.strip()) for part in text.split(",")]
     scenes = tuple(find_scene(name) for name, _ in parts)
     if len({name for name, _ in parts}) < len(parts):
         raise ValueError(f"scenes must be different, got {text!r}")
@@ -57,12 +57,12 @@ def mixture(text: str) -> Scene:
     return scenes[0] if len(scenes) == 1 else Mixture(text, "one of several scenes", parts=scenes, shares=shares)
 
 
-def names_in(text: str) -> list[str]:
+def scene_names(text: str) -> list[str]:
     """Return the names, or MODULE:NAME, of the scenes in a text of scenes with shares."""
-    return [share_of(part.strip())[0] for part in text.split(",")]
+    return [split_share(part.strip())[0] for part in text.split(",")]
 
 
-def share_of(part: str) -> tuple[str, str]:
+def split_share(part: str) -> tuple[str, str]:
     """Split NAME:share, NAME or MODULE:NAME:share into the scene's name and its share."""
     if MODULE_PATH.fullmatch(part) and part.partition(":")[0] not in SCENES:
         return part, "1"
@@ -71,6 +71,7 @@ def share_of(part: str) -> tuple[str, str]:
 
 
 __all__ = [
-    "SCENES", "SUCCESS", "Draw", "Mixture", "Place", "Scene", "find_scene", "is_own", "judge_drill", "mixture",
-    "names_in", "put", "send_away", "share_of",
+    "SCENES", "SUCCESS", "SceneRandom", "Mixture", "Place", "Scene", "find_scene", "is_user_scene", "judge_drill",
+    "mixture",
+    "scene_names", "put_robot", "send_away", "split_share",
 ]  # fmt: skip

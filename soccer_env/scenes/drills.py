@@ -4,11 +4,11 @@ from math import atan2, cos, pi, sin
 from typing import Any
 
 from soccer_env.leagues.league import League
-from soccer_env.scenes.scene import Draw, Scene, last_of, put, send_away
+from soccer_env.scenes.scene import Scene, SceneRandom, last_row, put_robot, send_away
 from soccer_env.types import HOME
 
 
-def place_empty_goal(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_empty_goal(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Put the ball a short way off the empty goal, home's last robot behind it, all other robots far behind."""
     goal = league.pitch.length / 2
     away = draw.between(0.15, 0.3) * league.pitch.length
@@ -18,12 +18,12 @@ def place_empty_goal(league: League, ball: Any, robots: Any, draw: Draw) -> None
     off = atan2(-ball["y"], goal - ball["x"]) + draw.between(-1.0, 1.0)
     x, y = ball["x"] - back * cos(off), ball["y"] - back * sin(off)
     limit = league.pitch.width / 2 - league.body.reach - league.foot
-    striker = last_of(robots, HOME)
+    striker = last_row(robots, HOME)
     send_away(league, robots, striker)
-    put(robots[striker], x, min(max(y, -limit), limit), off + draw.between(-0.5, 0.5))
+    put_robot(robots[striker], x, min(max(y, -limit), limit), off + draw.between(-0.5, 0.5))
 
 
-def place_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_shot(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Shoot between away's posts from 4 m (a third of a shorter pitch) at 4 m/s (80 % of a weaker kicker's speed)."""
     goal = league.pitch.length / 2
     away = min(4.0, league.pitch.length / 3)
@@ -34,7 +34,7 @@ def place_shot(league: League, ball: Any, robots: Any, draw: Draw) -> None:
     roll(ball, direction, min(4.0, 0.8 * league.kicker.fastest))
     keeper = goalkeeper_of_away(robots)
     send_away(league, robots, keeper)
-    put(robots[keeper], goal - league.body.reach - 0.05, 0.0, pi)
+    put_robot(robots[keeper], goal - league.body.reach - 0.05, 0.0, pi)
 
 
 def roll(ball: Any, direction: float, speed: float) -> None:

@@ -14,58 +14,58 @@ from typing import Any
 
 from soccer_env.leagues.league import League
 from soccer_env.scenes.drills_legged import PATIENT, put_inside
-from soccer_env.scenes.scene import Draw, Scene, last_of, put, send_away
+from soccer_env.scenes.scene import Scene, SceneRandom, last_row, put_robot, send_away
 from soccer_env.types import HOME
 
 AT_BOARD = 0.05  # [m] between ball and board, assumed
 IN_CORNER = 0.12  # [m] between ball and each of the two boards: ball centre within 25 cm of the corner, assumed
 
 
-def place_lost_ball(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_lost_ball(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Put the ball behind home's robot."""
-    seeker = last_of(robots, HOME)
+    seeker = last_row(robots, HOME)
     send_away(league, robots, seeker)
     x, y, heading = draw.between(0.45, 0.7), draw.between(-0.15, 0.15), draw.between(-pi, pi)
-    put(robots[seeker], x, y, heading)
+    put_robot(robots[seeker], x, y, heading)
     away, behind = draw.between(0.5, 0.7), heading + pi + draw.between(-0.35, 0.35)
     ball["x"], ball["y"] = x + away * cos(behind), y + away * sin(behind)
 
 
-def show_ball_ahead(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def show_ball_ahead(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Show the ball, at the robot's first look only, as far ahead of home's robot as the ball really lies behind.
     So the robot begins with an outdated memory, as after a dropped ball.
     """
-    seeker = robots[last_of(robots, HOME)]
+    seeker = robots[last_row(robots, HOME)]
     ball["x"], ball["y"] = 2.0 * seeker["x"] - ball["x"], 2.0 * seeker["y"] - ball["y"]
 
 
-def place_at_board(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_at_board(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Let the ball lie at the board of a touchline, home's robot a step away and turned to it."""
     side, gap = draw.side(), draw.between(0.0, AT_BOARD)
     ball["x"], ball["y"] = draw.between(-0.6, 1.1), side * (league.pitch.width / 2 - league.ball.radius - gap)
-    come_from_inside(league, ball, robots, draw, -side * pi / 2)
+    place_robot_inside(league, ball, robots, draw, -side * pi / 2)
 
 
-def place_in_corner(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_in_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Let the ball lie in a corner beside away's goal, home's robot a step away and turned to it."""
     side, radius = draw.side(), league.ball.radius
     ball["x"] = league.pitch.length / 2 - radius - draw.between(0.0, IN_CORNER)
     ball["y"] = side * (league.pitch.width / 2 - radius - draw.between(0.0, IN_CORNER))
-    come_from_inside(league, ball, robots, draw, -side * 3 * pi / 4)
+    place_robot_inside(league, ball, robots, draw, -side * 3 * pi / 4)
 
 
-def come_from_inside(league: League, ball: Any, robots: Any, draw: Draw, inwards: float) -> None:
+def place_robot_inside(league: League, ball: Any, robots: Any, draw: SceneRandom, inwards: float) -> None:
     """Put home's robot 0.4 to 0.8 m off the ball, up to 40 degrees aside of `inwards` [rad], turned to the ball."""
-    seeker = last_of(robots, HOME)
+    seeker = last_row(robots, HOME)
     send_away(league, robots, seeker)
     away, way = draw.between(0.4, 0.8), inwards + draw.between(-0.7, 0.7)
     put_inside(league, robots[seeker], ball["x"] + away * cos(way), ball["y"] + away * sin(way), 0.0)
     robot = robots[seeker]
     to_ball = atan2(ball["y"] - robot["y"], ball["x"] - robot["x"])
-    put(robot, robot["x"], robot["y"], to_ball + draw.between(-0.3, 0.3))
+    put_robot(robot, robot["x"], robot["y"], to_ball + draw.between(-0.3, 0.3))
 
 
-def alone(name: str, description: str, place: Any, shows: Any = None) -> Scene:
+def one_robot_drill(name: str, description: str, place: Any, shows: Any = None) -> Scene:
     """Return a drill of a minute for one robot."""
     return Scene(
         name, description, place, "home scores", 60.0, True, ("still",), most=3, families=("legged",), rules=PATIENT,
@@ -74,7 +74,9 @@ def alone(name: str, description: str, place: Any, shows: Any = None) -> Scene:
 
 
 DRILLS_ALONE = (
-    alone("lost-ball-behind", "a robot that saw the ball ahead, the ball behind it", place_lost_ball, show_ball_ahead),
-    alone("ball-at-board", "the ball at the board of a touchline", place_at_board),
-    alone("ball-in-corner", "the ball in a corner beside away's goal", place_in_corner),
+    one_robot_drill(
+        "lost-ball-behind", "a robot that saw the ball ahead, the ball behind it", place_lost_ball, show_ball_ahead
+    ),
+    one_robot_drill("ball-at-board", "the ball at the board of a touchline", place_at_board),
+    one_robot_drill("ball-in-corner", "the ball in a corner beside away's goal", place_in_corner),
 )

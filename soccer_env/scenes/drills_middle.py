@@ -18,8 +18,8 @@ from typing import Any
 
 from soccer_env.leagues.league import League
 from soccer_env.scenes.drills import goalkeeper_of_away, roll
-from soccer_env.scenes.drills_legged import PATIENT, last_rows, put_inside, touch
-from soccer_env.scenes.scene import Draw, Scene, last_of, put, send_away
+from soccer_env.scenes.drills_legged import PATIENT, last_rows, put_inside, touch_distance
+from soccer_env.scenes.scene import Scene, SceneRandom, last_row, put_robot, send_away
 from soccer_env.types import AWAY, HOME
 
 STEP = 1.2  # [m] between two obstacles of the challenge, along the pitch
@@ -28,7 +28,7 @@ OBSTACLES = 4
 LONGEST = 20.0  # [s] time limit of an attack
 
 
-def place_post_shot(league: League, ball: Any, robots: Any, draw: Draw, far: bool) -> None:
+def place_post_shot(league: League, ball: Any, robots: Any, draw: SceneRandom, far: bool) -> None:
     """Kick the ball from 3 to 5 m at 4 to 10 m/s at a post of away's goal, the goalkeeper between ball and goal."""
     goal, side = league.pitch.length / 2, draw.side()
     away, angle = draw.between(3.0, 5.0), side * draw.between(0.3, 0.8)
@@ -40,91 +40,94 @@ def place_post_shot(league: League, ball: Any, robots: Any, draw: Draw, far: boo
     keeper = goalkeeper_of_away(robots)
     send_away(league, robots, keeper)
     out = draw.between(0.5, 1.0)
-    put(robots[keeper], goal - out * cos(angle), out * sin(angle), pi - angle)
+    put_robot(robots[keeper], goal - out * cos(angle), out * sin(angle), pi - angle)
 
 
-def place_rolling(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_rolling(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Let the ball roll past home's last robot, from 3 to 5 m at 1 to 3 m/s, up to 1 m aside."""
-    receiver = last_of(robots, HOME)
+    receiver = last_row(robots, HOME)
     send_away(league, robots, receiver)
     x, y, way = draw.between(0.0, 1.5), draw.between(-1.0, 1.0), draw.between(-pi / 2, pi / 2)
     away, aside = draw.between(3.0, 3.5), draw.between(-1.0, 1.0)
     ball["x"], ball["y"] = x + away * cos(way), min(max(y + away * sin(way), -3.6), 3.6)
-    put(robots[receiver], x, y, way)
+    put_robot(robots[receiver], x, y, way)
     course = atan2(y - ball["y"], x - ball["x"]) + atan2(aside, away)
     roll(ball, course, draw.between(1.0, 3.0))
 
 
-def place_challenge(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_challenge(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Put still obstacles on the path from home's last robot, which has the ball, to the goal.  MH24"""
-    dribbler, others = last_of(robots, HOME), last_rows(robots, AWAY, OBSTACLES)
+    dribbler, others = last_row(robots, HOME), last_rows(robots, AWAY, OBSTACLES)
     send_away(league, robots, dribbler, *others)
     x, y, side = draw.between(-2.6, -2.3), draw.between(-0.5, 0.5), draw.side()
-    with_ball(league, ball, robots[dribbler], x, y, 0.0)
+    put_with_ball(league, ball, robots[dribbler], x, y, 0.0)
     for number, row in enumerate(others):
         off = side * (-1.0) ** number * ASIDE + draw.between(-0.1, 0.1)
-        put(robots[row], x + 1.6 + STEP * number + draw.between(-0.1, 0.1), y + off, draw.between(-pi, pi))
+        put_robot(robots[row], x + 1.6 + STEP * number + draw.between(-0.1, 0.1), y + off, draw.between(-pi, pi))
 
 
-def with_ball(league: League, ball: Any, robot: Any, x: float, y: float, heading: float) -> None:
+def put_with_ball(league: League, ball: Any, robot: Any, x: float, y: float, heading: float) -> None:
     """Put a robot at a pose [m, m, rad] with the ball at its kicker."""
-    put(robot, x, y, heading)
-    ball["x"], ball["y"] = x + touch(league) * cos(heading), y + touch(league) * sin(heading)
+    put_robot(robot, x, y, heading)
+    ball["x"], ball["y"] = x + touch_distance(league) * cos(heading), y + touch_distance(league) * sin(heading)
 
 
-def players_of(robots: Any, team: int, most: int) -> list[int]:
+def field_player_rows(robots: Any, team: int, most: int) -> list[int]:
     """Return the rows of up to `most` field players of a team, or of its goalkeeper if it has none."""
     rows = last_rows(robots, team, len(robots))
     field = [r for r in rows if not robots[r]["keeper"]]
     return (field or rows)[-most:]
 
 
-def place_three_v_one(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_three_v_one(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Put up to three players of home, the last with the ball, before one field player and the goalkeeper of away."""
     side = draw.side()
     places = [(draw.between(2.0, 3.0), side * 2.0), (draw.between(2.0, 3.0), -side * 2.0)]
-    attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
+    place_attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
 
 
-def place_counter(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_counter(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Put two of home, the last with the ball, before a player and the goalkeeper of away, two of away behind."""
     side = draw.side()
     behind = [(draw.between(-1.6, -1.2), 1.5), (draw.between(-1.6, -1.2), -1.5)]
-    attack(league, ball, robots, draw, [(0.5, side * draw.between(1.5, 2.5))], [*behind, (draw.between(2.0, 3.0), 0.0)])
+    place_attack(
+        league, ball, robots, draw, [(0.5, side * draw.between(1.5, 2.5))], [*behind, (draw.between(2.0, 3.0), 0.0)]
+    )
 
 
-def attack(
-    league: League, ball: Any, robots: Any, draw: Draw,
+def place_attack(
+    league: League, ball: Any, robots: Any, draw: SceneRandom,
     mates: list[tuple[float, float]], defenders: list[tuple[float, float]],
 ) -> None:  # fmt: skip
     """Put home's last field player with the ball near the centre spot; put mates, away's players and goalkeeper."""
-    own = players_of(robots, HOME, 1 + len(mates))
-    keeper, others = goalkeeper_of_away(robots), players_of(robots, AWAY, len(defenders))
+    own = field_player_rows(robots, HOME, 1 + len(mates))
+    keeper, others = goalkeeper_of_away(robots), field_player_rows(robots, AWAY, len(defenders))
     others = [row for row in others if row != keeper]
     send_away(league, robots, keeper, *own, *others)
-    with_ball(league, ball, robots[own[-1]], draw.between(-0.3, 0.3), draw.between(-0.4, 0.4), 0.0)
+    put_with_ball(league, ball, robots[own[-1]], draw.between(-0.3, 0.3), draw.between(-0.4, 0.4), 0.0)
     for row, (x, y) in zip(own[:-1], mates, strict=False):
         put_inside(league, robots[row], x, y, 0.0)
     for row, (x, y) in zip(reversed(others), reversed(defenders), strict=False):
         put_inside(league, robots[row], x, y, pi)
-    put(robots[keeper], league.pitch.length / 2 - 0.8, 0.0, pi)
+    put_robot(robots[keeper], league.pitch.length / 2 - 0.8, 0.0, pi)
 
 
-def drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
+def middle_size_drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
     """Return a drill of the middle-size league without whistles."""
     return Scene(name, description, place, success, limit, True, families=("middle-size",), rules=PATIENT, **more)
 
 
 DRILLS_MIDDLE = (
-    drill("far-post-shot", "a kick at the farther post of away's goal", partial(place_post_shot, far=True),
+    middle_size_drill("far-post-shot", "a kick at the farther post of away's goal", partial(place_post_shot, far=True),
           "away saves", 10.0),
-    drill("near-post-shot", "a kick at the nearer post of away's goal", partial(place_post_shot, far=False),
+    middle_size_drill("near-post-shot", "a kick at the nearer post of away's goal", partial(place_post_shot, far=False),
           "away saves", 10.0),
-    drill("receive-pass", "a ball that rolls past home's last robot", place_rolling, "home gets the ball", 6.0),
-    drill("challenge-2003", "home's last robot with the ball, four still obstacles on its way", place_challenge,
-          "home gets past", 20.0, opponents=("still",) * OBSTACLES),
-    drill("three-v-one", "three of home's with the ball before one of away's and its goalkeeper", place_three_v_one,
-          "home scores", LONGEST, opponents=("chaser", "chaser"), players=4),
-    drill("counter-attack", "two of home's with the ball run at one of away's and its goalkeeper", place_counter,
-          "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
+    middle_size_drill("receive-pass", "a ball that rolls past home's last robot", place_rolling,
+        "home gets the ball", 6.0),
+    middle_size_drill("challenge-2003", "home's last robot with the ball, four still obstacles on its way",
+          place_challenge, "home gets past", 20.0, opponents=("still",) * OBSTACLES),
+    middle_size_drill("three-v-one", "three of home's with the ball before one of away's and its goalkeeper",
+          place_three_v_one, "home scores", LONGEST, opponents=("chaser", "chaser"), players=4),
+    middle_size_drill("counter-attack", "two of home's with the ball run at one of away's and its goalkeeper",
+          place_counter, "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
 )  # fmt: skip

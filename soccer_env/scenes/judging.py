@@ -52,9 +52,9 @@ def judge_drill(match, ball, robots, robot_events, events, k):
     elif k.drill == SAVE:
         result = 1 if events.out == 1 or ball.vx * match.home_direction <= SLOW_BALL else 0
     elif k.drill == GET:
-        result = 1 if has_ball(robots, HOME) else 0
+        result = 1 if team_has_ball(robots, HOME) else 0
     elif k.drill == FREE:
-        result = who_is_free(match, ball, robots, k)
+        result = judge_challenge(match, ball, robots, k)
     else:
         result = judge_dribble(match, ball, robots, robot_events, k)
     events.drill = result
@@ -64,7 +64,7 @@ def judge_drill(match, ball, robots, robot_events, events, k):
 
 
 @compiled
-def has_ball(robots, team):
+def team_has_ball(robots, team):
     """Tell whether one of a team's robots had the ball after the last step."""
     held = False
     for r in range(robots.shape[0]):
@@ -73,7 +73,7 @@ def has_ball(robots, team):
 
 
 @compiled
-def is_near(ball, robots, team, k):
+def is_team_near_ball(ball, robots, team, k):
     """Tell whether a robot of a team is near enough to contest the ball."""
     far = k.body_reach + k.ball_radius + NEAR_BALL
     for r in range(robots.shape[0]):
@@ -85,15 +85,15 @@ def is_near(ball, robots, team, k):
 
 
 @compiled
-def who_is_free(match, ball, robots, k):
+def judge_challenge(match, ball, robots, k):
     """Return +1 if home has freed the ball, -1 if away has, else 0; the ball lay at restart_x, restart_y.
 
     If both have a ball that was carried far, the winner is the team that attacks in the direction of that motion.
     """
-    home, away = has_ball(robots, HOME), has_ball(robots, AWAY)
-    if home and not is_near(ball, robots, AWAY, k):
+    home, away = team_has_ball(robots, HOME), team_has_ball(robots, AWAY)
+    if home and not is_team_near_ball(ball, robots, AWAY, k):
         return 1
-    if away and not is_near(ball, robots, HOME, k):
+    if away and not is_team_near_ball(ball, robots, HOME, k):
         return -1
     x, y = ball.x - match.restart_x, ball.y - match.restart_y
     if not (home or away) or length(x, y) <= CARRIED:

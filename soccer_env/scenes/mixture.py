@@ -6,7 +6,7 @@ from math import isfinite
 import numpy as np
 
 from soccer_env.leagues.league import League
-from soccer_env.random_numbers import start_streams, uniform
+from soccer_env.random_numbers import draw_uniform, start_streams
 from soccer_env.scenes.scene import Scene
 from soccer_env.types import NOISE_STREAMS
 
@@ -32,7 +32,7 @@ class Mixture(Scene):
         noise = np.zeros(NOISE_STREAMS, np.uint64)
         with np.errstate(over="ignore"):
             start_streams(noise, np.uint64(seed), episode, CHOOSER)
-            drawn = uniform(noise, 0)
+            drawn = draw_uniform(noise, 0)
         edges = np.cumsum(self.shares)
         return self.parts[min(int(np.searchsorted(edges, drawn * edges[-1], side="right")), len(self.parts) - 1)]
 

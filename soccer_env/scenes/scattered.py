@@ -8,31 +8,31 @@ from typing import Any
 
 from soccer_env.geometry import length
 from soccer_env.leagues.league import League
-from soccer_env.scenes.scene import Draw, Scene, put
+from soccer_env.scenes.scene import Scene, SceneRandom, put_robot
 
 TRIES = 200  # places drawn for a robot until one is free
 MISLED = 0.5  # [1] of the episodes: robots first see the ball at a wrong place, assumed
 KEEPERS_ROOM = 0.5  # [m] in front of the goal line in which goalkeepers stand, assumed
 
 
-def place_anywhere(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_anywhere(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Put the ball anywhere, robots anywhere clear of it and of each other, goalkeepers before their goals."""
     draw_ball(league, ball, draw)
     taken = [(float(ball["x"]), float(ball["y"]))]
     for robot in robots:
         if robot["active"]:
             x, y = draw_place(league, robot, draw, taken)
-            put(robot, x, y, draw.between(-pi, pi))
+            put_robot(robot, x, y, draw.between(-pi, pi))
             taken.append((x, y))
 
 
-def draw_ball(league: League, ball: Any, draw: Draw) -> None:
+def draw_ball(league: League, ball: Any, draw: SceneRandom) -> None:
     """Put the ball anywhere on the pitch, at rest."""
     room_x, room_y = (0.5 * side - league.ball.radius for side in (league.pitch.length, league.pitch.width))
     ball["x"], ball["y"] = draw.between(-room_x, room_x), draw.between(-room_y, room_y)
 
 
-def draw_place(league: League, robot: Any, draw: Draw, taken: list[tuple[float, float]]) -> tuple[float, float]:
+def draw_place(league: League, robot: Any, draw: SceneRandom, taken: list[tuple[float, float]]) -> tuple[float, float]:
     """Return a place [m, m] for a robot, clear of the places that are taken."""
     room = league.body.reach + league.foot
     edge_x, edge_y = 0.5 * league.pitch.length - room, 0.5 * league.pitch.width - room
@@ -46,10 +46,12 @@ def draw_place(league: League, robot: Any, draw: Draw, taken: list[tuple[float, 
     return float(robot["x"]), float(robot["y"])  # its place at the kick-off
 
 
-def mislead(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def show_wrong_ball(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Show the ball at a wrong place in half of the episodes."""
     if draw.between(0.0, 1.0) < MISLED:
         draw_ball(league, ball, draw)
 
 
-SCATTERED = Scene("scattered", "in play: ball and robots anywhere", place_anywhere, in_play=True, most=5, shows=mislead)
+SCATTERED = Scene(
+    "scattered", "in play: ball and robots anywhere", place_anywhere, in_play=True, most=5, shows=show_wrong_ball
+)

@@ -9,14 +9,14 @@ from typing import Any
 
 from soccer_env.geometry import wrap
 from soccer_env.leagues.league import League
-from soccer_env.random_numbers import uniform
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.scenes.judging import SUCCESS
 from soccer_env.types import MAX_TEAM, MatchStream
 
 SCENE = int(MatchStream.SCENE)
 
 
-class Draw:
+class SceneRandom:
     """Random numbers from a scene's own noise stream."""
 
     def __init__(self, match: Any) -> None:
@@ -24,14 +24,14 @@ class Draw:
 
     def between(self, low: float, high: float) -> float:
         """Draw a number from [low, high)."""
-        return low + (high - low) * float(uniform(self.noise, SCENE))
+        return low + (high - low) * float(draw_uniform(self.noise, SCENE))
 
     def side(self) -> float:
         """Draw +1 (left) or -1 (right)."""
         return 1.0 if self.between(0.0, 1.0) < 0.5 else -1.0
 
 
-Place = Callable[[League, Any, Any, Draw], None]
+Place = Callable[[League, Any, Any, SceneRandom], None]
 
 
 @dataclass(frozen=True, repr=False)
@@ -84,19 +84,19 @@ class Scene:
 
     def check(self, league: League, home: int, away: int) -> None:
         """Raise ValueError if the scene does not fit the league or the number of players a side."""
-        league.must_be_of(self.families, f"scene {self.name!r}")
+        league.require_family(self.families, f"scene {self.name!r}")
         least = max(len(self.opponents), 1)
         for side, size, low in (("home", home, 1), ("away", away, least)):
             if not low <= size <= self.most:
                 raise ValueError(f"{side} must be {low} to {self.most} in scene {self.name!r}, got {size}")
 
 
-def put(robot: Any, x: float, y: float, heading: float) -> None:
+def put_robot(robot: Any, x: float, y: float, heading: float) -> None:
     """Put a robot at a pose [m, m, rad]."""
     robot["x"], robot["y"], robot["heading"] = x, y, float(wrap(heading))
 
 
-def last_of(robots: Any, team: int) -> int:
+def last_row(robots: Any, team: int) -> int:
     """Return the row of a team's last active robot."""
     return max(r for r in range(len(robots)) if robots[r]["team"] == team and robots[r]["active"])
 
@@ -110,4 +110,4 @@ def send_away(league: League, robots: Any, *but: int) -> None:
         if r not in but and robots[r]["active"]:
             column, row = r % columns, r // columns
             x = -league.pitch.length / 2 + (column + 0.6) * step
-            put(robots[r], x, edge - row * min(step, 2 * edge / max(rows - 1, 1)), 0.0)
+            put_robot(robots[r], x, edge - row * min(step, 2 * edge / max(rows - 1, 1)), 0.0)

@@ -13,9 +13,9 @@ import numpy as np
 
 from soccer_env.guards.checking import ABOVE_ZERO, FROM_ZERO, Range
 from soccer_env.render.frame import LEAST_WIDTH, MOST_WIDTH, Picture
-from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
-from soccer_env.render.overlays.layers import overlays_of
-from soccer_env.render.overlays.onlooker import Reel, past_of
+from soccer_env.render.overlays.flags import OverlayFlags, select_flags
+from soccer_env.render.overlays.layers import make_overlays
+from soccer_env.render.overlays.onlooker import ReplaySnapshots, new_past_queue
 from soccer_env.render.video import gif_rate, video_kind, write_video
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def make_film(
 ) -> Path:  # fmt: skip
     """Write the first match of a replay as a film; `note` is called after each frame. See `showing.video`."""
     kind = video_kind(path)
-    check_new(path, anew)
+    check_overwrite(path, anew)
     count, frames, fps = film_frames(replay, settings, kind, note)
     return write_video(path, frames, fps, count)
 
@@ -73,22 +73,22 @@ def film_frames(
     replay: Replay, settings: FilmSettings, kind: str, note: Callable[[int], None] | None = None
 ) -> tuple[int, Iterator[np.ndarray], float]:
     """Return the number of frames of a film, the frames (H, W, 3) uint8, and their rate [1/s]."""
-    flags = part_of_flags(settings)
-    reel = Reel(replay, flags.any)
+    flags = select_flags(settings)
+    reel = ReplaySnapshots(replay, flags.any)
     league = reel.cast.league
     steps, fps = drawn_steps(settings, kind, league.control_rate, len(replay))
     picture = Picture(league, settings.width)
-    reel.cast.picked(flags, reel.first)
+    reel.cast.selected_row(flags, reel.first)
 
     def frames() -> Iterator[np.ndarray]:
-        shots, past, at = reel.shots(), past_of(reel.cast), -1
+        shots, past, at = reel.shots(), new_past_queue(reel.cast), -1
         frame = np.zeros(0)
         for step in steps.tolist():
             if step > at:
                 for shot in islice(shots, step - at):
                     past.append(shot)
                 at = step
-                overlays = overlays_of(flags, reel.cast, past[-1], list(past)[:-1], settings.width)
+                overlays = make_overlays(flags, reel.cast, past[-1], list(past)[:-1], settings.width)
                 frame = picture.draw(*past[-1][:3], title=replay.teams, overlays=overlays)
             yield frame
             if note is not None:
@@ -97,7 +97,7 @@ def film_frames(
     return len(steps), frames(), fps
 
 
-def check_new(path: str | os.PathLike[str], anew: bool) -> None:
+def check_overwrite(path: str | os.PathLike[str], anew: bool) -> None:
     """Raise ValueError if the path is a folder, or a file that must not be overwritten."""
     if Path(path).is_dir():
         raise ValueError(f"{os.fspath(path)} is a folder, not the file to write")

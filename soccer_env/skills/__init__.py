@@ -12,6 +12,6 @@ keeping_rules.py  where a player may not go, and how it avoids pushing
 
 from soccer_env.skills.moves import go, push, stand, turn_by
 from soccer_env.skills.settings import fitted, skill_settings
-from soccer_env.skills.sight import SIGHT, look
+from soccer_env.skills.sight import SIGHT, fill_sight
 
-__all__ = ["SIGHT", "fitted", "go", "look", "push", "skill_settings", "stand", "turn_by"]
+__all__ = ["SIGHT", "fitted", "go", "fill_sight", "push", "skill_settings", "stand", "turn_by"]

@@ -6,8 +6,8 @@
 from math import atan2, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, toward, wrap
-from soccer_env.skills.moves import free_way, goal_room
+from soccer_env.geometry import clip, length, step_toward, wrap
+from soccer_env.skills.moves import free_roll_distance, goal_room
 
 PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
 AGAINST = 0.5  # cosine of the angle off the ball's way within which an opponent stands against it, 60 degrees, assumed
@@ -39,7 +39,7 @@ def turn_about_ball(command, sight, memory, k, play, error):
     rate = sqrt(play.circle_share * k.drive_acceleration / sight.touch) * sight.pace
     last = clip(memory.turn * k.drive_turn, -rate, rate)
     wanted = clip(error / play.settle * sight.pace, -rate, rate)
-    turn = toward(last, wanted, rate * rate * sight.elapsed)
+    turn = step_toward(last, wanted, rate * rate * sight.elapsed)
     command.turn = turn / k.drive_turn
     command.left = -turn * sight.touch / k.drive_sideways
 
@@ -79,4 +79,4 @@ def pushing_speed(sight, k, ux, uy):
 @compiled
 def line_speed(sight, k, ux, uy):
     """Return the speed [m/s] at which to push the ball along (ux, uy): half the speed that rolls it off the pitch."""
-    return max(0.5 * sqrt(2.0 * k.ball_rolling * free_way(sight, k, ux, uy)), SLOW)
+    return max(0.5 * sqrt(2.0 * k.ball_rolling * free_roll_distance(sight, k, ux, uy)), SLOW)

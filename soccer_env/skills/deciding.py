@@ -6,7 +6,7 @@ A team's memory has `wait` and `aim_error`, and `forward`, `aside`, `turn` and `
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.random_numbers import normal
+from soccer_env.random_numbers import draw_normal
 from soccer_env.skills.moves import stand
 from soccer_env.types import Phase, RobotStream
 
@@ -37,7 +37,7 @@ def apply_strength(sight, memory, noise, k, weakness, wait, aim, pace):
     most at `pace` [1] times its top speed.
     """
     memory.wait = weakness * wait
-    memory.aim_error = weakness * aim * normal(noise, TEAM)
+    memory.aim_error = weakness * aim * draw_normal(noise, TEAM)
     sight.elapsed = max(k.dt, memory.wait)
     sight.pace = 1.0 - weakness * (1.0 - pace)
 
@@ -50,7 +50,7 @@ def keep_decision(memory, command):
 
 
 @compiled
-def free_ring(situation, k):
+def required_ball_distance(situation, k):
     """Return the distance [m] from the ball that the rules demand of a player now; 0 in play and at the own restart."""
     if situation.phase == PLAY or situation.ours >= 0.0:
         return 0.0

@@ -71,7 +71,7 @@ def wait_at_area(command, sight, k, play):
 
 
 @compiled
-def mind_pushing(obstacle, command, sight, memory, k, retreat):
+def avoid_pushing_foul(obstacle, command, sight, memory, k, retreat):
     """Step back from an opponent that the player has walked into, `retreat` [s] before the allowed time is over.
 
     A player that looks down at the ball does not see a robot behind the ball, and robots do not feel contacts: near the

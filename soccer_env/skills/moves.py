@@ -84,7 +84,7 @@ def go(command, sight, k, play, x, y, facing, final):
     ahead, left = into_frame(dx, dy, sight.cosine, sight.sine)
     speed = max(final, braking_speed(k, play, distance))
     if k.rules_charging == 1:
-        dx, dy, speed = hold_back(sight, k, play, dx, dy, speed, final > 0.0)
+        dx, dy, speed = brake_before_robots(sight, k, play, dx, dy, speed, final > 0.0)
         ahead, left = into_frame(dx, dy, sight.cosine, sight.sine)
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         drive_differential(command, sight, k, play, ahead, left, distance, facing, speed)
@@ -96,7 +96,7 @@ def go(command, sight, k, play, x, y, facing, final):
 
 
 @compiled
-def hold_back(sight, k, play, dx, dy, speed, fights):
+def brake_before_robots(sight, k, play, dx, dy, speed, fights):
     """Limit a velocity so that the player can brake before every robot; return direction (unit vector) and speed [m/s].
 
     A player that fights for the ball may drive at players at the ball, but never at a goalkeeper.
@@ -201,7 +201,7 @@ def lane_room(sight, k, ux, uy, far):
 
 
 @compiled
-def turned_away(sight, ux, uy):
+def misalignment(sight, ux, uy):
     """Return 1 - cosine of the angle between heading and (ux, uy): 0 facing along it, 1 square to it, 2 opposite."""
     return 1.0 - sight.cosine * ux - sight.sine * uy
 
@@ -220,7 +220,7 @@ def choose_shot(sight, k):
         away = max(length(goal, y), 1e-6)
         ux, uy = goal / away, y / away
         room = shot_room(sight, k, ux, uy)
-        worth = room - TURN_COST * turned_away(sight, ux, uy)
+        worth = room - TURN_COST * misalignment(sight, ux, uy)
         if worth > best:
             best = worth
             best_x, best_y = ux, uy
@@ -229,18 +229,20 @@ def choose_shot(sight, k):
 
 
 @compiled
-def choose_way(sight, k, play):
+def choose_dribble_direction(sight, k, play):
     """Return the best unit vector along which to dribble, out of a fan around the direction of the goal."""
     x, y = 0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(x, y), 1e-6)
     side = side_of(sight.ball_y)
     far = min(play.way_on, away)
-    ux, uy = turned(x / away, y / away, -side * FAN * FAN_STEP)
+    ux, uy = rotate_vector(x / away, y / away, -side * FAN * FAN_STEP)
     best = -1e9
     best_x, best_y = ux, uy
     for i in range(-FAN, FAN + 1):
-        worth = lane_room(sight, k, ux, uy, far) - FAN_COST * abs(i) * FAN_STEP - TURN_COST * turned_away(sight, ux, uy)
-        worth -= OUT_COST * max(1.0 - free_way(sight, k, ux, uy) / play.way_on, 0.0)
+        worth = (
+            lane_room(sight, k, ux, uy, far) - FAN_COST * abs(i) * FAN_STEP - TURN_COST * misalignment(sight, ux, uy)
+        )
+        worth -= OUT_COST * max(1.0 - free_roll_distance(sight, k, ux, uy) / play.way_on, 0.0)
         worth -= play.wing_cost * abs(sight.ball_y + play.way_on * uy) / (0.5 * k.pitch_width)
         if worth > best:
             best = worth
@@ -250,7 +252,7 @@ def choose_way(sight, k, play):
 
 
 @compiled
-def way_clear(sight, k):
+def clearing_direction(sight, k):
     """Return the unit vector along which the ball is played clear of the own goal, never across its mouth.
 
     The direction leads away from a point half a goal's width behind the middle of the goal: straight out from the
@@ -269,7 +271,7 @@ def faces(sight, ux, uy, cosine):
 
 
 @compiled
-def free_way(sight, k, ux, uy):
+def free_roll_distance(sight, k, ux, uy):
     """Return the distance [m] that a ball can roll along (ux, uy) before it leaves the pitch or meets a board."""
     ahead = (0.5 * k.pitch_length - side_of(ux) * sight.ball_x) / max(abs(ux), 1e-6)
     aside = (0.5 * k.pitch_width - side_of(uy) * sight.ball_y) / max(abs(uy), 1e-6)
@@ -277,6 +279,6 @@ def free_way(sight, k, ux, uy):
 
 
 @compiled
-def turned(ux, uy, angle):
+def rotate_vector(ux, uy, angle):
     """Return a vector turned by an angle [rad]."""
     return out_of_frame(ux, uy, cos(angle), sin(angle))

@@ -19,7 +19,7 @@ THERE = 2.0  # [body reaches] from a lookout at which the search on the spot beg
 
 
 @compiled
-def search(belief, command, sight, memory, k, play):
+def search_for_ball(belief, command, sight, memory, k, play):
     """Turn a full circle, always to one side; then walk to a lookout and turn again.
 
     A camera on a head sees little more than the field before the robot; a robot that sees all round walks at once.

@@ -46,12 +46,12 @@ def note_set_piece(situation, sight, memory, k):
         left = max(abs(memory.set_piece) - sight.elapsed, 0.0)
         memory.set_piece = left if memory.set_piece > 0.0 else -left
         near = sight.distance < sight.touch + TOUCHED
-        if somebody_has_it(sight) or (near and memory.set_piece < 0.0):
+        if other_has_ball(sight) or (near and memory.set_piece < 0.0):
             memory.set_piece = 0.0
 
 
 @compiled
-def somebody_has_it(sight):
+def other_has_ball(sight):
     """Tell whether another player touches the ball or nearly does."""
     for i in range(sight.others):
         if length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < sight.touch + TOUCHED:
@@ -65,14 +65,14 @@ def take_restart(command, situation, sight, k, play):
     if situation.phase_clock < WAIT:
         return
     far = TAP if situation.phase == KICK_OFF else PASS
-    command.kick = strength_for(k, far, ARRIVAL if far == PASS else 0.0)
+    command.kick = kick_strength_for(k, far, ARRIVAL if far == PASS else 0.0)
     if sight.held == 0:
         command.forward = STEP / k.drive_forward
         turn_by(command, sight, k, play, clip(sight.bearing, -0.3, 0.3))
 
 
 @compiled
-def strength_for(k, far, arrival):
+def kick_strength_for(k, far, arrival):
     """Return the strength of a kick [1] after which the ball rolls past a distance [m] at a speed [m/s].
 
     The distance over which the ball first slides is left out.
@@ -101,7 +101,7 @@ def leave_ball(command, sight, k, play):
 
 
 @compiled
-def out_of_area(sight, k, x, y, ring):
+def move_out_of_area(sight, k, x, y, ring):
     """Return a supporter's place [m, m] moved out of its own penalty area, at least `ring` [m] from the ball."""
     if k.rules_penalty_area == 0 or abs(y) > 0.5 * k.pitch_penalty_width + k.body_reach:
         return x, y
@@ -112,7 +112,7 @@ def out_of_area(sight, k, x, y, ring):
 
 
 @compiled
-def round_ball(sight, k, x, y):
+def waypoint_round_ball(sight, k, x, y):
     """Return the point [m, m] to pass first on the way to (x, y), so that a supporter does not run into the ball.
 
     A player that runs back past the ball would otherwise push it towards its own goal.
@@ -129,7 +129,7 @@ def round_ball(sight, k, x, y):
 
 
 @compiled
-def holds_off(sight, k):
+def should_block_opponent(sight, k):
     """Tell whether to block an opponent that has the ball rather than fight for the ball, which would be a foul."""
     if k.rules_charging == 0 or sight.ball_x < DEFEND - 0.5 * k.pitch_length:
         return False

@@ -11,7 +11,7 @@ The kernel made by `per_player(act, SIGHT)` then has a record for `look`, and se
 
 import numpy as np
 
-from soccer_env.guards.checking import number
+from soccer_env.guards.checking import check_finite_number
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot import DRIVE_KINDS
@@ -40,11 +40,11 @@ FOLLOWS = {"arrived": 1, "walk_ahead": 1}  # which of the three a number grows w
 
 def skill_settings(**own: float) -> np.ndarray:
     """Return the settings (3,) of the skills, one record for each of `DRIVE_KINDS`; a team's own fields come first."""
-    given = {name: 3 * (number(name, value),) for name, value in own.items()}
-    return rows_of({**given, **NUMBERS})
+    given = {name: 3 * (check_finite_number(name, value),) for name, value in own.items()}
+    return settings_rows({**given, **NUMBERS})
 
 
-def rows_of(numbers: dict[str, tuple[float, float, float]]) -> np.ndarray:
+def settings_rows(numbers: dict[str, tuple[float, float, float]]) -> np.ndarray:
     """Convert numbers by name, each for the three kinds of base, to records (3,), one for each kind."""
     dtype = np.dtype([(name, "f8") for name in numbers])
     return np.array([tuple(values[kind] for values in numbers.values()) for kind in range(len(DRIVE_KINDS))], dtype)

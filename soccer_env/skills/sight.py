@@ -1,8 +1,8 @@
 """The sight of a scripted player: its belief about the match in the team frame, own goal at -x, the opponents' at +x.
 
-Beliefs and tracks are relative to the robot; `look` converts them once a decision into one flat record, so that skills
-can be written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are even,
-sine terms odd.
+Beliefs and tracks are relative to the robot; `fill_sight` converts them once a decision into one flat record, so that
+skills can be written for a team that attacks +x. Everything here is exact under a left-right mirror: cosine terms are
+even, sine terms odd.
 
 `k`: the league's constants.
 """
@@ -55,7 +55,7 @@ SIGHT = np.dtype(
 
 
 @compiled
-def look(sight, belief, tracks, k):
+def fill_sight(sight, belief, tracks, k):
     """Fill one robot's sight from its belief and tracks (slots,), predicted for when its command takes effect."""
     own, ball = belief.own, belief.ball
     delay = k.dt * (k.delay_steps + 0.5 * (k.gait_steps - 1.0))
@@ -66,9 +66,9 @@ def look(sight, belief, tracks, k):
     sight.held = ball.held
     sight.vx, sight.vy = out_of_frame(own.forward, own.left, cosine, sine)
     sight.ball_vx, sight.ball_vy = out_of_frame(ball.vx, ball.vy, cosine, sine)
-    look_at_others(sight, own, tracks, delay)
+    add_other_players(sight, own, tracks, delay)
     sight.ball_x, sight.ball_y = point_of_frame(own.x, own.y, ball.x, ball.y, cosine, sine)
-    sight.ball_x, sight.ball_y = rolls_to(sight, k, delay)
+    sight.ball_x, sight.ball_y = predict_ball(sight, k, delay)
     sight.x, sight.y = own.x + delay * sight.vx, own.y + delay * sight.vy
     sight.heading = wrap(own.heading + delay * own.turn)
     sight.cosine, sight.sine = cos(sight.heading), sin(sight.heading)
@@ -79,7 +79,7 @@ def look(sight, belief, tracks, k):
 
 
 @compiled
-def look_at_others(sight, own, tracks, delay):
+def add_other_players(sight, own, tracks, delay):
     """Add all players with a track to the sight, in the order of their slots."""
     count = 0
     cosine, sine = sight.now_cosine, sight.now_sine
@@ -103,7 +103,7 @@ def side_of(value):
 
 
 @compiled
-def rolls_to(sight, k, seconds):
+def predict_ball(sight, k, seconds):
     """Return the ball's place [m, m] after `seconds`, team frame, held inside the boards of a walled pitch."""
     speed = length(sight.ball_vx, sight.ball_vy)
     if speed < 1e-6:

@@ -4,11 +4,11 @@
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, length
+from soccer_env.geometry import attack_direction, length
 from soccer_env.statistics.flights import end_flight, follow_ball
 from soccer_env.statistics.goals import count_goal
 from soccer_env.statistics.maps import BALL, note_place
-from soccer_env.statistics.players import share_out
+from soccer_env.statistics.players import count_possession_shares
 from soccer_env.statistics.records import LOOK
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
@@ -24,7 +24,7 @@ def count_step(match, ball, robots, events, k, tally):
     tally.played += k.dt
     if match.phase == PLAY and match.placing == 0:
         count_ball(match, ball, k, tally)
-        share_out(match.step, k, tally, trail)
+        count_possession_shares(match.step, k, tally, trail)
     row = -1
     if events.touch_team != NO_TEAM:
         row = events.scorer if events.goal != NO_TEAM else match.last_touch_robot
@@ -72,7 +72,7 @@ def count_ball(match, ball, k, tally):
     if along < IN_CORNER and aside < IN_CORNER:
         tally.in_corner += k.dt
     if match.step % LOOK == 0:
-        note_place(ball, BALL, direction_of(match, HOME), k, tally.maps)
+        note_place(ball, BALL, attack_direction(match, HOME), k, tally.maps)
 
 
 @compiled
@@ -98,5 +98,5 @@ def count_whistles(match, robots, events, robot_events, tally):
     if whistled == 0 and events.foul_team != NO_TEAM:
         tally.fouls[events.foul_team, events.foul] += 1
     if events.annulled == 1:
-        home_attacks = (events.ball_x > 0.0) == (direction_of(match, HOME) > 0.0)
+        home_attacks = (events.ball_x > 0.0) == (attack_direction(match, HOME) > 0.0)
         tally.annulled[HOME if home_attacks else AWAY] += 1

@@ -33,17 +33,21 @@ class Statistic:
     column: int | None = None  # of the field
 
 
-def of_match(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = "") -> Statistic:
+def match_statistic(
+    name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = ""
+) -> Statistic:
     """Return a Statistic with one number for each match."""
     return Statistic(name, unit, text, False, kind, whole, field or name)
 
 
-def of_team(name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = "") -> Statistic:
+def team_statistic(
+    name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = ""
+) -> Statistic:
     """Return a Statistic with one number for each team."""
     return Statistic(name, unit, text, True, kind, whole, field or name)
 
 
-def by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, ...]:
+def statistic_by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, ...]:
     """Return a Statistic of each team for each code; {} in the text stands for the name of the code."""
     return tuple(
         Statistic(
@@ -63,91 +67,96 @@ GOAL_TEXTS = {
     GoalKind.OWN_GOAL: "last touched by an opponent, and no kick of the scorers before that",
 }
 FIGURES: tuple[Statistic, ...] = (
-    of_match("played", "s", "Time of the match.", SHARE),
-    of_match("in_play", "s", "Time with the ball in play: no restart is being placed or waited for.", SHARE),
-    of_match("still", "s", "Time in play with the ball slower than 2 cm/s.", SHARE, IN_PLAY),
-    of_match("at_boards", "s", "Time in play with the ball within 20 cm of a goal line or touchline.", SHARE, IN_PLAY),
-    of_match("in_corner", "s", "Time in play with the ball within 25 cm of two such lines.", SHARE, IN_PLAY),
-    of_match(
+    match_statistic("played", "s", "Time of the match.", SHARE),
+    match_statistic("in_play", "s", "Time with the ball in play: no restart is being placed or waited for.", SHARE),
+    match_statistic("still", "s", "Time in play with the ball slower than 2 cm/s.", SHARE, IN_PLAY),
+    match_statistic("at_boards", "s", "Time in play with the ball within 20 cm of a goal line or touchline.", SHARE,
+        IN_PLAY),
+    match_statistic("in_corner", "s", "Time in play with the ball within 25 cm of two such lines.", SHARE, IN_PLAY),
+    match_statistic(
         "scrum", "s",
         "Time in play with three robots or more whose centres are within 30 cm (middle size: 50 cm) of the ball.",
         SHARE, IN_PLAY,
     ),
-    of_match("possession_both", "s", "Time in play with the ball at robots of both teams.", SHARE, IN_PLAY, "both"),
-    of_match("separations", "", "How often the referee pulls opponents apart."),
-    of_match("drops", "", "How often the referee drops the ball."),
-    of_match("carried", "m", "Greatest distance that a drop or a separation moved a robot.", MOST),
-    of_team(
+    match_statistic("possession_both", "s", "Time in play with the ball at robots of both teams.", SHARE, IN_PLAY,
+        "both"),
+    match_statistic("separations", "", "How often the referee pulls opponents apart."),
+    match_statistic("drops", "", "How often the referee drops the ball."),
+    match_statistic("carried", "m", "Greatest distance that a drop or a separation moved a robot.", MOST),
+    team_statistic(
         "possession", "s", "Time in play with the ball in the pocket or at the kicker of this team alone.",
         SHARE, IN_PLAY,
     ),
-    of_team("spells", "", "How often a robot gets the ball; breaks of up to 0.5 s do not count."),
-    of_team("spell_time", "s", "Time of all spells, of several robots at once as well.", SHARE, IN_PLAY),
-    of_team("longest_spell", "s", "Longest spell of one robot.", MOST),
-    of_team("spell_median", "s", "Median length of a spell, to 12 %.", LENGTH, field=LENGTHS),
-    of_team("spell_90", "s", "Length that 90 % of the spells stay below, to 12 %.", LENGTH, field=LENGTHS),
-    of_team("touches", "", "Touches of the ball in play by a robot that has not touched it for 1 s."),
-    of_team("kicks", "", "Kicks that reach the ball."),
-    of_team(
+    team_statistic("spells", "", "How often a robot gets the ball; breaks of up to 0.5 s do not count."),
+    team_statistic("spell_time", "s", "Time of all spells, of several robots at once as well.", SHARE, IN_PLAY),
+    team_statistic("longest_spell", "s", "Longest spell of one robot.", MOST),
+    team_statistic("spell_median", "s", "Median length of a spell, to 12 %.", LENGTH, field=LENGTHS),
+    team_statistic("spell_90", "s", "Length that 90 % of the spells stay below, to 12 %.", LENGTH, field=LENGTHS),
+    team_statistic("touches", "", "Touches of the ball in play by a robot that has not touched it for 1 s."),
+    team_statistic("kicks", "", "Kicks that reach the ball."),
+    team_statistic(
         "shots", "",
         "Kicks, and pushes that leave the ball free and faster than robots go and than the weakest kick, after which "
         "it would roll over the opponents' goal line between the posts or at most a quarter of the goal's width from "
         "one.",
     ),
-    of_team("on_target", "", "Shots that would roll between the posts, or do so."),
-    of_team("saves", "", "Opponents' shots on target that this goalkeeper touches first and that are no goals."),
-    of_team(
+    team_statistic("on_target", "", "Shots that would roll between the posts, or do so."),
+    team_statistic("saves", "", "Opponents' shots on target that this goalkeeper touches first and that are no goals."),
+    team_statistic(
         "passes_tried", "",
         "Balls, no shots, that are free for 0.25 s and that another robot then touches more than 0.3 m (middle size: "
         "1 m) from where they were played.",
     ),
-    of_team("passes", "", "Such balls that a mate touches: completed passes."),
-    of_team("interceptions", "", "Such balls of the opponents that this team touches."),
-    of_team(
+    team_statistic("passes", "", "Such balls that a mate touches: completed passes."),
+    team_statistic("interceptions", "", "Such balls of the opponents that this team touches."),
+    team_statistic(
         "mates", "s", "Time in play of field players that are not nearest to the ball in their team.", SHARE, IN_PLAY
     ),
-    of_team("idle", "s", "Time of those that move slower than 1 cm/s (middle size: 5 cm/s).", SHARE, MATES),
-    of_team("present", "s", "Time in play of the robots on the pitch, of all together.", SHARE, IN_PLAY),
-    of_team(
+    team_statistic("idle", "s", "Time of those that move slower than 1 cm/s (middle size: 5 cm/s).", SHARE, MATES),
+    team_statistic("present", "s", "Time in play of the robots on the pitch, of all together.", SHARE, IN_PLAY),
+    team_statistic(
         "stuck", "s",
         "Time of those that are stuck: a robot that aims at 15 % of its top speed or more makes less than a quarter of "
         "what it aims at, for 1.5 s and more; breaks of up to 0.5 s do not end it.",
         SHARE, PRESENT,
     ),
-    of_team(
+    team_statistic(
         "distance", "m",
         "Distance covered in play by all robots together: their centres' way from control step to control step.",
     ),
-    of_team(
+    team_statistic(
         "keeper_away", "s", "Time in play with the goalkeeper a quarter of the pitch from its goal.", SHARE, IN_PLAY
     ),
-    of_team("keeper_in_goal", "s", "Time in play with the goalkeeper behind its goal line.", SHARE, IN_PLAY),
-    of_team("out", "s", "Time of penalties, of all robots together.", SHARE),
-    of_team("annulled", "", "Goals that the referee annuls."),
+    team_statistic("keeper_in_goal", "s", "Time in play with the goalkeeper behind its goal line.", SHARE, IN_PLAY),
+    team_statistic("out", "s", "Time of penalties, of all robots together.", SHARE),
+    team_statistic("annulled", "", "Goals that the referee annuls."),
     Statistic("goals", "", "Goals.", True),
     *(
         Statistic(f"goals_{kind.name.lower()}", "", f"Goals {text}.", True, field="goals", column=int(kind))
         for kind, text in GOAL_TEXTS.items()
     ),
-    of_team("goals_after_separation", "", "Goals within 6 s of a separation.", field="after_separation"),
-    of_team(
+    team_statistic("goals_after_separation", "", "Goals within 6 s of a separation.", field="after_separation"),
+    team_statistic(
         "goals_after_pushed_keeper", "",
         "Goals within 10 s of a time in which the goalkeeper had been in contact with opponents for 1 s.",
         field="after_pushed_keeper",
     ),
-    of_team("goals_solo", "", "Goals of which one robot of the scorers alone touched the ball since the restart.",
+    team_statistic("goals_solo", "",
+        "Goals of which one robot of the scorers alone touched the ball since the restart.",
             field="solo"),
-    *by_code("goals_after", RESTARTS, "Goals within 10 s of the ball coming into play by a {}.", "after_restart"),
-    *by_code("restarts", RESTARTS, "Restarts for this team by a {}; the first kick-off is not called.", "restarts"),
-    *by_code("fouls", [f for f in Foul if f != Foul.NONE], "Whistles against this team for {}.", "fouls"),
+    *statistic_by_code("goals_after", RESTARTS, "Goals within 10 s of the ball coming into play by a {}.",
+        "after_restart"),
+    *statistic_by_code("restarts", RESTARTS, "Restarts for this team by a {}; the first kick-off is not called.",
+        "restarts"),
+    *statistic_by_code("fouls", [f for f in Foul if f != Foul.NONE], "Whistles against this team for {}.", "fouls"),
 )  # fmt: skip
 
 
-def numbers_of(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
+def statistics_by_name(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
     """Return the statistics of matches (M,) by name, each (M,), from the side of a team (HOME or AWAY)."""
     numbers: dict[str, np.ndarray] = {}
     for figure in FIGURES:
-        values = column_of(statistics, figure)
+        values = statistic_values(statistics, figure)
         if not figure.team:
             numbers[figure.name] = values
             continue
@@ -156,17 +165,17 @@ def numbers_of(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
     return numbers
 
 
-def column_of(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
+def statistic_values(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
     """Return the values of a statistic in matches: (M,), or (M, 2) if each team has one."""
     if figure.name == "goals":
         return np.asarray(statistics["goals"].sum(axis=-1))
     values = statistics[figure.field]
     if figure.kind == LENGTH:
-        return length_of(values, PERCENTS[figure.name])
+        return spell_quantile(values, PERCENTS[figure.name])
     return np.asarray(values if figure.column is None else values[..., figure.column])
 
 
-def length_of(counts: np.ndarray, share: float) -> np.ndarray:
+def spell_quantile(counts: np.ndarray, share: float) -> np.ndarray:
     """Return the quantile `share` of the lengths of spells [s], from their histogram (..., BINS); 0 without spells."""
     total = np.cumsum(counts, axis=-1)
     place = (total >= share * total[..., -1:]).argmax(axis=-1)
@@ -174,7 +183,7 @@ def length_of(counts: np.ndarray, share: float) -> np.ndarray:
     return np.where(total[..., -1] > 0, middle, 0.0)
 
 
-def flat(record: Any, team: int) -> dict[str, float]:
+def flatten_statistics(record: Any, team: int) -> dict[str, float]:
     """Return the statistics of one match (a record) by name, from the side of a team: counts and times [s]."""
     one = np.array([record], STATISTICS)
-    return {name: values.item() for name, values in numbers_of(one, team).items()}
+    return {name: values.item() for name, values in statistics_by_name(one, team).items()}

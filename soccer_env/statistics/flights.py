@@ -7,7 +7,7 @@ the ball free, faster than robots move and faster than the weakest kick: a dribb
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, length
+from soccer_env.geometry import attack_direction, length
 from soccer_env.leagues.robot import DRIVE_KINDS
 from soccer_env.statistics.maps import note_shot
 from soccer_env.statistics.records import LONG_AGO, Aim, Outcome
@@ -28,13 +28,13 @@ def follow_ball(match, ball, robot, row, events, k, tally, trail):
     """Follow the ball in a control step; `row` is the row of the `robot` that touched it, -1: none did."""
     step = match.step
     if row >= 0:
-        touch(step, robot, row, events.ball_x, events.ball_y, k, tally, trail)
+        note_touch(step, robot, row, events.ball_x, events.ball_y, k, tally, trail)
         if trail.kicker >= 0:
             begin_flight(match, ball, trail.kicker, trail.kicker_team, events, k, tally, trail)
             trail.kicker = -1
     elif trail.player >= 0 and trail.flight < 0 and is_pushed(step, ball, k, trail):
         begin_flight(match, ball, trail.player, trail.player_team, events, k, tally, trail)
-    if trail.flight >= 0 and is_over(step, k, trail):
+    if trail.flight >= 0 and is_flight_over(step, k, trail):
         end_flight(tally, trail)
 
 
@@ -42,28 +42,28 @@ def follow_ball(match, ball, robot, row, events, k, tally, trail):
 def is_pushed(step, ball, k, trail):
     """Tell whether a ball has just come free after a push as fast as a kick, not after a dribble."""
     least = max(k.drive_forward, k.kicker_slowest)
-    return ball.vx * ball.vx + ball.vy * ball.vy > least * least and step - trail.touched == steps_in(FREE, k)
+    return ball.vx * ball.vx + ball.vy * ball.vy > least * least and step - trail.touched == seconds_to_steps(FREE, k)
 
 
 @compiled
-def steps_in(seconds, k):
+def seconds_to_steps(seconds, k):
     """Convert a time [s] to control steps, rounded."""
     return int(seconds / k.dt + 0.5)
 
 
 @compiled
-def is_over(step, k, trail):
+def is_flight_over(step, k, trail):
     """Tell whether a flight has lasted too long, in total or since it was deflected."""
-    return step - trail.flight_step > steps_in(LONGEST, k) or (
-        trail.deflected != LONG_AGO and step - trail.deflected > steps_in(DEFLECTED, k)
+    return step - trail.flight_step > seconds_to_steps(LONGEST, k) or (
+        trail.deflected != LONG_AGO and step - trail.deflected > seconds_to_steps(DEFLECTED, k)
     )
 
 
 @compiled
-def touch(step, robot, row, x, y, k, tally, trail):
+def note_touch(step, robot, row, x, y, k, tally, trail):
     """Note that a robot touches the ball at x, y [m, field frame], and count a pass, save or block by it."""
     if trail.player >= 0 and trail.player != row:
-        receive(step, robot.team, row, x, y, k, tally, trail)
+        count_received_pass(step, robot.team, row, x, y, k, tally, trail)
     if trail.flight >= 0 and row != trail.flight:
         if trail.deflected == LONG_AGO:
             trail.deflected = step
@@ -71,7 +71,7 @@ def touch(step, robot, row, x, y, k, tally, trail):
             trail.saved = 1 if keeper and trail.aim == ON_TARGET else 0
             if trail.shot >= 0:
                 tally.maps.shots[trail.shot].outcome = SAVED if trail.saved == 1 else BLOCKED
-    elif trail.flight >= 0 and step - trail.flight_step > steps_in(SWING, k):
+    elif trail.flight >= 0 and step - trail.flight_step > seconds_to_steps(SWING, k):
         end_flight(tally, trail)
     trail.player, trail.player_team, trail.touched = row, robot.team, step
     trail.played_x, trail.played_y = x, y
@@ -79,12 +79,12 @@ def touch(step, robot, row, x, y, k, tally, trail):
 
 
 @compiled
-def receive(step, team, row, x, y, k, tally, trail):
+def count_received_pass(step, team, row, x, y, k, tally, trail):
     """Count a pass that reaches a robot (row), a mate or an opponent; a shot is no pass."""
     least = PASS_LEGS if k.drive_kind == GAIT else PASS_WHEELS
     x, y = x - trail.played_x, y - trail.played_y
     shot = trail.flight == trail.player and trail.aim != ELSEWHERE
-    if shot or step - trail.touched < steps_in(FREE, k) or x * x + y * y <= least * least:
+    if shot or step - trail.touched < seconds_to_steps(FREE, k) or x * x + y * y <= least * least:
         return
     tally.passes_tried[trail.player_team] += 1
     tally.maps.passes[trail.player, row] += 1
@@ -103,7 +103,7 @@ def begin_flight(match, ball, row, team, events, k, tally, trail):
     trail.deflected, trail.saved = LONG_AGO, 0
     trail.aim = ELSEWHERE
     if events.restart == 0:
-        trail.aim = aim_of(ball, direction_of(match, team), k)
+        trail.aim = predict_aim(ball, attack_direction(match, team), k)
     trail.shot = -1
     if trail.aim != ELSEWHERE:
         tally.shots[team] += 1
@@ -121,7 +121,7 @@ def end_flight(tally, trail):
 
 
 @compiled
-def aim_of(ball, direction, k):
+def predict_aim(ball, direction, k):
     """Return the Aim of a ball that rolls out untouched, for a team that attacks in a direction (+1 or -1 of x).
 
     It slides at mu g until it rolls, at v less shell / (1 + shell) of its slip, and then slows down by the rolling

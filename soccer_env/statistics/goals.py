@@ -4,7 +4,7 @@
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.statistics.flights import steps_in
+from soccer_env.statistics.flights import seconds_to_steps
 from soccer_env.statistics.maps import note_shot
 from soccer_env.statistics.records import LONG_AGO, ROWS, Aim, GoalKind, Outcome
 
@@ -23,7 +23,7 @@ SEPARATION, RESTART, PUSHED_KEEPER = 6.0, 10.0, 10.0  # [s] before the goal
 def count_goal(match, events, k, tally, trail):
     """Count a goal; a clean kick that was not yet counted as a shot becomes a shot on target."""
     step, team = match.step, events.goal
-    kind = kind_of(step, team, events.scorer, k, trail)
+    kind = goal_kind(step, team, events.scorer, k, trail)
     tally.goals[team, kind] += 1
     if kind == CLEAN_KICK and trail.aim != ON_TARGET:
         tally.shots[team] += trail.aim == ELSEWHERE
@@ -33,18 +33,18 @@ def count_goal(match, events, k, tally, trail):
     if trail.shot >= 0 and kind in (CLEAN_KICK, DEFLECTED_KICK):
         tally.maps.shots[trail.shot].outcome = GOAL
     trail.saved = 0
-    if step - trail.separated <= steps_in(SEPARATION, k):
+    if step - trail.separated <= seconds_to_steps(SEPARATION, k):
         tally.after_separation[team] += 1
-    if step - trail.in_play <= steps_in(RESTART, k):
+    if step - trail.in_play <= seconds_to_steps(RESTART, k):
         tally.after_restart[team, trail.kind] += 1
-    if step - trail.keeper_pushed[1 - team] <= steps_in(PUSHED_KEEPER, k):
+    if step - trail.keeper_pushed[1 - team] <= seconds_to_steps(PUSHED_KEEPER, k):
         tally.after_pushed_keeper[team] += 1
-    if bits_of(trail.since_restart[team]) == 1:
+    if count_bits(trail.since_restart[team]) == 1:
         tally.solo[team] += 1
 
 
 @compiled
-def kind_of(step, team, scorer, k, trail):
+def goal_kind(step, team, scorer, k, trail):
     """Return the kind of a goal for a team; `scorer` is the row that last touched the ball, or -1."""
     if trail.flight >= 0 and trail.flight_team == team:
         return CLEAN_KICK if trail.deflected == LONG_AGO else DEFLECTED_KICK
@@ -54,15 +54,15 @@ def kind_of(step, team, scorer, k, trail):
         return OWN_GOAL
     player = trail.players[scorer]
     kept = player.held_steps if player.held_since == 0 else player.held_last - player.held_since + 1
-    if step - player.held_last > steps_in(JUST, k):
+    if step - player.held_last > seconds_to_steps(JUST, k):
         kept = 0
-    if kept < steps_in(KEPT, k) and step - trail.crowded <= steps_in(JUST, k):
+    if kept < seconds_to_steps(KEPT, k) and step - trail.crowded <= seconds_to_steps(JUST, k):
         return SCRUM
-    return PUSHED_IN if step - player.contact <= steps_in(CONTACT, k) else CLEAN_DRIBBLE
+    return PUSHED_IN if step - player.contact <= seconds_to_steps(CONTACT, k) else CLEAN_DRIBBLE
 
 
 @compiled
-def bits_of(number):
+def count_bits(number):
     """Return how many bits of a number are set."""
     count = 0
     for bit in range(ROWS):

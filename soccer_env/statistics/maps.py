@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of
+from soccer_env.geometry import attack_direction
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE, SHOTS, Outcome
 from soccer_env.types import HOME
 
 BALL = 2  # layer of the heat map, after home's and away's robots
 OUTCOMES = tuple(outcome.name.lower() for outcome in Outcome)
-MAP_TEXTS = {  # of what `maps_of` returns; places are in the frame in which the team of the map attacks +x
+MAP_TEXTS = {  # of what `maps_of_team` returns; places are in the frame in which the team of the map attacks +x
     "heat_for, _against": "How often robots of the team were in each cell, at every fourth control step in play: 16 "
     "rows from the right touchline to the left one, 24 columns from the own goal line on.",
     "heat_ball": "How often the ball was in each cell, in the frame of this team.",
@@ -48,12 +48,12 @@ def note_shot(match, row, team, outcome, tally, trail):
         return
     trail.shot = maps.shots_kept
     maps.shots_kept += 1
-    shot, direction = maps.shots[trail.shot], direction_of(match, team)
+    shot, direction = maps.shots[trail.shot], attack_direction(match, team)
     shot.step, shot.row, shot.team, shot.outcome = match.step, row, team, outcome
     shot.place[0], shot.place[1] = direction * trail.played_x, direction * trail.played_y
 
 
-def maps_of(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any]:
+def maps_of_team(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any]:
     """Return the maps of one match (a record of STATISTICS) from a team's side, as plain lists that can be added.
 
     rows: robots of home and of away in the record. Heat maps have shape (16, 24), passes (players, players), players
@@ -76,7 +76,7 @@ def maps_of(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any]:
     return result
 
 
-def added(maps: Sequence[dict[str, Any]]) -> dict[str, Any]:
+def sum_maps(maps: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """Return the sum of the maps of several matches, all from the side of one team."""
     total: dict[str, Any] = {}
     for name in maps[0] if maps else ():

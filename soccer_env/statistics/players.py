@@ -6,7 +6,7 @@
 from math import log2
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, length
+from soccer_env.geometry import attack_direction, length
 from soccer_env.leagues.robot import DRIVE_KINDS
 from soccer_env.physics.contacts import TOUCH_GAP, robots_touch
 from soccer_env.statistics.maps import note_place
@@ -128,7 +128,7 @@ def count_standing(match, ball, robot, contact, k, tally, trail):
 @compiled
 def count_keeper(match, robot, contact, k, tally, trail):
     """Count a goalkeeper's time away from its goal and behind its goal line, and note that it is pushed."""
-    ahead = direction_of(match, robot.team) * robot.x + 0.5 * k.pitch_length  # [m] ahead of its goal line
+    ahead = attack_direction(match, robot.team) * robot.x + 0.5 * k.pitch_length  # [m] ahead of its goal line
     far = FAR * k.pitch_length
     if ahead * ahead + robot.y * robot.y > far * far:
         tally.keeper_away[robot.team] += k.dt
@@ -139,7 +139,7 @@ def count_keeper(match, robot, contact, k, tally, trail):
 
 
 @compiled
-def share_out(step, k, tally, trail):
+def count_possession_shares(step, k, tally, trail):
     """Count possession and scrums of a step in play; a team's nearest robot to the ball is never an idle mate."""
     if trail.has_ball == 3:
         tally.both += k.dt
@@ -168,11 +168,11 @@ def count_moving(match, robot, r, player, k, tally):
     if is_stopped(robot, k):
         count_stuck(team, match.step, player, k, tally)
     if match.step % LOOK == 0:
-        look(robot, r, direction_of(match, team), k, tally.maps)
+        sample_position(robot, r, attack_direction(match, team), k, tally.maps)
 
 
 @compiled
-def look(robot, r, direction, k, maps):
+def sample_position(robot, r, direction, k, maps):
     """Add the position of robot r to the maps, for the time until its next sample."""
     note_place(robot, robot.team, direction, k, maps)
     maps.places[r, 0] += LOOK * k.dt * direction * robot.x

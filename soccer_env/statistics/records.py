@@ -7,7 +7,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from soccer_env.guards.ranges import ANY, COUNT, FLAG, LATELY, NUMBER, ROW, ROW_OR_NONE, SUM, Range, record
+from soccer_env.guards.ranges import ANY, COUNT, FLAG, LATELY, NUMBER, ROW, ROW_OR_NONE, SUM, Range, ranged_record
 from soccer_env.types import MAX_TEAM, PHASE, TEAM, Foul, Phase
 
 ROWS = 2 * MAX_TEAM  # robots of the record
@@ -48,7 +48,7 @@ class Outcome(IntEnum):
     BLOCKED = 3
 
 
-PLAYER = record(
+PLAYER = ranged_record(
     [  # memory of a robot
         ("held_since", "i4", LATELY),  # first step of its spell with the ball, 0 without one
         ("held_last", "i4", LATELY),  # last step of its latest spell with the ball
@@ -66,7 +66,7 @@ PLAYER = record(
     ]
 )
 
-TRAIL = record(
+TRAIL = ranged_record(
     [  # memory of the play
         ("kind", "i8", PHASE),  # Phase of the last restart
         ("in_play", "i8", LATELY),  # step in which the ball came into play after it
@@ -102,7 +102,7 @@ TRAIL = record(
     ]
 )
 
-SHOT = record(
+SHOT = ranged_record(
     [  # places are in the frame of the team that shoots: it attacks +x
         ("step", "i4", LATELY),  # step of the kick or push
         ("row", "i2", ROW),  # of the robot that kicked or pushed it
@@ -112,7 +112,7 @@ SHOT = record(
     ]
 )
 
-MAPS = record(
+MAPS = ranged_record(
     [  # maps of play; each team's places are in the frame in which it attacks +x
         ("heat", "i4", COUNT, (3, CELLS_WIDE, CELLS_LONG)),  # entries for home, away, and the ball in home's frame
         ("places", "f8", SUM, (ROWS, 3)),  # [m s, m s, s] of each robot: sums of x dt, y dt and dt
@@ -122,7 +122,7 @@ MAPS = record(
     ]
 )
 
-STATISTICS = record(
+STATISTICS = ranged_record(
     [
         ("played", "f8", SUM),  # [s]
         ("in_play", "f8", SUM),  # [s]

@@ -10,12 +10,22 @@
 The teams themselves stand in `baselines/` and `agents/`.
 """
 
-from soccer_env.teams.explaining import Explanation, Mind, explanation_of, shipped_team
+from soccer_env.teams.explaining import DecisionInputs, Explanation, explanation_of, shipped_team
 from soccer_env.teams.lineup import Lineup
-from soccer_env.teams.registry import ENTRY_POINTS, NAMES, called, in_module, make_team, parse_team, registered
+from soccer_env.teams.registry import (
+    ENTRY_POINTS,
+    NAMES,
+    is_module_team,
+    make_team,
+    parse_team,
+    registered_teams,
+    result_name,
+)
 from soccer_env.teams.team import CompiledTeam, ObservingTeam, Team, TeamRandom, View
 
 __all__ = [
-    "ENTRY_POINTS", "NAMES", "CompiledTeam", "Explanation", "Lineup", "Mind", "ObservingTeam", "Team", "TeamRandom",
-    "View", "called", "explanation_of", "in_module", "make_team", "parse_team", "registered", "shipped_team",
+    "ENTRY_POINTS", "NAMES", "CompiledTeam", "Explanation", "Lineup", "DecisionInputs", "ObservingTeam", "Team",
+    "TeamRandom",
+    "View", "result_name", "explanation_of", "is_module_team", "make_team", "parse_team", "registered_teams",
+    "shipped_team",
 ]  # fmt: skip

@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccer_env.teams.registry import NAMES, found, make_team
+from soccer_env.teams.registry import NAMES, import_factory, make_team
 from soccer_env.teams.team import Team
 
 
-class Mind(NamedTuple):
+class DecisionInputs(NamedTuple):
     """Copies of all inputs of one player's decision: records of shape (1,), as a kernel takes them."""
 
     beliefs: np.ndarray  # (1,) BELIEF
@@ -26,8 +26,8 @@ class Mind(NamedTuple):
     settings: np.ndarray  # of the team
 
 
-Plan = Callable[[Mind], np.ndarray]
-Forces = Callable[[Mind, np.ndarray, np.ndarray], np.ndarray]
+Plan = Callable[[DecisionInputs], np.ndarray]
+Forces = Callable[[DecisionInputs, np.ndarray, np.ndarray], np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -65,19 +65,19 @@ def shipped_team(name: str) -> Team | None:
         return make_team(plain)
 
 
-def what_it_is(where: str) -> str:
+def team_description(where: str) -> str:
     """Return the first line of a team's description, MODULE:NAME; a variant of a team has that of its own function."""
     module, _, function = where.partition(":")
     if function == "team":
-        return first_line(module)
+        return docstring_first_line(module)
     try:
-        text = (found(where).__doc__ or "").strip().partition("\n")[0]
+        text = (import_factory(where).__doc__ or "").strip().partition("\n")[0]
     except (ImportError, AttributeError):
         return ""
-    return f"A variant of {first_line(module).partition(':')[0]}: {text.removeprefix('Return ')}"
+    return f"A variant of {docstring_first_line(module).partition(':')[0]}: {text.removeprefix('Return ')}"
 
 
-def first_line(module: str) -> str:
+def docstring_first_line(module: str) -> str:
     """Return the first line of a module's docstring, "" if it has none or cannot be imported."""
     try:
         return (import_module(module).__doc__ or "").strip().partition("\n")[0]

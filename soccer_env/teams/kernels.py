@@ -15,10 +15,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from soccer_env.compiled import compiled, records
-from soccer_env.guards.ranges import ANY, record
+from soccer_env.compiled import compiled, scratch_records
+from soccer_env.guards.ranges import ANY, ranged_record
 
-NO_MEMORY = record([("unused", "i8", ANY)])  # of players that remember nothing
+NO_MEMORY = ranged_record([("unused", "i8", ANY)])  # of players that remember nothing
 NO_SCRATCH = NO_MEMORY
 STRENGTH = np.dtype([("strength", "f8")])  # the settings of a team that has no others
 
@@ -34,7 +34,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
 
     @compiled
     def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
-        work, k = records(1, scratch), constants[0]
+        work, k = scratch_records(1, scratch), constants[0]
         own = settings[k.drive_kind if len(settings) > 1 else 0]
         for m in range(first, last):
             for p in range(len(players)):

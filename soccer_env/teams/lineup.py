@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.random_numbers import start_streams, uniform
-from soccer_env.teams.registry import called, make_team
+from soccer_env.random_numbers import draw_uniform, start_streams
+from soccer_env.teams.registry import make_team, result_name
 from soccer_env.teams.team import Team
 from soccer_env.types import AWAY, NOISE_STREAMS
 
@@ -31,7 +31,7 @@ class Lineup:
         if any(isinstance(team, Lineup) for team in teams):
             raise ValueError("a Lineup is made of teams, not of lineups")
         self.teams = tuple(make_team(team) for team in teams)
-        self.names = names_of(teams, self.teams) if names is None else tuple(names)
+        self.names = team_names(teams, self.teams) if names is None else tuple(names)
         self.weights = np.ones(len(teams)) if weights is None else np.array(weights)
         if len(set(self.names)) != len(teams) or len(self.names) != len(teams):
             raise ValueError(f"the {len(teams)} teams of a Lineup must have different names, got {self.names}")
@@ -47,15 +47,15 @@ class Lineup:
         noise = np.zeros(NOISE_STREAMS, np.uint64)
         with np.errstate(over="ignore"):
             start_streams(noise, np.uint64(seed), episode, CHOOSER + side)
-            drawn = uniform(noise, 0)
+            drawn = draw_uniform(noise, 0)
         check_weights(self.weights, len(self.teams))
         edges = np.cumsum(self.weights)
         return int(min(np.searchsorted(edges, drawn * edges[-1], side="right"), np.flatnonzero(self.weights)[-1]))
 
 
-def names_of(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ...]:
+def team_names(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ...]:
     """Return the names of teams: each team's own name, or the text given for it where two teams share a name."""
-    own = [called(*pair) for pair in zip(given, made, strict=True)]
+    own = [result_name(*pair) for pair in zip(given, made, strict=True)]
     return tuple(
         text if isinstance(text, str) and own.count(name) > 1 else name for text, name in zip(given, own, strict=True)
     )

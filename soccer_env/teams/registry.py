@@ -22,8 +22,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.checking import brief
-from soccer_env.guards.names import MODULE_PATH, of_module, unknown
+from soccer_env.guards.checking import short_repr
+from soccer_env.guards.names import MODULE_PATH, object_in_module, unknown
 from soccer_env.teams.team import Team
 
 NAMES = {  # strings only: resolved at first use
@@ -47,7 +47,7 @@ ENTRY_POINTS = "soccer_env.teams"
 TORCH = (".pt", ".pth", ".ckpt", ".pkl", ".pickle")  # files of torch, whose pickles could run anything
 
 
-def registered() -> dict[str, str]:
+def registered_teams() -> dict[str, str]:
     """Return the factories (MODULE:NAME) of all known teams by name, with the teams of installed packages."""
     installed = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
     return {**installed, **NAMES}
@@ -97,22 +97,22 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
         if isinstance(team, type):
             raise ValueError(f"a team is an object: give {team.__name__}(), not the class")
         if not (callable(getattr(team, "act", None)) and hasattr(team, "memory_dtype") and hasattr(team, "name")):
-            raise ValueError(f"a team needs name, memory_dtype and act, got {brief(team)}{remedy(team)}")
+            raise ValueError(f"a team needs name, memory_dtype and act, got {short_repr(team)}{wrapping_advice(team)}")
         return team
-    if in_module(team):
+    if is_module_team(team):
         return team_in_module(team, strength, settings)
     name, from_name, changes = parse_team(team)
     strength = changes.pop("strength", strength)  # NAME:strength=0.5 is NAME@0.5
     if strength is not None:
         from_name = parse_team(f"{name}@{strength}")[1]
-    ending, known = Path(name).suffix, registered()
+    ending, known = Path(name).suffix, registered_teams()
     if ending in FILES and name not in known:
         if from_name != 1.0:
             raise ValueError(f"a policy has no strength, got {from_name:g} for {name!r}")
         return team_of_file(name, FILES[ending], {**changes, **settings})
     if name not in known:
-        raise ValueError(no_team(name, known))
-    factory = found(known[name])
+        raise ValueError(unknown_team_error(name, known))
+    factory = import_factory(known[name])
     changes = {**changes, **settings}
     check_factory(name, known[name], factory)
     check_accepted(name, factory, changes)
@@ -120,7 +120,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     return make_team(made)
 
 
-def remedy(given: object) -> str:
+def wrapping_advice(given: object) -> str:
     """Return the advice how to make a team of a function or a torch module, "" for any other object."""
     if callable(getattr(given, "state_dict", None)):
         file = "mine.safetensors"
@@ -130,7 +130,7 @@ def remedy(given: object) -> str:
     return ""
 
 
-def no_team(name: str, known: dict[str, str]) -> str:
+def unknown_team_error(name: str, known: dict[str, str]) -> str:
     """Return the error message for an unknown name; for a torch file, with advice how to make a team of it."""
     if Path(name).suffix not in TORCH:
         return unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})")
@@ -140,7 +140,7 @@ def no_team(name: str, known: dict[str, str]) -> str:
     )
 
 
-def called(given: str | Team, made: Team) -> str:
+def result_name(given: str | Team, made: Team) -> str:
     """Return a team's name for results, whether the team was given as text or as object; a policy has its own name.
 
     A weakened team is called chaser@0.25, for example; a team with settings keeps its text.
@@ -148,31 +148,31 @@ def called(given: str | Team, made: Team) -> str:
     if not isinstance(given, str):
         settings: Any = getattr(made, "settings", None)
         names = settings.dtype.names or () if isinstance(settings, np.ndarray) else ()
-        return made.name + (weakened(float(settings["strength"][0])) if "strength" in names else "")
-    if in_module(given):
+        return made.name + (strength_suffix(float(settings["strength"][0])) if "strength" in names else "")
+    if is_module_team(given):
         _, at, written = given.partition("@")
         return made.name + at + written
     name, strength, changes = parse_team(given)
-    if name not in registered():
+    if name not in registered_teams():
         return made.name
-    return name + weakened(strength) + (given[given.index(":") :] if changes else "")
+    return name + strength_suffix(strength) + (given[given.index(":") :] if changes else "")
 
 
-def weakened(strength: float) -> str:
+def strength_suffix(strength: float) -> str:
     """Return the suffix @STRENGTH of a team's name, "" for full strength."""
     return "" if strength == 1.0 else f"@{strength:g}"
 
 
-def in_module(text: str) -> bool:
+def is_module_team(text: str) -> bool:
     """Tell whether a text is MODULE:NAME or MODULE:NAME@STRENGTH, but neither a file nor a known team."""
     path = MODULE_PATH.fullmatch(text.partition("@")[0])
-    return path is not None and path[1] not in registered() and not Path(text).is_file()
+    return path is not None and path[1] not in registered_teams() and not Path(text).is_file()
 
 
 def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) -> Team:
     """Return the team object MODULE:NAME, or the team that the function MODULE:NAME makes for a strength."""
     path, at, written = text.partition("@")
-    made = of_module("team", path, object)
+    made = object_in_module("team", path, object)
     if isinstance(made, type) or hasattr(made, "act"):
         if at or strength is not None or settings:
             raise ValueError(f"team {path!r} is no function: it takes neither strength nor settings")
@@ -186,7 +186,7 @@ def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) 
 
 def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
     """Load the team of a policy file; ValueError says what is wrong with the file."""
-    factory = found(where)
+    factory = import_factory(where)
     if "path" in settings:
         raise ValueError(f"the file of team {path!r} is given by its name, not by a setting path")
     check_accepted(path, factory, settings)
@@ -194,7 +194,7 @@ def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
     return made
 
 
-def found(where: str) -> Callable[..., Any]:
+def import_factory(where: str) -> Callable[..., Any]:
     """Import and return the object MODULE:NAME, a team's factory."""
     module, _, attribute = where.partition(":")
     factory: Callable[..., Any] = getattr(import_module(module), attribute)

@@ -10,11 +10,11 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from soccer_env.guards.names import Made, by_names
+from soccer_env.guards.names import Made, reduce_by_names
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
-from soccer_env.random_numbers import mix
+from soccer_env.random_numbers import mix_bits
 from soccer_env.types import RobotStream
 
 TEAM_STREAM = int(RobotStream.TEAM)
@@ -67,7 +67,7 @@ class TeamRandom:
 
 def mix_array(states: np.ndarray) -> np.ndarray:
     """Return `random_numbers.mix` of each element of an array of states."""
-    python = getattr(mix, "py_func", mix)
+    python = getattr(mix_bits, "py_func", mix_bits)
     with np.errstate(over="ignore"):
         mixed: np.ndarray = python(states)
     return mixed
@@ -124,11 +124,11 @@ class CompiledTeam:
 
     def __reduce__(self) -> Made:
         """Pickle the kernel by its name in the team's module."""
-        return by_names(self, {item.name: getattr(self, item.name) for item in fields(self)})
+        return reduce_by_names(self, {item.name: getattr(self, item.name) for item in fields(self)})
 
     def check_league(self, league: League) -> None:
         """Raise ValueError if the team does not play this league."""
-        league.must_be_of(self.families, f"team {self.name!r}")
+        league.require_family(self.families, f"team {self.name!r}")
 
     def settings_in(self, league: League) -> np.ndarray:
         """Return the team's settings as the kernel reads them in a league."""

@@ -9,29 +9,29 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.leagues.robot_kind import CENTI, Group, Noted, kind_of
+from soccer_env.leagues.robot_kind import CENTI, Group, NotedPercepts, kind_of
 from soccer_env.match import Match
 from soccer_env.match.squads import Squad
-from soccer_env.teams import Explanation, Mind, explanation_of
+from soccer_env.teams import DecisionInputs, Explanation, explanation_of
 
 PLAN: list[list[Any]] = [["plan", 10, ["x", "y"]]]  # points of the planned path in the field frame, the last is its end
 MOST_GROUPS, MOST_COLUMNS = 32, 512
 
 
-def noted_of(match: Match) -> Noted | None:
+def noted_percepts(match: Match) -> NotedPercepts | None:
     """Return which percepts the robot kind notes, and how; None if no robot senses or the kind declares no groups."""
     return None if match.batch.senses is None else kind_of(match.league.sensors).noted
 
 
-def groups_of(match: Match) -> list[Group]:
+def note_groups(match: Match) -> list[Group]:
     """Return the groups of columns in the notes of a match: percepts, and plans if a team plans paths."""
-    noted = noted_of(match)
+    noted = noted_percepts(match)
     groups = [] if noted is None else [*noted.groups]
     return groups + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
 
 
 @functools.cache
-def known_parts() -> dict[str, list[list[str]]]:
+def allowed_columns() -> dict[str, list[list[str]]]:
     """Return the allowed lists of columns of each group, by the group's name: groups of our robot kinds, and plans."""
     kinds = (kind_of(name).noted for name in ("legged", "omni"))
     known: dict[str, list[list[str]]] = {}
@@ -43,14 +43,14 @@ def known_parts() -> dict[str, list[list[str]]]:
 def checked_groups(groups: Any) -> list[Group]:
     """Return the groups of a file, checked; ValueError for anything else."""
     checked: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
-    known = known_parts() if checked else {}
+    known = allowed_columns() if checked else {}
     wrong = any(count < 0 or parts not in known.get(name, [parts]) for name, count, parts in checked)
-    if wrong or len(checked) > MOST_GROUPS or width_of(checked) > MOST_COLUMNS:
+    if wrong or len(checked) > MOST_GROUPS or count_columns(checked) > MOST_COLUMNS:
         raise ValueError("the groups of its thoughts are damaged")
     return checked
 
 
-def width_of(groups: list[Group]) -> int:
+def count_columns(groups: list[Group]) -> int:
     """Return the number of columns of some groups."""
     return sum(count * len(parts) for _, count, parts in groups)
 
@@ -58,13 +58,13 @@ def width_of(groups: list[Group]) -> int:
 def group_columns(match: Match, groups: list[Group]) -> np.ndarray:
     """Return the columns (R, C) of the groups for all robots of the first match, before rounding."""
     rows = len(match.agents)
-    noted, known = noted_of(match), {}
+    noted, known = noted_percepts(match), {}
     if not groups:
         return np.zeros((rows, 0))
     if noted is not None and match.batch.senses is not None:
         known = noted.columns(match.batch.senses.percepts[0], match.beliefs[0])
     if any(name == "plan" for name, _, _ in groups):
-        known["plan"] = plans(match)
+        known["plan"] = planned_paths(match)
     parts = [known[name][:, :count].reshape(rows, -1) for name, count, _ in groups]
     return np.concatenate(parts, axis=1)
 
@@ -75,7 +75,7 @@ def planner_of(squad: Squad) -> Explanation | None:
     return explanation if explanation is not None and explanation.plan is not None else None
 
 
-def mind_of(match: Match, squad: Squad, place: int) -> Mind:
+def copy_decision_inputs(match: Match, squad: Squad, place: int) -> DecisionInputs:
     """Return copies of the records that a player of the first match decides from; `place` is its place in the squad."""
     r, settings = int(squad.players[place]), squad.settings
     beliefs, tracks, noise = (
@@ -85,10 +85,10 @@ def mind_of(match: Match, squad: Squad, place: int) -> Mind:
     )
     memory = squad.memory[:1, place].copy()
     # Teams that explain themselves are compiled, and have settings.
-    return Mind(beliefs, tracks, memory, noise, match.batch.constants, settings)  # type: ignore[arg-type]
+    return DecisionInputs(beliefs, tracks, memory, noise, match.batch.constants, settings)  # type: ignore[arg-type]
 
 
-def plans(match: Match) -> np.ndarray:
+def planned_paths(match: Match) -> np.ndarray:
     """Return the planned paths (R, points, 2) in cm of the field frame, 0 without a plan."""
     paths = np.zeros((len(match.agents), PLAN[0][1], 2))
     home_ahead = float(match.matches["home_direction"][0])
@@ -98,13 +98,13 @@ def plans(match: Match) -> np.ndarray:
             continue
         for place, r in enumerate(squad.players.tolist()):
             if match.robots["active"][0, r]:
-                path = explanation.plan(mind_of(match, squad, place))
+                path = explanation.plan(copy_decision_inputs(match, squad, place))
                 sign = home_ahead if match.robots["team"][0, r] == 0 else -home_ahead
-                paths[r] = CENTI * sign * spaced(path, PLAN[0][1])
+                paths[r] = CENTI * sign * space_evenly(path, PLAN[0][1])
     return paths
 
 
-def spaced(path: np.ndarray, count: int) -> np.ndarray:
+def space_evenly(path: np.ndarray, count: int) -> np.ndarray:
     """Return points (count, 2) at equal distances along a path (N, 2); all 0 for a path of fewer than two points."""
     if len(path) < 2:
         return np.zeros((count, 2))

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from soccer_env.leagues.robot_kind import Group
-from soccer_env.thoughts.groups import width_of
+from soccer_env.thoughts.groups import count_columns
 from soccer_env.thoughts.thoughts import CENTI, MILLI, SEES, TABLE, TRACK, Notes, Thoughts
 
 NEVER = 300.0  # [s] a ball unseen for longer has no believed place
@@ -44,7 +44,7 @@ class Thought:
 
 
 @dataclass(frozen=True)
-class Reader:
+class NoteReader:
     """Reads the columns of notes."""
 
     slots: int
@@ -52,9 +52,9 @@ class Reader:
     groups: list[Group]
 
     @staticmethod
-    def of(notes: Notes | Thoughts) -> Reader:
+    def of(notes: Notes | Thoughts) -> NoteReader:
         """Return the reader of running notes, or of the notes of a file."""
-        return Reader(notes.slots, notes.fields, notes.groups)
+        return NoteReader(notes.slots, notes.fields, notes.groups)
 
     def thinks(self, row: np.ndarray) -> np.ndarray:
         """Return flags (R,) of the robots that have beliefs, from a note (R, C)."""
@@ -63,7 +63,7 @@ class Reader:
 
     def memory(self, row: np.ndarray, r: int) -> tuple[tuple[str, ...], dict[str, float]]:
         """Return words for the activity of robot r, and other numbers of its memory, from a note (R, C)."""
-        first = len(TABLE) + len(TRACK) * self.slots + width_of(self.groups)
+        first = len(TABLE) + len(TRACK) * self.slots + count_columns(self.groups)
         memory = zip(self.fields[r], row[r, first:].tolist(), strict=False)
         return words_and_numbers([(path, known, value / step) for (path, known, step), value in memory])
 
@@ -119,10 +119,10 @@ def note_at(notes: Notes, step: int) -> np.ndarray | None:
         row: np.ndarray = notes.numbers[at]
         return row
     share = float(step - notes.steps[at]) / float(notes.steps[at + 1] - notes.steps[at])
-    return between(notes.numbers[at], notes.numbers[at + 1], share, notes.slots)
+    return interpolate_notes(notes.numbers[at], notes.numbers[at + 1], share, notes.slots)
 
 
-def between(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np.ndarray:
+def interpolate_notes(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np.ndarray:
     """Return the early note (R, C) with its places interpolated to the late note, except where they jump.
 
     Without interpolation, believed places would lag behind moving robots and balls.

@@ -14,7 +14,7 @@ from soccer_env.leagues.robot_kind import Group
 from soccer_env.match import Match
 from soccer_env.match.squads import Squad
 from soccer_env.teams import explanation_of
-from soccer_env.thoughts.groups import checked_groups, group_columns, groups_of, noted_of, width_of
+from soccer_env.thoughts.groups import checked_groups, count_columns, group_columns, note_groups, noted_percepts
 from soccer_env.types import HOME
 
 PER_SECOND = 5  # [1/s] notes, at least
@@ -39,9 +39,9 @@ class Thoughts:
 
     def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None, grouped: bool = True) -> None:
         self.every = max(1, match.league.control_rate // PER_SECOND)
-        self.slots = int(match.tracks.shape[2]) if thinks(match) else 0
-        self.fields = [fields_of(match, r, shown) for r in range(len(match.agents))]
-        self.groups = groups_of(match) if self.slots and grouped else []
+        self.slots = int(match.tracks.shape[2]) if has_beliefs(match) else 0
+        self.fields = [memory_fields(match, r, shown) for r in range(len(match.agents))]
+        self.groups = note_groups(match) if self.slots and grouped else []
         self.steps: list[int] = []
         self.rows: list[np.ndarray] = []  # each (R, C) int16
 
@@ -53,9 +53,9 @@ class Thoughts:
 
     def look(self, match: Match) -> np.ndarray:
         """Return the present thoughts of all robots of the first match, (R, C) int16."""
-        columns = [*of_all(match), *of_tracks(match, self.slots)]
-        more = whole(group_columns(match, self.groups))
-        return np.column_stack([whole(np.stack(columns, axis=1)), more, remembered(match, self.fields)])
+        columns = [*match_columns(match), *track_columns(match, self.slots)]
+        more = round_to_int16(group_columns(match, self.groups))
+        return np.column_stack([round_to_int16(np.stack(columns, axis=1)), more, memory_columns(match, self.fields)])
 
     def cut(self, step: int) -> None:
         """Drop the notes after a control step."""
@@ -89,7 +89,7 @@ class Notes:
         self.slots, self.fields = int(about["slots"]), [checked_fields(fields) for fields in about["fields"]]
         self.groups = checked_groups(about.get("groups", []))  # files of older versions have none
         self.steps = np.array(about["steps"], np.int64)
-        width = len(TABLE) + self.slots * len(TRACK) + width_of(self.groups)
+        width = len(TABLE) + self.slots * len(TRACK) + count_columns(self.groups)
         width += max((len(fields) for fields in self.fields), default=0)
         if changes.dtype != np.int16 or changes.shape != (robots, width, len(self.steps)) or len(self.fields) != robots:
             raise ValueError(f"its thoughts are {changes.dtype} {changes.shape}, not int16 of {robots} robots")
@@ -103,7 +103,7 @@ class Notes:
         return packed((self.steps[inside] - first).tolist(), self.numbers[inside], self.slots, self.fields, self.groups)
 
 
-class Recorded(Protocol):
+class RecordedMatch(Protocol):
     """A recorded match, `soccer_env.replay.Replay`, which stands above the pictures and tables that read it."""
 
     settings: dict[str, Any]
@@ -127,50 +127,50 @@ def checked_fields(fields: Any) -> list[list[Any]]:
     return checked
 
 
-def thinks(match: Match) -> bool:
+def has_beliefs(match: Match) -> bool:
     """Tell whether any robot of a match has beliefs."""
     return bool(match.batch.senses is not None or match.batch.ideal.any())
 
 
-def fields_of(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
+def memory_fields(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
     """Return the noted fields of the memory of robot r, each as [name, words for its values, steps in a unit]."""
     noted: list[list[Any]] = []
-    for squad in of_one_team(match):
+    for squad in fixed_team_squads(match):
         explanation = explanation_of(squad.team)
         known = explanation.shown if shown is None and explanation is not None else shown
-        for path, kind in leaves(squad.memory.dtype) if r in squad.players else ():
+        for path, kind in record_leaves(squad.memory.dtype) if r in squad.players else ():
             name = path.rpartition(".")[2]
             if (known is None and kind == "i" and name != "begun") or (known is not None and name in known):
                 noted.append([path, list((known or {}).get(name, ())), 1.0 if kind in "iu" else CENTI])
     return noted[:MOST_FIELDS]
 
 
-def of_one_team(match: Match) -> list[Squad]:
+def fixed_team_squads(match: Match) -> list[Squad]:
     """Return the squads with a fixed team, no lineup: the team of a lineup changes, and the memory with the team."""
     return [squad for squad in match.squads if squad.lineup is None]
 
 
-def leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
+def record_leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
     """Return the dotted path and the kind of each single number of a record."""
     numbers: list[tuple[str, str]] = []
     for name in dtype.names or ():
         inner = dtype[name]
         if inner.names:
-            numbers += leaves(inner, f"{path}{name}.")
+            numbers += record_leaves(inner, f"{path}{name}.")
         elif inner.shape == () and inner.kind in "iuf":
             numbers.append((path + name, inner.kind))
     return numbers
 
 
-def of_all(match: Match) -> list[np.ndarray]:
+def match_columns(match: Match) -> list[np.ndarray]:
     """Return the columns of TABLE for the robots of the first match, each (R,), before rounding."""
     robots, beliefs = match.robots[0], match.beliefs[0]
     sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
     own, heading = own_poses(match)
-    ball_x, ball_y = placed(own, heading, beliefs["ball"])
+    ball_x, ball_y = to_field_frame(own, heading, beliefs["ball"])
     columns = [MILLI * own[0], MILLI * own[1], MILLI * heading, CENTI * beliefs["own"]["confidence"]]
     columns += [MILLI * ball_x, MILLI * ball_y, CENTI * beliefs["ball"]["confidence"], CENTI * beliefs["ball"]["age"]]
-    columns += seen(match) + cloud(match, sign)
+    columns += seen_columns(match) + particle_spread(match, sign)
     return columns + [CENTI * robots["command"][name] for name in ("forward", "left", "turn", "kick")]
 
 
@@ -182,35 +182,37 @@ def own_poses(match: Match) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
     return (sign * own["x"], sign * own["y"]), np.arctan2(np.sin(heading), np.cos(heading))
 
 
-def of_tracks(match: Match, slots: int) -> list[np.ndarray]:
+def track_columns(match: Match, slots: int) -> list[np.ndarray]:
     """Return the columns of TRACK for each slot of the robots' tracks, each (R,), before rounding."""
     columns: list[np.ndarray] = []
     own, heading = own_poses(match)
     for slot in range(slots):
         track = match.tracks[0, :, slot]
-        x, y = placed(own, heading, track)
+        x, y = to_field_frame(own, heading, track)
         age = np.where(track["teammate"] == 1, 1.0, -1.0) * (1.0 + np.minimum(10.0 * track["age"], MOST - 1))
         columns += [np.where(track["present"] == 1, values, 0.0) for values in (MILLI * x, MILLI * y, age)]
     return columns
 
 
-def placed(own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def to_field_frame(
+    own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Convert places from the robots' frames to the field frame, by the believed poses of the robots."""
     cosine, sine = np.cos(heading), np.sin(heading)
     return own[0] + cosine * thing["x"] - sine * thing["y"], own[1] + sine * thing["x"] + cosine * thing["y"]
 
 
-def whole(numbers: np.ndarray) -> np.ndarray:
+def round_to_int16(numbers: np.ndarray) -> np.ndarray:
     """Round numbers to whole numbers of 16 bits, clipped to the range from -MOST to MOST."""
     found: np.ndarray = np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
     return found
 
 
-def seen(match: Match) -> list[np.ndarray]:
+def seen_columns(match: Match) -> list[np.ndarray]:
     """Return four columns (R,): bits of SEES, numbers of seen players and landmarks (or lines), infrared range [mm]."""
     robots = match.robots[0]
     bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)
-    none, noted = np.zeros(len(robots)), noted_of(match)
+    none, noted = np.zeros(len(robots)), noted_percepts(match)
     if match.batch.senses is None or noted is None:
         return [bits, none, none, none]
     saw = noted.seen(match.batch.senses.percepts[0])
@@ -219,7 +221,7 @@ def seen(match: Match) -> list[np.ndarray]:
     return [bits, saw.players, saw.marks, MILLI * saw.range]
 
 
-def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
+def particle_spread(match: Match, sign: np.ndarray) -> list[np.ndarray]:
     """Return the spread of each robot's particles: larger and smaller deviation [mm], axis of the larger [mrad]."""
     senses = match.batch.senses
     if senses is None or senses.particles.shape[2] < 2:
@@ -232,14 +234,14 @@ def cloud(match: Match, sign: np.ndarray) -> list[np.ndarray]:
     return [MILLI * np.sqrt(middle + apart), MILLI * least, MILLI * 0.5 * np.arctan2(2.0 * mixed, across - along)]
 
 
-def remembered(match: Match, fields: list[list[list[Any]]]) -> np.ndarray:
+def memory_columns(match: Match, fields: list[list[list[Any]]]) -> np.ndarray:
     """Return the noted fields of the robots' memories, (R, fields) int16."""
     numbers = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
-    for squad in of_one_team(match):
+    for squad in fixed_team_squads(match):
         for place, r in enumerate(squad.players):
             for column, (path, _, step) in enumerate(fields[r]):
                 value = squad.memory[0, place]
                 for name in path.split("."):
                     value = value[name]
                 numbers[r, column] = step * float(value)
-    return whole(numbers)
+    return round_to_int16(numbers)

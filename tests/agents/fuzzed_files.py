@@ -18,7 +18,7 @@ import numpy as np
 
 from soccer_env.agents.onnx_team import OnnxPolicy
 from soccer_env.agents.policy_file import load
-from soccer_env.train.evaluate.map_pictures import of_result
+from soccer_env.train.evaluate.map_pictures import maps_from_result
 from soccer_env.train.ppo.toml_file import BUNDLED, settings_of
 from tests.agents.staged_files import GOOD
 from tests.agents.staged_onnx import array, node, small
@@ -43,7 +43,7 @@ def sources(folder: Path) -> dict[str, tuple[bytes, Callable[[Path], Any]]]:
         "safetensors": (GOOD, load),
         "onnx": (small(*nodes, constants=constants).SerializeToString(), lambda path: plays(path.read_bytes())),
         "toml": (BUNDLED.joinpath("legged-2001.toml").read_bytes(), settings_of),
-        "json": (maps, of_result),
+        "json": (maps, maps_from_result),
     }
     with contextlib.suppress(ImportError):
         found["zip"] = plain_zip(folder).read_bytes(), read

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.policy import Policy, trained_in
+from soccer_env.agents.policy import Policy, training_fields
 from soccer_env.agents.policy_file import KEY, dump, parse
 from soccer_env.leagues import find_league
 
 ONES = {"weights": (np.ones((3, 2), np.float32), np.ones((4, 3), np.float32))}
 ONES["biases"] = (np.ones(3, np.float32), np.ones(4, np.float32))
 FIELDS: dict[str, Any] = {
-    "name": "tiny", **trained_in(find_league("legged-2001")), "observe": "truth", "inputs": ("ball_x", "ball_y"),
+    "name": "tiny", **training_fields(find_league("legged-2001")), "observe": "truth", "inputs": ("ball_x", "ball_y"),
     "actions": "box", "action_repeat": 1, "kind": "slots", "activation": "tanh", "mirror": False, **ONES,
     "made": {"seed": "1"},
 }  # fmt: skip
@@ -27,7 +27,7 @@ BODY = GOOD[8 + LENGTH :]
 WHERE = "odd\n\x1b[31m.safetensors"  # a file's name is a stranger's too
 
 
-def packed(header: dict[str, Any] | bytes, body: bytes = BODY, length: int | None = None) -> bytes:
+def pack_safetensors(header: dict[str, Any] | bytes, body: bytes = BODY, length: int | None = None) -> bytes:
     """Return a safetensors file with this header, right or wrong."""
     text = header if isinstance(header, bytes) else json.dumps(header).encode()
     return struct.pack("<Q", len(text) if length is None else length) + text + body
@@ -35,7 +35,7 @@ def packed(header: dict[str, Any] | bytes, body: bytes = BODY, length: int | Non
 
 def with_table(table: Any) -> bytes:
     text = table if isinstance(table, str) else json.dumps(table)
-    return packed({**HEADER, "__metadata__": {KEY: text}})
+    return pack_safetensors({**HEADER, "__metadata__": {KEY: text}})
 
 
 def with_fields(**changes: Any) -> bytes:
@@ -43,18 +43,18 @@ def with_fields(**changes: Any) -> bytes:
 
 
 def with_tensor(name: str, **changes: Any) -> bytes:
-    return packed({**HEADER, name: {**HEADER[name], **changes}})
+    return pack_safetensors({**HEADER, name: {**HEADER[name], **changes}})
 
 
-def without(table: dict[str, Any], key: str) -> dict[str, Any]:
+def without_key(table: dict[str, Any], key: str) -> dict[str, Any]:
     return {other: value for other, value in table.items() if other != key}
 
 
-def refused(content: bytes, reason: str | None = None) -> None:
-    refused_by(lambda: parse(content, WHERE), reason)
+def assert_content_refused(content: bytes, reason: str | None = None) -> None:
+    assert_refused_by(lambda: parse(content, WHERE), reason)
 
 
-def refused_by(read: Callable[[], Any], reason: str | None, start: str = f"policy file {WHERE!r}: ") -> None:
+def assert_refused_by(read: Callable[[], Any], reason: str | None, start: str = f"policy file {WHERE!r}: ") -> None:
     """Check that a file is refused in one plain line that names it."""
     with pytest.raises(ValueError, match=reason) as refusal:
         read()

@@ -8,21 +8,23 @@ import numpy as np
 
 from soccer_env.agents.attention import layout_of
 from soccer_env.agents.learned import LearnedTeam, from_file
-from soccer_env.agents.perceptron import act, pack, widest
-from soccer_env.agents.policy import ACTIONS, Policy, trained_in
+from soccer_env.agents.perceptron import act, pack_policy, widest_layer
+from soccer_env.agents.policy import ACTIONS, Policy, training_fields
 from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import entry_names
 
 
-def lively(*hidden: int, observe: str = "belief", league: str = "legged-2001", seed: int = 1, **changes: Any) -> Policy:
+def random_policy(
+    *hidden: int, observe: str = "belief", league: str = "legged-2001", seed: int = 1, **changes: Any
+) -> Policy:
     """Return a policy with these hidden layers, whose actions fill [-1, 1] and depend on the whole observation."""
     trained = find_league(league)
-    names = tuple(names_of(trained, observe))
+    names = tuple(entry_names(trained, observe))
     outputs = ACTIONS[changes.get("actions", "box")]
     sizes, rng = [len(names), *(hidden or (16,)), outputs], np.random.default_rng(seed)
     fields: dict[str, Any] = {
-        "name": "lively", **trained_in(trained), "observe": observe, "inputs": names, "actions": "box",
+        "name": "lively", **training_fields(trained), "observe": observe, "inputs": names, "actions": "box",
         "action_repeat": 1, "kind": "slots", "activation": "tanh", "mirror": False, "made": {},
         "weights": tuple(rng.normal(0.0, 1.5 / a**0.5, (b, a)).astype(np.float32) for a, b in zip(sizes, sizes[1:])),
         "biases": tuple(rng.normal(0.0, 0.3, b).astype(np.float32) for b in sizes[1:]),
@@ -30,9 +32,11 @@ def lively(*hidden: int, observe: str = "belief", league: str = "legged-2001", s
     return Policy(**{**fields, **changes})
 
 
-def attentive(*hidden: int, width: int = 8, observe: str = "belief", seed: int = 1, **changes: Any) -> Policy:
+def random_attention_policy(
+    *hidden: int, width: int = 8, observe: str = "belief", seed: int = 1, **changes: Any
+) -> Policy:
     """Return the like with attention of some width over the other players."""
-    plain = lively(*hidden, observe=observe, seed=seed, **changes)
+    plain = random_policy(*hidden, observe=observe, seed=seed, **changes)
     layout, rng = layout_of(plain.entries), np.random.default_rng(seed)
 
     def drawn(scale: float, shape: tuple[int, ...]) -> np.ndarray:
@@ -43,7 +47,7 @@ def attentive(*hidden: int, width: int = 8, observe: str = "belief", seed: int =
     return replace(plain, kind="attention", attention=attention, weights=(first, *plain.weights[1:]))
 
 
-def from_disk(policy: Policy, folder: Path) -> LearnedTeam:
+def team_from_disk(policy: Policy, folder: Path) -> LearnedTeam:
     """Return the team of a policy, by way of a file."""
     file = folder / "lively.safetensors"
     file.write_bytes(dump(policy))
@@ -52,8 +56,8 @@ def from_disk(policy: Policy, folder: Path) -> LearnedTeam:
 
 def decide(policy: Policy, rows: np.ndarray) -> np.ndarray:
     """Return the actions (n, 4 or 7) for observations (n, inputs), one row after the other."""
-    numbers = pack(policy)
-    actions, scratch = np.zeros((len(rows), ACTIONS[policy.actions])), np.zeros((3, widest(numbers)))
+    numbers = pack_policy(policy)
+    actions, scratch = np.zeros((len(rows), ACTIONS[policy.actions])), np.zeros((3, widest_layer(numbers)))
     for row, action in zip(np.ascontiguousarray(rows, np.float32), actions):
         act(numbers, row, action, scratch)
     return actions

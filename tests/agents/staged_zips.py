@@ -13,10 +13,10 @@ import numpy as np
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.sb3_zip import load_sb3
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
-from tests.agents.staged_files import refused_by
+from soccer_env.observations import entry_names
+from tests.agents.staged_files import assert_refused_by
 
-INPUTS = len(names_of(find_league("legged-2001"), "truth"))
+INPUTS = len(entry_names(find_league("legged-2001"), "truth"))
 
 
 class Canary:
@@ -45,7 +45,9 @@ class Noise(gymnasium.Env):
         return self.observation_space.sample(), 1.0, False, False, {}
 
 
-def saved(folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str = "MlpPolicy", **settings: Any) -> Any:
+def save_zip(
+    folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str = "MlpPolicy", **settings: Any
+) -> Any:
     import stable_baselines3 as sb3
 
     kind = algorithm or sb3.PPO
@@ -57,7 +59,7 @@ def saved(folder: Path, env: gymnasium.Env, algorithm: Any = None, policy: str =
 
 
 def plain_zip(folder: Path) -> Path:
-    saved(folder, Noise(), policy_kwargs={"net_arch": [4]})
+    save_zip(folder, Noise(), policy_kwargs={"net_arch": [4]})
     return folder / "model.zip"
 
 
@@ -65,7 +67,7 @@ def read(path: Path, **changes: Any) -> Policy:
     return load_sb3(path, **{"league": "legged-2001", "observe": "truth", **changes})
 
 
-def remade(source: Path, target: Path, pack: int = zipfile.ZIP_STORED, **members: bytes | None) -> Path:
+def rewrite_zip(source: Path, target: Path, pack: int = zipfile.ZIP_STORED, **members: bytes | None) -> Path:
     """Return a copy of a zip with some members replaced (None: left out); policy_pth stands for policy.pth."""
     new = {name.replace("_pth", ".pth"): content for name, content in members.items()}
     with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w", pack) as archive:
@@ -76,8 +78,8 @@ def remade(source: Path, target: Path, pack: int = zipfile.ZIP_STORED, **members
     return target
 
 
-def refuses(path: Path, reason: str, **changes: Any) -> None:
-    refused_by(lambda: read(path, **changes), reason, f"policy file {str(path)!r}: ")
+def assert_zip_refused(path: Path, reason: str, **changes: Any) -> None:
+    assert_refused_by(lambda: read(path, **changes), reason, f"policy file {str(path)!r}: ")
 
 
 def data_of(source: Path, **changes: Any) -> bytes:
@@ -102,7 +104,7 @@ def state_of(source: Path) -> dict[str, Any]:
     return dict(state)
 
 
-def inner_with(state: dict[str, Any], content: bytes) -> bytes:
+def replace_data_pkl(state: dict[str, Any], content: bytes) -> bytes:
     """Return policy.pth with another data.pkl."""
     copy = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(pth_of(state))) as old, zipfile.ZipFile(copy, "w") as new:

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.attention import Layout, layout_of, width_beside
+from soccer_env.agents.attention import Layout, attention_width, layout_of
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import LEAGUES, find_league
-from soccer_env.observations import Entry, entries_named, names_of
+from soccer_env.observations import Entry, entries_named, entry_names
 from soccer_env.observations import layout as entries_of
-from tests.agents.staged_policies import attentive, decide, lively
+from tests.agents.staged_policies import decide, random_attention_policy, random_policy
 
 FIXED, KINDS = ("ball_x", "ball_y"), ("teammate", "opponent")
 SLOTS = tuple(f"teammate_{slot}_{part}" for slot in (0, 1) for part in ("present", "x"))
@@ -56,7 +56,7 @@ def by_hand(policy: Policy, row: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("observe", ["truth", "belief"])
 @pytest.mark.parametrize("activation", ["tanh", "relu"])
 def test_it_computes_its_equations(activation: str, observe: str, league: str) -> None:
-    policy = attentive(32, 16, width=12, activation=activation, observe=observe, league=league)
+    policy = random_attention_policy(32, 16, width=12, activation=activation, observe=observe, league=league)
     for present in (0.0, 0.5, 1.0):
         rows = observations(policy, present=present)
         np.testing.assert_allclose(decide(policy, rows), [by_hand(policy, row) for row in rows], rtol=0.0, atol=1e-6)
@@ -65,7 +65,7 @@ def test_it_computes_its_equations(activation: str, observe: str, league: str) -
 @pytest.mark.parametrize("kind", ["teammate", "opponent"])
 @pytest.mark.parametrize("mirror", [False, True])
 def test_the_order_of_the_slots_does_not_matter(mirror: bool, kind: str) -> None:
-    policy, plain = attentive(64, 64, width=16, mirror=mirror), lively(64, 64, mirror=mirror)
+    policy, plain = random_attention_policy(64, 64, width=16, mirror=mirror), random_policy(64, 64, mirror=mirror)
     rows = observations(policy, present=0.7)
     decided, places = decide(policy, rows), places_of(policy, kind)
     for order in permutations(range(len(places))):
@@ -77,7 +77,7 @@ def test_the_order_of_the_slots_does_not_matter(mirror: bool, kind: str) -> None
 
 @pytest.mark.parametrize("mirror", [False, True])
 def test_what_lies_in_an_empty_slot_has_no_influence(mirror: bool) -> None:
-    policy = attentive(64, mirror=mirror)
+    policy = random_attention_policy(64, mirror=mirror)
     rows = observations(policy)
     cleared = rows.copy()
     for kind in ("teammate", "opponent"):
@@ -89,7 +89,7 @@ def test_what_lies_in_an_empty_slot_has_no_influence(mirror: bool) -> None:
 
 
 def test_with_one_player_of_a_kind_the_query_does_not_matter() -> None:
-    policy = attentive(32)
+    policy = random_attention_policy(32)
     rows = observations(policy, present=None)
     rows[:, [places_of(policy, kind)[1, 0] for kind in ("teammate", "opponent")]] = 1.0
     others = [array if index % 3 < 2 else -3.0 * array for index, array in enumerate(policy.attention)]
@@ -100,7 +100,7 @@ def test_with_one_player_of_a_kind_the_query_does_not_matter() -> None:
 
 
 def test_two_players_alike_count_as_one_and_a_team_mate_is_no_opponent() -> None:
-    policy = attentive(32, observe="truth")
+    policy = random_attention_policy(32, observe="truth")
     one = observations(policy, present=None)
     first, second = places_of(policy, "teammate")
     one[:, first[0]] = 1.0
@@ -114,7 +114,7 @@ def test_two_players_alike_count_as_one_and_a_team_mate_is_no_opponent() -> None
 
 
 def test_a_strong_query_picks_one_player_and_never_overflows() -> None:
-    policy = attentive(16, activation="relu")
+    policy = random_attention_policy(16, activation="relu")
     weight, bias, query = policy.attention[:3]
     strong = replace(policy, attention=(weight, bias, query * np.float32(1e30), *policy.attention[3:]))
     rows = observations(strong, present=1.0)
@@ -132,7 +132,7 @@ def test_torch_learns_from_observations_in_which_nobody_is_seen() -> None:
     pytest.importorskip("stable_baselines3")
     from soccer_env.train.ppo.networks import Attention
 
-    policy = attentive()
+    policy = random_attention_policy()
     layer = Attention(layout_of(policy.entries), 8, "tanh")
     rows = torch.as_tensor(observations(policy, present=None))
     pooled = layer(rows)
@@ -145,7 +145,7 @@ def test_torch_learns_from_observations_in_which_nobody_is_seen() -> None:
 @pytest.mark.parametrize("observe", ["truth", "belief"])
 def test_every_league_has_its_slots_behind_the_rest(league: str, observe: str) -> None:
     preset = find_league(league)
-    names, layout = names_of(preset, observe), layout_of(entries_of(preset, observe))
+    names, layout = entry_names(preset, observe), layout_of(entries_of(preset, observe))
     assert layout.slots == (preset.slots.teammates, preset.slots.opponents)
     assert names[layout.fixed] == "teammate_0_present" and not names[layout.fixed - 1].startswith("teammate")
     assert layout.fixed + sum(a * b for a, b in zip(layout.slots, layout.entries)) == len(names)
@@ -155,7 +155,7 @@ def test_slots_of_both_kinds_may_differ_and_the_width_goes_with_the_first_hidden
     assert layout_of(entries_named("truth", FIXED + SLOTS)) == Layout(2, (2, 3), (2, 3))
     assert Layout(2, (2, 3), (2, 3)).shapes(8) == ((8, 2), (8,), (8, 2), (8, 3), (8,), (8, 2))
     assert Layout(2, (2, 3), (2, 3)).features(8) == 18
-    assert [width_beside(sizes) for sizes in ((64, 64), (128,), (4, 400))] == [16, 32, 8]
+    assert [attention_width(sizes) for sizes in ((64, 64), (128,), (4, 400))] == [16, 32, 8]
 
 
 MATES, OPPONENTS = SLOTS[:4], SLOTS[4:]
@@ -170,7 +170,7 @@ SECOND_MATE_FIRST = MATES[2:] + MATES[:2]
         FIXED + SLOTS + ("opponent_3_present",), FIXED + tuple(name.replace("_1_", "_2_") for name in SLOTS),
         FIXED + tuple(name.replace("_0_", "_00_") for name in SLOTS),
         FIXED + tuple(name.replace("present", "seen") for name in SLOTS),
-        tuple(names_of(find_league("legged-2001"), "percepts")),
+        tuple(entry_names(find_league("legged-2001"), "percepts")),
     ],
 )  # fmt: skip
 def test_other_layouts_are_refused(names: tuple[str, ...]) -> None:
@@ -201,7 +201,7 @@ def ones(*shape: int) -> np.ndarray:
     return np.ones(shape, np.float32)
 
 
-WHOLE = attentive(inputs=FIXED + SLOTS, weights=(ones(16, 15), ones(4, 16)), width=5)
+WHOLE = random_attention_policy(inputs=FIXED + SLOTS, weights=(ones(16, 15), ones(4, 16)), width=5)
 
 
 @pytest.mark.parametrize(

@@ -11,11 +11,13 @@ import pytest
 
 from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy_file import KEY, dump, load, parse
-from tests.agents.staged_files import WHERE, packed, refused, refused_by, without
-from tests.agents.staged_policies import attentive, lively
+from tests.agents.staged_files import WHERE, assert_content_refused, assert_refused_by, pack_safetensors, without_key
+from tests.agents.staged_policies import random_attention_policy, random_policy
 
 INPUTS = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
-WHOLE = attentive(3, width=2, inputs=INPUTS, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32)))
+WHOLE = random_attention_policy(
+    3, width=2, inputs=INPUTS, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32))
+)
 GOOD = dump(WHOLE)
 LENGTH = int.from_bytes(GOOD[:8], "little")
 HEADER: dict[str, Any] = json.loads(GOOD[8 : 8 + LENGTH])
@@ -25,22 +27,22 @@ QUERY = "opponent.query"
 
 
 def with_fields(**changes: Any) -> bytes:
-    return packed({**HEADER, "__metadata__": {KEY: json.dumps({**TABLE, **changes})}}, BODY)
+    return pack_safetensors({**HEADER, "__metadata__": {KEY: json.dumps({**TABLE, **changes})}}, BODY)
 
 
 def with_tensor(name: str, **changes: Any) -> bytes:
-    return packed({**HEADER, name: {**HEADER[name], **changes}}, BODY)
+    return pack_safetensors({**HEADER, name: {**HEADER[name], **changes}}, BODY)
 
 
 def with_number(name: str, value: float) -> bytes:
     """Return the file with the first number of a tensor replaced."""
     at = HEADER[name]["data_offsets"][0]
-    return packed(HEADER, BODY[:at] + np.array([value], "<f4").tobytes() + BODY[at + 4 :])
+    return pack_safetensors(HEADER, BODY[:at] + np.array([value], "<f4").tobytes() + BODY[at + 4 :])
 
 
 @pytest.mark.parametrize("activation", ["tanh", "relu"])
 def test_a_file_gives_back_the_policy(tmp_path: Path, activation: str) -> None:
-    whole = attentive(16, 8, width=12, activation=activation, mirror=True, actions="full")
+    whole = random_attention_policy(16, 8, width=12, activation=activation, mirror=True, actions="full")
     (tmp_path / "a.safetensors").write_bytes(dump(whole))
     read = load(tmp_path / "a.safetensors")
     assert read.kind == "attention" and len(read.attention) == 6 and read.inputs == whole.inputs
@@ -59,49 +61,54 @@ def test_its_tensors_have_names_and_the_version_is_that_of_all() -> None:
 
 @pytest.mark.parametrize("name", TENSORS)
 def test_every_tensor_is_needed_and_of_its_shape(name: str) -> None:
-    refused(packed(without(HEADER, name), BODY), f"lacks the tensor '{name}'|has a tensor")
+    assert_content_refused(pack_safetensors(without_key(HEADER, name), BODY), f"lacks the tensor '{name}'|has a tensor")
     axes = 1 if name.endswith("bias") else 2
     for shape in ([1] * (3 - axes), [0] * axes, [2.0] * axes, [2**40] * axes, [5000] * axes, "2"):
-        refused(with_tensor(name, shape=shape), f"{name} must have {axes} axes of 1 to 4096")
-    refused(with_tensor(name, dtype="F64"), f"{name} must be of dtype 'F32'")
-    refused(with_tensor(name, code="x"), f"{name} must have data_offsets, dtype, shape and nothing else")
-    refused(with_number(name, np.nan), f"{name} must be finite")
-    refused(with_number(name, -np.inf), f"{name} must be finite")
-    refused(with_number(name, 3e38), "must stay below")
+        assert_content_refused(with_tensor(name, shape=shape), f"{name} must have {axes} axes of 1 to 4096")
+    assert_content_refused(with_tensor(name, dtype="F64"), f"{name} must be of dtype 'F32'")
+    assert_content_refused(with_tensor(name, code="x"), f"{name} must have data_offsets, dtype, shape and nothing else")
+    assert_content_refused(with_number(name, np.nan), f"{name} must be finite")
+    assert_content_refused(with_number(name, -np.inf), f"{name} must be finite")
+    assert_content_refused(with_number(name, 3e38), "must stay below")
 
 
 def test_what_belongs_to_one_kind_is_refused_in_the_other() -> None:
-    refused(with_fields(kind="slots"), "lacks the tensor 'layer2.bias'|has a tensor")
-    refused(with_fields(kind="Attention"), "lacks the tensor|has a tensor")
-    refused(with_fields(kind=["attention"]), "kind must be of the JSON type of str")
-    slots = dump(lively(3))
+    assert_content_refused(with_fields(kind="slots"), "lacks the tensor 'layer2.bias'|has a tensor")
+    assert_content_refused(with_fields(kind="Attention"), "lacks the tensor|has a tensor")
+    assert_content_refused(with_fields(kind=["attention"]), "kind must be of the JSON type of str")
+    slots = dump(random_policy(3))
     length = int.from_bytes(slots[:8], "little")
     header = json.loads(slots[8 : 8 + length])
     text = header["__metadata__"][KEY].replace('"kind":"slots"', '"kind":"attention"')
     assert text != header["__metadata__"][KEY]
-    refused(packed({**header, "__metadata__": {KEY: text}}, slots[8 + length :]), "lacks the tensor 'opponent.bias'")
+    assert_content_refused(
+        pack_safetensors({**header, "__metadata__": {KEY: text}}, slots[8 + length :]),
+        "lacks the tensor 'opponent.bias'",
+    )
     only = {name: entry for name, entry in HEADER.items() if not name.startswith("layer")}
-    refused(packed(only, BODY), "not fully covered|1 to 8 layers, got 0|Error")
+    assert_content_refused(pack_safetensors(only, BODY), "not fully covered|1 to 8 layers, got 0|Error")
 
 
 def test_inputs_that_do_not_end_in_slots_are_refused() -> None:
     others = [("seen", 0, 0), ("present", 1, 1), ("present", 0, 9999)]
     wrong = [INPUTS[1:], INPUTS[::-1], ("ball_x", "a", "b", "c", "d"), ("ball_x", *INPUTS[3:], *INPUTS[1:3])]
     for inputs in (*wrong, *((*INPUTS[:3], f"opponent_{n}_{word}", f"opponent_{m}_x") for word, n, m in others)):
-        refused(with_fields(inputs=list(inputs)), "needs inputs that end in slots")
+        assert_content_refused(with_fields(inputs=list(inputs)), "needs inputs that end in slots")
 
 
 def test_sizes_that_do_not_agree_are_refused() -> None:
     longer = (*INPUTS, "opponent_1_present", "opponent_1_x")
     assert parse(with_fields(inputs=list(longer)), WHERE).inputs == longer, "shared weights fit any number of slots"
-    refused(with_fields(inputs=["ball_y", *INPUTS]), r"teammate.query must have the shape \(2, 2\), got \(2, 1\)")
+    assert_content_refused(
+        with_fields(inputs=["ball_y", *INPUTS]), r"teammate.query must have the shape \(2, 2\), got \(2, 1\)"
+    )
     turned = [*reversed(HEADER["layer0.weight"]["shape"])]
-    refused(with_tensor("layer0.weight", shape=turned), r"layer0 must have a weight \(3, 5\)")
-    refused(with_tensor(QUERY, data_offsets=HEADER["teammate.query"]["data_offsets"]), "Error|offset")
+    assert_content_refused(with_tensor("layer0.weight", shape=turned), r"layer0 must have a weight \(3, 5\)")
+    assert_content_refused(with_tensor(QUERY, data_offsets=HEADER["teammate.query"]["data_offsets"]), "Error|offset")
 
 
 def refuses(path: Any, reason: str) -> None:
-    refused_by(lambda: load(path), reason, "policy file ")
+    assert_refused_by(lambda: load(path), reason, "policy file ")
 
 
 def test_what_is_no_file_is_refused(tmp_path: Path) -> None:

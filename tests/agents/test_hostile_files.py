@@ -21,14 +21,14 @@ from tests.agents.staged_files import (
     HEADER,
     TABLE,
     WHERE,
-    packed,
-    refused,
+    assert_content_refused,
+    pack_safetensors,
     with_fields,
     with_table,
     with_tensor,
-    without,
+    without_key,
 )
-from tests.agents.staged_policies import attentive
+from tests.agents.staged_policies import random_attention_policy
 from tests.agents.staged_zips import Canary
 
 
@@ -39,21 +39,23 @@ def numbers(*values: float) -> bytes:
 
 def test_the_corpus_starts_from_a_good_file() -> None:
     assert dump(parse(GOOD, WHERE)) == GOOD
-    assert dump(parse(packed(HEADER), WHERE)) == GOOD
+    assert dump(parse(pack_safetensors(HEADER), WHERE)) == GOOD
     assert dump(parse(with_table(TABLE), WHERE)) == GOOD
 
 
 SLOTTED = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
-ATTENTIVE = dump(attentive(3, width=2, inputs=SLOTTED, weights=(np.ones((3, 5), "f4"), np.ones((4, 3), "f4"))))
+ATTENTIVE = dump(
+    random_attention_policy(3, width=2, inputs=SLOTTED, weights=(np.ones((3, 5), "f4"), np.ones((4, 3), "f4")))
+)
 both_kinds = pytest.mark.parametrize("good", [GOOD, ATTENTIVE], ids=["slots", "attention"])
 
 
 @both_kinds
 def test_a_file_that_is_cut_off_anywhere_is_refused(good: bytes) -> None:
     for length in range(len(good)):
-        refused(good[:length])
-    refused(good + b"\0", "not fully covered")
-    refused(good + good)
+        assert_content_refused(good[:length])
+    assert_content_refused(good + b"\0", "not fully covered")
+    assert_content_refused(good + good)
 
 
 @both_kinds
@@ -73,7 +75,7 @@ def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
 @settings(max_examples=100)
 @given(st.binary(max_size=200), st.booleans())
 def test_any_bytes_are_refused(noise: bytes, behind_a_length: bool) -> None:
-    refused(struct.pack("<Q", len(noise)) + noise if behind_a_length else noise)
+    assert_content_refused(struct.pack("<Q", len(noise)) + noise if behind_a_length else noise)
 
 
 JSON = st.recursive(
@@ -96,7 +98,7 @@ def test_any_json_in_a_field_is_refused_or_a_policy(key: str, value: Any) -> Non
 @given(st.sampled_from(["dtype", "shape", "data_offsets", "more"]), JSON)
 def test_any_json_in_a_tensor_is_refused(key: str, value: Any) -> None:
     if value != HEADER["layer0.weight"].get(key, None):
-        refused(with_tensor("layer0.weight", **{key: value}))
+        assert_content_refused(with_tensor("layer0.weight", **{key: value}))
 
 
 SHIFTED = {name: dict(entry) for name, entry in HEADER.items() if name != "__metadata__"}
@@ -108,21 +110,30 @@ DEEP = "[" * 100_000 + "]" * 100_000
 CORPUS = {
     "empty": (b"", "0 bytes"),
     "length only": (struct.pack("<Q", 0), "header is not JSON"),
-    "header of 2^63 bytes": (packed(HEADER, length=2**63), "limit is"),
-    "header of 2^64 - 1 bytes": (packed(HEADER, length=2**64 - 1), "limit is"),
-    "header over the limit": (packed(json.dumps(HEADER).encode() + b" " * MAX_HEADER), "limit is"),
-    "header longer than the file": (packed(HEADER, length=len(GOOD) + 100), "is cut off"),
-    "more than 16 MiB": (packed(HEADER, b"\0" * MAX_FILE), "more than the limit of 16777216"),
-    "header of another encoding": (packed(json.dumps(HEADER).encode("utf-16")), "header is not JSON"),
-    "header is a list": (packed(b"[1]"), "must be a JSON object"),
-    "header is nothing": (packed(b"null"), "must be a JSON object"),
-    "deep header": (packed(f'{{"a":{DEEP}}}'.encode()), "nested too deeply|unexpected|metadata"),
-    "two names alike": (packed(json.dumps(HEADER).encode()[:-1] + b',"layer0.bias":{}}'), "'layer0.bias' twice"),
-    "two metadata": (packed(json.dumps(HEADER).encode()[:-1] + b',"__metadata__":{}}'), "'__metadata__' twice"),
-    "no metadata": (packed(without(HEADER, "__metadata__")), "is no policy file"),
-    "more metadata": (packed({**HEADER, "__metadata__": {**HEADER["__metadata__"], "format": "pt"}}), "nothing else"),
-    "metadata of numbers": (packed({**HEADER, "__metadata__": {KEY: 1}}), "is no policy file"),
-    "metadata is a list": (packed({**HEADER, "__metadata__": [KEY]}), "is no policy file"),
+    "header of 2^63 bytes": (pack_safetensors(HEADER, length=2**63), "limit is"),
+    "header of 2^64 - 1 bytes": (pack_safetensors(HEADER, length=2**64 - 1), "limit is"),
+    "header over the limit": (pack_safetensors(json.dumps(HEADER).encode() + b" " * MAX_HEADER), "limit is"),
+    "header longer than the file": (pack_safetensors(HEADER, length=len(GOOD) + 100), "is cut off"),
+    "more than 16 MiB": (pack_safetensors(HEADER, b"\0" * MAX_FILE), "more than the limit of 16777216"),
+    "header of another encoding": (pack_safetensors(json.dumps(HEADER).encode("utf-16")), "header is not JSON"),
+    "header is a list": (pack_safetensors(b"[1]"), "must be a JSON object"),
+    "header is nothing": (pack_safetensors(b"null"), "must be a JSON object"),
+    "deep header": (pack_safetensors(f'{{"a":{DEEP}}}'.encode()), "nested too deeply|unexpected|metadata"),
+    "two names alike": (
+        pack_safetensors(json.dumps(HEADER).encode()[:-1] + b',"layer0.bias":{}}'),
+        "'layer0.bias' twice",
+    ),
+    "two metadata": (
+        pack_safetensors(json.dumps(HEADER).encode()[:-1] + b',"__metadata__":{}}'),
+        "'__metadata__' twice",
+    ),
+    "no metadata": (pack_safetensors(without_key(HEADER, "__metadata__")), "is no policy file"),
+    "more metadata": (
+        pack_safetensors({**HEADER, "__metadata__": {**HEADER["__metadata__"], "format": "pt"}}),
+        "nothing else",
+    ),
+    "metadata of numbers": (pack_safetensors({**HEADER, "__metadata__": {KEY: 1}}), "is no policy file"),
+    "metadata is a list": (pack_safetensors({**HEADER, "__metadata__": [KEY]}), "is no policy file"),
     "table is no JSON": (with_table("{"), "is not JSON"),
     "table is code": (with_table("__import__('os').abort()"), "is not JSON"),
     "table is a list": (with_table([]), "must be a JSON object"),
@@ -134,7 +145,7 @@ CORPUS = {
     "-Infinity": (with_table(json.dumps(TABLE).replace("false", "-Infinity")), "holds -Infinity"),
     "infinite number": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": 1e999')), "inf"),
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000, 1)), "number of 100000 digits"),
-    "huge size": (packed(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
+    "huge size": (pack_safetensors(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
     "other version": (with_fields(version=6), r"is of format version 6; this soccer_env \(0\.1\.0\) reads versions 1 "),
     "a later maker": (
         with_fields(version=6, made={"soccer_env": "9\n[red]"}),
@@ -142,7 +153,7 @@ CORPUS = {
     ),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),
-    "no version": (with_table(without(TABLE, "version")), "is of format version None"),
+    "no version": (with_table(without_key(TABLE, "version")), "is of format version None"),
     "unknown key": (with_fields(code="import os"), "unknown key 'code'"),
     "unknown long key": (with_fields(**{"x\n" * 10_000: 1}), "unknown key 'x"),
     "repeat is true": (with_fields(action_repeat=True), "action_repeat must be of the JSON type of int"),
@@ -159,16 +170,19 @@ CORPUS = {
     "other width": (with_fields(inputs=["a", "b", "c"]), r"layer0 must have a weight \(3, 3\)"),
     "other actions": (with_fields(actions="full"), "layer1 must have a weight"),
     "lone surrogate": (with_table('{"a":"\ud800"}'), "no policy file|not JSON|version"),
-    "NaN weight": (packed(HEADER, numbers(np.nan)), "must be finite"),
-    "infinite weight": (packed(HEADER, numbers(1, np.inf)), "must be finite"),
-    "overflowing weight": (packed(HEADER, numbers(3e38, 3e38)), "must stay below"),
+    "NaN weight": (pack_safetensors(HEADER, numbers(np.nan)), "must be finite"),
+    "infinite weight": (pack_safetensors(HEADER, numbers(1, np.inf)), "must be finite"),
+    "overflowing weight": (pack_safetensors(HEADER, numbers(3e38, 3e38)), "must stay below"),
     "float64": (with_tensor("layer0.bias", dtype="F64"), "must be of dtype 'F32', got 'F64'"),
     "bfloat16": (with_tensor("layer0.bias", dtype="BF16"), "must be of dtype 'F32', got 'BF16'"),
     "int32": (with_tensor("layer0.bias", dtype="I32"), "must be of dtype 'F32', got 'I32'"),
     "dtype is a list": (with_tensor("layer0.bias", dtype=["F32"]), "must be of dtype"),
-    "no dtype": (packed({**HEADER, "layer0.bias": without(HEADER["layer0.bias"], "dtype")}), "nothing else"),
+    "no dtype": (
+        pack_safetensors({**HEADER, "layer0.bias": without_key(HEADER["layer0.bias"], "dtype")}),
+        "nothing else",
+    ),
     "field of a tensor": (with_tensor("layer0.bias", code="x"), "nothing else"),
-    "tensor is a text": (packed({**HEADER, "layer0.bias": "x"}), "nothing else"),
+    "tensor is a text": (pack_safetensors({**HEADER, "layer0.bias": "x"}), "nothing else"),
     "turned shape": (with_tensor("layer0.weight", shape=[2, 3]), r"layer0 must have a weight \(3, 2\)"),
     "flat shape": (with_tensor("layer0.weight", shape=[6]), "must have 2 axes"),
     "deep shape": (with_tensor("layer0.weight", shape=[1] * 1000), "must have 2 axes"),
@@ -179,35 +193,45 @@ CORPUS = {
     "empty shape": (with_tensor("layer0.weight", shape=[0, 2**60], data_offsets=[0, 0]), "must have 2 axes"),
     "larger shape": (with_tensor("layer0.weight", shape=[4, 2]), "invalid|Error"),
     "overlap": (with_tensor("layer1.bias", data_offsets=HEADER["layer0.weight"]["data_offsets"]), "Error|offset"),
-    "hole": (packed(HEADER, BODY + b"1234"), "not fully covered"),
+    "hole": (pack_safetensors(HEADER, BODY + b"1234"), "not fully covered"),
     "offsets backwards": (with_tensor("layer0.bias", data_offsets=[12, 0]), "Error"),
     "negative offsets": (with_tensor("layer0.bias", data_offsets=[-12, 0]), "Error"),
     "offsets behind the end": (with_tensor("layer0.bias", data_offsets=[2**62, 2**62 + 12]), "Error"),
     "offsets are texts": (with_tensor("layer0.bias", data_offsets=["0", "12"]), "Error"),
-    "missing tensor": (packed(without(HEADER, "layer0.bias")), "lacks the tensor|has a tensor"),
-    "missing layer": (packed(without(without(HEADER, "layer0.bias"), "layer0.weight")), "lacks the tensor 'layer0"),
-    "extra tensor": (packed({**HEADER, "extra": HEADER["layer0.bias"]}), "has a tensor 'extra'"),
-    "extra layers": (packed({**HEADER, **{f"layer{n}.bias": SHIFTED["layer0.bias"] for n in range(40)}}), "tensor"),
-    "no tensors": (packed({"__metadata__": HEADER["__metadata__"]}, b""), "1 to 8 layers, got 0"),
+    "missing tensor": (pack_safetensors(without_key(HEADER, "layer0.bias")), "lacks the tensor|has a tensor"),
+    "missing layer": (
+        pack_safetensors(without_key(without_key(HEADER, "layer0.bias"), "layer0.weight")),
+        "lacks the tensor 'layer0",
+    ),
+    "extra tensor": (pack_safetensors({**HEADER, "extra": HEADER["layer0.bias"]}), "has a tensor 'extra'"),
+    "extra layers": (
+        pack_safetensors({**HEADER, **{f"layer{n}.bias": SHIFTED["layer0.bias"] for n in range(40)}}),
+        "tensor",
+    ),
+    "no tensors": (pack_safetensors({"__metadata__": HEADER["__metadata__"]}, b""), "1 to 8 layers, got 0"),
 }
 
 
 @pytest.mark.parametrize("kind", CORPUS)
 def test_a_wrong_file_is_refused_with_its_reason(kind: str) -> None:
-    refused(*CORPUS[kind])
+    assert_content_refused(*CORPUS[kind])
 
 
 @pytest.mark.parametrize("key", sorted(TABLE.keys() - {"version"}))
 def test_every_key_is_needed_and_typed(key: str) -> None:
-    refused(with_table(without(TABLE, key)), f"lacks {key}")
-    refused(with_fields(**{key: None}), f"{key} must be of the JSON type of")
+    assert_content_refused(with_table(without_key(TABLE, key)), f"lacks {key}")
+    assert_content_refused(with_fields(**{key: None}), f"{key} must be of the JSON type of")
 
 
 def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
     for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
         content = pickle.dumps(Canary(tmp_path / "canary"), protocol)
         path = tmp_path / f"{protocol}.safetensors"
-        inside = (packed(content), packed(HEADER, content + BODY), with_table(content.decode("latin-1")))
+        inside = (
+            pack_safetensors(content),
+            pack_safetensors(HEADER, content + BODY),
+            with_table(content.decode("latin-1")),
+        )
         for disguise in (content, *inside):
             path.write_bytes(disguise)
             with pytest.raises(ValueError, match=str(path)):

@@ -13,9 +13,9 @@ import pytest
 from soccer_env.agents.onnx_checks import MAX_FILE
 from soccer_env.agents.onnx_team import OnnxPolicy, from_onnx
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from tests.agents.staged_files import refused_by
+from tests.agents.staged_files import assert_refused_by
 from tests.agents.staged_onnx import WIDE, array, exported, node, small
-from tests.agents.staged_policies import lively
+from tests.agents.staged_policies import random_policy
 
 onnx = pytest.importorskip("onnx")
 pytest.importorskip("onnxruntime")
@@ -27,7 +27,7 @@ ROWS = np.ones((3, WIDE), np.float32)
 def refused(content: bytes, reason: str) -> None:
     """Check that a file is refused at once in one plain line that names it."""
     began = time.process_time()
-    refused_by(lambda: OnnxPolicy(content, WHERE)(ROWS), reason, f"policy file {WHERE!r}: ")
+    assert_refused_by(lambda: OnnxPolicy(content, WHERE)(ROWS), reason, f"policy file {WHERE!r}: ")
     assert time.process_time() - began < 5.0
 
 
@@ -181,7 +181,7 @@ def test_sizes_are_checked_anew_for_each_number_of_rows() -> None:
 
 
 def test_broken_files_are_refused(tmp_path: Path) -> None:
-    content = Path(exported(lively(8), tmp_path / "mine.onnx")).read_bytes()
+    content = Path(exported(random_policy(8), tmp_path / "mine.onnx")).read_bytes()
     for length in (0, 1, 10, 100, len(content) - 1):
         refused(content[:length], "is no ONNX file|must have one input|is not sound")
     with (tmp_path / "large.onnx").open("wb") as file:
@@ -212,13 +212,13 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 
 def test_an_evaluation_goes_on_only_as_the_same_file(tmp_path: Path) -> None:
     """Other weights under the same name are another team."""
-    path = exported(lively(8), tmp_path / "mine.onnx")
+    path = exported(random_policy(8), tmp_path / "mine.onnx")
     team = f"{path}:action_repeat=8"
     settings = EvaluateSettings(home=team, away="still", players=1, matches=2, minutes=0.05, out=tmp_path / "run")
     first = evaluate(settings)
     assert first.conditions.home.endswith("mine.onnx:action_repeat=8")
     assert evaluate(settings).lines == first.lines
-    exported(lively(8, seed=2), tmp_path / "mine.onnx")
+    exported(random_policy(8, seed=2), tmp_path / "mine.onnx")
     with pytest.raises(ValueError, match="home_team"):
         evaluate(settings)
     (tmp_path / "w").write_bytes(np.ones(WIDE * WIDE, np.float32).tobytes())

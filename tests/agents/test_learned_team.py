@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.agents.learned import first_decision, team_of
+from soccer_env.agents.learned import first_decision_step, team_from_policy
 from soccer_env.agents.policy import Policy
 from soccer_env.teams import TeamRandom, View, make_team
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import attentive, decide, from_disk, lively
+from tests.agents.staged_policies import decide, random_attention_policy, random_policy, team_from_disk
 from tests.scenes.symmetry import Records, mirrored
 
 # What is observed, by which senses, with which settings.
@@ -41,7 +41,7 @@ def same_play(one: Match, other: Match) -> bool:
 @pytest.mark.parametrize(("observe", "senses", "settings"), SEEN)
 def test_it_observes_bit_for_bit_what_a_learner_there_does(observe: str, senses: str, settings: Any, league: str):
     settings = {"home": 2, "away": 2, "matches": 2, "senses": senses, "seed": 4, **settings}
-    team = team_of(lively(observe=observe, league=league))
+    team = team_from_policy(random_policy(observe=observe, league=league))
     inside = Match(league, controllers={"home": team, "away": "chaser"}, **settings)
     outside = Match(league, opponents="chaser", observe=observe, actions="full", **settings)
     for _ in range(60):
@@ -54,7 +54,7 @@ def test_it_observes_bit_for_bit_what_a_learner_there_does(observe: str, senses:
 
 
 def test_with_a_policy_at_home_and_one_away_each_observes_from_its_own_side() -> None:
-    truth, belief = team_of(lively(observe="truth")), team_of(lively())
+    truth, belief = team_from_policy(random_policy(observe="truth")), team_from_policy(random_policy())
     match = Match(home=2, away=2, controllers={"home": truth, "away": belief}, seed=4, senses={"home": "ideal"})
     outside = Match(home=2, away=2, observe="belief", actions="full", seed=4, senses={"home": "ideal"})
     for _ in range(30):
@@ -62,19 +62,21 @@ def test_with_a_policy_at_home_and_one_away_each_observes_from_its_own_side() ->
         match.step()
         assert (match.squads[1].observations[:, 2:] == due).all()
         outside.step(commanded(match))
-    seen = dict(zip(lively(observe="truth").inputs, match.squads[0].observations[0, 0], strict=True))
+    seen = dict(zip(random_policy(observe="truth").inputs, match.squads[0].observations[0, 0], strict=True))
     assert seen["own_x"] < 0.0, "the own half is at -x"
 
 
 def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() -> None:
-    match = Match(home=2, away=1, controllers={"home": team_of(lively(action_repeat=8)), "away": "still"}, seed=1)
+    match = Match(
+        home=2, away=1, controllers={"home": team_from_policy(random_policy(action_repeat=8)), "away": "still"}, seed=1
+    )
     asked = []
     for _ in range(30):
         match.step()
         asked.append(commanded(match)[0, :2])
     asked_for = [(0, 8), (2, 8), (2, 1), (2, 4), (9, 8)]
-    assert [first_decision(*one) for one in asked_for] == [0, 6, 0, 2, 7], "a delay before a repeat ends"
-    first = first_decision(match.league.delay_steps, 8)
+    assert [first_decision_step(*one) for one in asked_for] == [0, 6, 0, 2, 7], "a delay before a repeat ends"
+    first = first_decision_step(match.league.delay_steps, 8)
     assert first == 6, "the walk is latched every 8 control steps and a command needs 2 to arrive"
     assert not np.any(asked[:first] - np.array([0, 0, 0, 0, -1, 0, 0])), "the head tracks the ball by itself"
     for step in range(first, 30):
@@ -82,11 +84,13 @@ def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() ->
         assert changed == ((step - first) % 8 == 0)
 
 
-@pytest.mark.parametrize("make", [lively, attentive])
+@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("size", [1, 2, 3, 5])
 def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, make: Callable[..., Policy]) -> None:
     policy = make(16)
-    match = Match(home=size, away=size, controllers={"home": team_of(policy), "away": "chaser"}, matches=2, seed=1)
+    match = Match(
+        home=size, away=size, controllers={"home": team_from_policy(policy), "away": "chaser"}, matches=2, seed=1
+    )
     start = match.robots["x"].copy()
     for _ in range(50):
         match.step()
@@ -96,8 +100,10 @@ def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, ma
 
 
 def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
-    policy = lively(16)
-    match = Match(home=3, away=1, controllers={"home_1": team_of(policy), "home": "chaser", "away": "still"}, seed=1)
+    policy = random_policy(16)
+    match = Match(
+        home=3, away=1, controllers={"home_1": team_from_policy(policy), "home": "chaser", "away": "still"}, seed=1
+    )
     for _ in range(20):
         match.step()
         squad = next(squad for squad in match.squads if squad.name == "lively")
@@ -105,11 +111,15 @@ def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
         assert (commanded(match)[0, 1, :4] == decide(policy, squad.observations[0, 1:2])[0]).all()
 
 
-@pytest.mark.parametrize("make", [lively, attentive])
+@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path, make: Callable[..., Policy]) -> None:
     policy = make(16, 8, action_repeat=4, mirror=True)
     hashes = []
-    for team in (from_disk(policy, tmp_path), team_of(policy), make_team(from_disk(policy, tmp_path))):
+    for team in (
+        team_from_disk(policy, tmp_path),
+        team_from_policy(policy),
+        make_team(team_from_disk(policy, tmp_path)),
+    ):
         match = Match(home=2, away=2, controllers={"home": team, "away": team}, seed=1)
         for _ in range(60):
             match.step()
@@ -118,7 +128,7 @@ def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path, make: Cal
 
 
 def test_a_match_plays_alone_as_among_64_and_on_two_threads_as_on_one() -> None:
-    team = team_of(lively(16, action_repeat=4))
+    team = team_from_policy(random_policy(16, action_repeat=4))
     hashes = []
     for threads in (1, 2):
         many = Match(controllers={"home": team, "away": "chaser"}, home=2, away=1, matches=64, threads=threads, seed=3)
@@ -135,7 +145,7 @@ def test_a_match_plays_alone_as_among_64_and_on_two_threads_as_on_one() -> None:
 
 def test_a_save_between_two_decisions_has_one_future(tmp_path: Path) -> None:
     def fresh() -> Match:
-        team = from_disk(lively(16, action_repeat=8), tmp_path)
+        team = team_from_disk(random_policy(16, action_repeat=8), tmp_path)
         return Match(home=2, away=2, matches=2, controllers={"home": team, "away": "chaser"}, seed=3)
 
     match = fresh()
@@ -160,12 +170,12 @@ def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
     from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
     settings = {"matches": 2, "senses": senses, "seed": 4, "minutes": 0.05, **settings}
-    policy = lively(16, observe=observe, action_repeat=repeat, actions=actions)
+    policy = random_policy(16, observe=observe, action_repeat=repeat, actions=actions)
     learner = SoccerVecEnv(players=((2, 2),), action_repeat=repeat, actions=actions, observe=observe, **settings)
-    sides = {"home": team_of(policy), "away": "chaser"}
+    sides = {"home": team_from_policy(policy), "away": "chaser"}
     player = Match(home=2, away=2, controllers=sides, autoreset="same_step", **settings)
     seen = learner.reset()
-    for _ in range(first_decision(player.league.delay_steps, repeat)):
+    for _ in range(first_decision_step(player.league.delay_steps, repeat)):
         player.step()
     assert same_play(learner.matches[0], player)
     ends = 0
@@ -181,10 +191,11 @@ def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
 def test_plain_python_plays_what_the_compiled_code_plays() -> None:
     program = """
 from soccer_env import Match
-from soccer_env.agents.learned import team_of
-from tests.agents.staged_policies import attentive, lively
-for make, activation in ((lively, "tanh"), (lively, "relu"), (attentive, "tanh"), (attentive, "relu")):
-    team = team_of(make(16, 8, activation=activation, mirror=True, action_repeat=4))
+from soccer_env.agents.learned import team_from_policy
+from tests.agents.staged_policies import random_attention_policy, random_policy
+makers = (random_policy, random_attention_policy)
+for make, activation in ((make, activation) for make in makers for activation in ("tanh", "relu")):
+    team = team_from_policy(make(16, 8, activation=activation, mirror=True, action_repeat=4))
     match = Match(home=1, away=1, controllers={"home": team, "away": team}, senses="ideal", seed=1)
     for _ in range(24):
         match.step()
@@ -201,7 +212,7 @@ for make, activation in ((lively, "tanh"), (lively, "relu"), (attentive, "tanh")
 
 def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
     """Slots go by distance; with ideal senses, for the numbers of the others are in no observation."""
-    sides = {"home": team_of(lively(32)), "away": "still"}
+    sides = {"home": team_from_policy(random_policy(32)), "away": "still"}
     match, swapped = (Match(home=3, away=2, controllers=sides, seed=2, senses="ideal") for _ in range(2))
     for _ in range(30):
         match.step()
@@ -220,7 +231,7 @@ def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
 
 @pytest.mark.parametrize("observe", ["truth", "belief"])
 def test_a_mirror_policy_plays_a_mirrored_scene_mirrored(observe: str) -> None:
-    team = team_of(lively(32, 32, observe=observe, mirror=True))
+    team = team_from_policy(random_policy(32, 32, observe=observe, mirror=True))
     one, other = (Match(home=2, away=2, controllers={"home": team, "away": team}, senses="ideal", seed=2) for _ in "ab")
     for _ in range(30):
         one.step()
@@ -238,7 +249,7 @@ def test_a_mirror_policy_plays_a_mirrored_scene_mirrored(observe: str) -> None:
     ("observe", "needed", "got"), [("truth", "ideal", "sensors"), ("percepts", "sensors", "ideal")]
 )
 def test_senses_that_cannot_give_what_it_observes_are_refused(observe: str, needed: str, got: str) -> None:
-    team = team_of(lively(observe=observe))
+    team = team_from_policy(random_policy(observe=observe))
     with pytest.raises(ValueError) as error:
         Match(home=1, away=1, opponents=team, senses={"away": got, "home": needed}, seed=1)
     said = f"team 'lively' observes {observe}: it needs senses={needed!r}, got {got!r} "
@@ -247,13 +258,15 @@ def test_senses_that_cannot_give_what_it_observes_are_refused(observe: str, need
 
 
 def test_a_body_and_its_league_are_needed_to_act_and_saves_are_of_one_policy() -> None:
-    match, team = Match(home=1, away=1, seed=1, senses="ideal"), team_of(lively())
+    match, team = Match(home=1, away=1, seed=1, senses="ideal"), team_from_policy(random_policy())
     view = View(match.league, match.beliefs, match.tracks)
     memory, rng = np.zeros((1, 2), team.memory_dtype), TeamRandom(match.robots["noise"].copy(), np.arange(2))
     with pytest.raises(ValueError, match="team 'lively' plays inside a match only: give it as controllers, opponents"):
         team.act(view, memory, rng)
     with pytest.raises(ValueError, match="policy 'lively' was trained in .* family legged, 'middle-size-2006' is of"):
         Match("middle-size-2006", opponents=team, seed=1)
-    one, other = (Match(home=1, away=1, opponents=team_of(lively(16, seed=seed)), seed=1) for seed in (1, 2))
+    one, other = (
+        Match(home=1, away=1, opponents=team_from_policy(random_policy(16, seed=seed)), seed=1) for seed in (1, 2)
+    )
     with pytest.raises(ValueError, match="teams differ"):
         other.load(one.save())

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team
-from soccer_env.agents.learned import team_of
+from soccer_env.agents.learned import team_from_policy
 from tests.agents.staged_onnx import exported
-from tests.agents.staged_policies import lively
+from tests.agents.staged_policies import random_policy
 
 pytest.importorskip("onnx")
 pytest.importorskip("onnxruntime")
@@ -31,11 +31,11 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 @pytest.mark.parametrize("case", CASES)
 def test_it_plays_as_our_own_inference(case: str, tmp_path: Path) -> None:
     fields, written = CASES[case]
-    policy = lively(16, 12, **fields)
+    policy = random_policy(16, 12, **fields)
     path = exported(policy, tmp_path / "mine.onnx", **written)
     settings: dict[str, Any] = {"home": 2, "away": 2, "matches": 3, "seed": 1}
     theirs = Match(controllers={"home": f"{path}:observe=belief", "away": "chaser"}, **settings)
-    ours = Match(controllers={"home": team_of(policy, at_once=True), "away": "chaser"}, **settings)
+    ours = Match(controllers={"home": team_from_policy(policy, at_once=True), "away": "chaser"}, **settings)
     for _ in range(40):
         theirs.step()
         ours.step()
@@ -46,7 +46,7 @@ def test_it_plays_as_our_own_inference(case: str, tmp_path: Path) -> None:
 
 
 def test_a_match_with_it_is_copied(tmp_path: Path) -> None:
-    match = Match(home=1, away=1, opponents=exported(lively(8), tmp_path / "mine.onnx"), seed=1)
+    match = Match(home=1, away=1, opponents=exported(random_policy(8), tmp_path / "mine.onnx"), seed=1)
     match.step(np.zeros((1, 2, 4)))
     other = pickle.loads(pickle.dumps(match))
     for one in (match, other):
@@ -61,7 +61,7 @@ def test_what_cannot_play_is_refused_in_one_line(tmp_path: Path) -> None:
     assert "\n" not in str(error.value)
     with pytest.raises(ValueError, match=r"policy file '.*none.onnx': No such file"):
         make_team(str(tmp_path / "none.onnx"))
-    path = exported(lively(8, observe="truth"), tmp_path / "truth.onnx")
+    path = exported(random_policy(8, observe="truth"), tmp_path / "truth.onnx")
     match = Match(home=1, away=1, opponents=path, seed=1)
     before = match.state_hash()
     with pytest.raises(ValueError, match="takes 73 inputs, the observation has 93: give observe= as in its training"):
@@ -74,7 +74,7 @@ def test_what_cannot_play_is_refused_in_one_line(tmp_path: Path) -> None:
 
 
 def test_without_onnxruntime_the_message_says_what_to_install(tmp_path: Path) -> None:
-    path = exported(lively(8), tmp_path / "mine.onnx")
+    path = exported(random_policy(8), tmp_path / "mine.onnx")
     code = f"import sys; sys.modules['onnxruntime'] = None\nfrom soccer_env import make_team; make_team({path!r})"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert "ImportError: an ONNX file plays by onnxruntime and onnx: pip install soccer_env[onnx]" in ran.stderr

@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.learned import MEMORY, decide_slice, team_of
-from soccer_env.agents.perceptron import pack, widest
+from soccer_env.agents.learned import MEMORY, decide_slice, team_from_policy
+from soccer_env.agents.perceptron import pack_policy, widest_layer
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import attentive, decide, lively
+from tests.agents.staged_policies import decide, random_attention_policy, random_policy
 
 SIZES = [(8,), (64, 64), (33, 7, 12)]
 
@@ -46,9 +46,9 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     pytest.importorskip("stable_baselines3")
     from gymnasium import spaces
 
-    from soccer_env.train.ppo.networks import SoccerPolicy, policy_from
+    from soccer_env.train.ppo.networks import SoccerPolicy, export_policy
 
-    entries = lively().entries
+    entries = random_policy().entries
     seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(entries), 7 if actions == "full" else 4))
     torch.manual_seed(1)
     settings: dict[str, Any] = {"hidden": hidden, "activation": activation, "mirror": mirror, "kind": kind}
@@ -56,7 +56,9 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     with torch.no_grad():
         for parameter in network.actor_parameters():
             parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)
-    made = policy_from(network, name="t", league=find_league("legged-2001"), observe="belief", action_repeat=1, made={})
+    made = export_policy(
+        network, name="t", league=find_league("legged-2001"), observe="belief", action_repeat=1, made={}
+    )
     return network, made
 
 
@@ -64,11 +66,11 @@ def commands_of(policy: Policy, seen: np.ndarray, players: list[int], first: int
     """Return the commands (M, R) of players of a slice of matches that observe (M, R, n)."""
     commands, memory = np.zeros(seen.shape[:2], COMMAND), np.zeros((len(seen), len(players)), MEMORY)
     constants = constants_of(find_league("legged-2001"))
-    decide_slice(seen, memory, commands, np.array(players), constants, pack(policy), first, last)
+    decide_slice(seen, memory, commands, np.array(players), constants, pack_policy(policy), first, last)
     return commands
 
 
-@pytest.mark.parametrize("make", [lively, attentive])
+@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("mirror", [False, True])
 def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool, make: Callable[..., Policy]) -> None:
     policy = make(64, 64, mirror=mirror)
@@ -85,7 +87,7 @@ def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool, make:
 
 
 def test_a_team_gives_what_the_network_gives() -> None:
-    policy = lively(32)
+    policy = random_policy(32)
     seen = observations(policy, 6).reshape(3, 2, -1)
     commands, actions = commands_of(policy, seen, [0, 1], 0, 3), decide(policy, seen.reshape(6, -1)).reshape(3, 2, 4)
     for index, name in enumerate(("forward", "left", "turn", "kick")):
@@ -93,7 +95,7 @@ def test_a_team_gives_what_the_network_gives() -> None:
     assert (commands["head"] == -1.0).all()
 
 
-@pytest.mark.parametrize("make", [lively, attentive])
+@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("observe", ["truth", "belief"])
 def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str, actions: str, make: Any) -> None:
@@ -108,13 +110,16 @@ def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str
 
 
 def test_actions_end_at_1() -> None:
-    policy = lively(biases=tuple(np.full(size, 9.0, np.float32) for size in (16, 4)))
+    policy = random_policy(biases=tuple(np.full(size, 9.0, np.float32) for size in (16, 4)))
     assert (decide(policy, observations(policy)) == 1.0).any()
     assert np.abs(decide(policy, observations(policy))).max() <= 1.0
 
 
 def test_networks_of_all_shapes_have_numbers_for_settings_that_saves_compare() -> None:
-    one, other = lively(8, 5), lively(8, 5, seed=2)
-    assert widest(pack(one)) == len(one.inputs)
-    assert team_of(one).settings.dtype == np.float64 and (pack(one) == team_of(one).settings).all()
-    assert (pack(one) != pack(other)).any()
+    one, other = random_policy(8, 5), random_policy(8, 5, seed=2)
+    assert widest_layer(pack_policy(one)) == len(one.inputs)
+    assert (
+        team_from_policy(one).settings.dtype == np.float64
+        and (pack_policy(one) == team_from_policy(one).settings).all()
+    )
+    assert (pack_policy(one) != pack_policy(other)).any()

@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from soccer_env.agents import policy as limits
-from soccer_env.agents.policy import Policy, trained_in
+from soccer_env.agents.policy import Policy, training_fields
 from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
 from soccer_env.leagues import LEAGUES, Slots, find_league
-from soccer_env.observations import names_of
-from tests.agents.staged_files import FIELDS, TABLE, WHERE, refused, with_fields, with_table, without
+from soccer_env.observations import entry_names
+from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
@@ -160,7 +160,7 @@ def test_too_many_weights_are_refused_and_tanh_bounds_what_follows_it() -> None:
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
 def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -> None:
     own = find_league(league)
-    trained = policy(inputs=tuple(names_of(own, observe)), observe=observe, **trained_in(own))
+    trained = policy(inputs=tuple(entry_names(own, observe)), observe=observe, **training_fields(own))
     for name, preset in LEAGUES.items():
         if preset.family == own.family:
             trained.check_plays(preset)
@@ -172,7 +172,7 @@ def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -
 
 def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
     league = find_league("legged-2001")
-    trained = policy(inputs=tuple(names_of(league, "truth")), **trained_in(league))
+    trained = policy(inputs=tuple(entry_names(league, "truth")), **training_fields(league))
     trained.check_plays(replace(league, name="icy"))
     trained.check_plays(replace(league, name="of-my-own", ball=replace(league.ball, rolling=0.05)))
     with pytest.raises(ValueError, match="'legged-2001' of control rate 16, 'legged-2001' is of control rate 20"):
@@ -189,16 +189,18 @@ def test_a_file_of_version_1_takes_family_and_rate_from_our_league_and_one_of_2_
     assert (read.league, read.family, read.control_rate, read.rules) == ("legged-2001", "legged", 16, {})
     read = parse(with_table({**first, "league": "middle-size-2006-differential"}), WHERE)
     assert (read.family, read.control_rate) == ("middle-size", 50)
-    refused(with_fields(version=1), "unknown key 'family' for version 1")
+    assert_content_refused(with_fields(version=1), "unknown key 'family' for version 1")
     for league in ("icy", ["legged-2001"], None):
-        refused(with_table({**first, "league": league}), "is of version 1, which says nothing of leagues of one's own")
-    assert parse(with_table({**without(TABLE, "rules"), "version": 2}), WHERE).rules == {}
-    refused(with_fields(version=2), "unknown key 'rules' for version 2")
+        assert_content_refused(
+            with_table({**first, "league": league}), "is of version 1, which says nothing of leagues of one's own"
+        )
+    assert parse(with_table({**without_key(TABLE, "rules"), "version": 2}), WHERE).rules == {}
+    assert_content_refused(with_fields(version=2), "unknown key 'rules' for version 2")
 
 
 def test_another_layout_is_refused_with_the_entry_that_differs() -> None:
     league = find_league("legged-2001")
-    names = names_of(league, "truth")
+    names = entry_names(league, "truth")
     swapped = (names[1], names[0], *names[2:])
     with pytest.raises(ValueError, match="takes 73 inputs .* has 73; .* input 0: 'own_y' in the policy, 'own_x' in"):
         policy(inputs=swapped).check_plays(league)

@@ -10,14 +10,14 @@ from soccer_env import Match, make_team
 from soccer_env.actions import DISCRETE_TABLE, FULL
 from soccer_env.agents.policy_file import dump, load
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import entry_names
 
 torch = pytest.importorskip("torch")
 from torch import nn  # noqa: E402
 
 from soccer_env.agents import save_policy  # noqa: E402
 
-INPUTS = len(names_of(find_league("legged-2001"), "belief"))
+INPUTS = len(entry_names(find_league("legged-2001"), "belief"))
 TRAINED: dict[str, Any] = {"league": "legged-2001", "observe": "belief"}
 
 

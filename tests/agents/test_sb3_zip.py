@@ -16,9 +16,20 @@ from soccer_env.agents import convert_sb3
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.leagues import find_league
-from tests.agents.staged_files import without
+from tests.agents.staged_files import without_key
 from tests.agents.staged_policies import decide
-from tests.agents.staged_zips import INPUTS, Noise, data_of, plain_zip, pth_of, read, refuses, remade, saved, state_of
+from tests.agents.staged_zips import (
+    INPUTS,
+    Noise,
+    assert_zip_refused,
+    data_of,
+    plain_zip,
+    pth_of,
+    read,
+    rewrite_zip,
+    save_zip,
+    state_of,
+)
 
 torch = pytest.importorskip("torch")
 sb3 = pytest.importorskip("stable_baselines3")
@@ -48,7 +59,7 @@ REAL = {
 @pytest.mark.parametrize("kind", REAL)
 def test_a_real_zip_gives_the_same_actions(kind: str, tmp_path: Path) -> None:
     algorithm, size, settings, activation = REAL[kind]
-    model = saved(tmp_path, Noise(size), algorithm, **settings)
+    model = save_zip(tmp_path, Noise(size), algorithm, **settings)
     policy = read(tmp_path / "model.zip", action_repeat=3)
     observations = np.random.default_rng(2).uniform(-1, 1, (200, INPUTS)).astype(np.float32)
     with torch.no_grad():
@@ -94,7 +105,7 @@ def test_other_algorithms_play_what_they_predict(kind: str, tmp_path: Path) -> N
 
 
 def test_squashed_exploration_of_ppo_plays_what_it_predicts(tmp_path: Path) -> None:
-    model = saved(tmp_path, Noise(), use_sde=True, policy_kwargs={"squash_output": True})
+    model = save_zip(tmp_path, Noise(), use_sde=True, policy_kwargs={"squash_output": True})
     observations = np.random.default_rng(2).uniform(-1, 1, (50, INPUTS)).astype(np.float32)
     predicted = model.predict(observations, deterministic=True)[0]
     assert np.abs(decide(read(tmp_path / "model.zip"), observations) - predicted).max() < 1e-5
@@ -128,8 +139,8 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ],
 )
 def test_other_actions_are_refused(space: gymnasium.Space, reason: str, tmp_path: Path) -> None:
-    saved(tmp_path, Noise(space))
-    refuses(tmp_path / "model.zip", reason)
+    save_zip(tmp_path, Noise(space))
+    assert_zip_refused(tmp_path / "model.zip", reason)
 
 
 class Wide(torch.nn.Flatten):
@@ -141,26 +152,28 @@ class Wide(torch.nn.Flatten):
 
 
 def test_other_networks_are_refused(tmp_path: Path) -> None:
-    saved(tmp_path, Noise(), policy_kwargs={"activation_fn": torch.nn.ELU})
-    refuses(tmp_path / "model.zip", "activation_fn must be Tanh or ReLU, got .*ELU")
-    saved(tmp_path, Noise(), policy_kwargs={"features_extractor_class": Wide})
-    refuses(tmp_path / "model.zip", "features are made by .*Wide")
+    save_zip(tmp_path, Noise(), policy_kwargs={"activation_fn": torch.nn.ELU})
+    assert_zip_refused(tmp_path / "model.zip", "activation_fn must be Tanh or ReLU, got .*ELU")
+    save_zip(tmp_path, Noise(), policy_kwargs={"features_extractor_class": Wide})
+    assert_zip_refused(tmp_path / "model.zip", "features are made by .*Wide")
 
 
 def test_other_policies_are_refused(tmp_path: Path) -> None:
     noisy = sb3.SAC("MlpPolicy", Noise(), buffer_size=10, use_sde=True, policy_kwargs={"net_arch": [4]})
     noisy.save(tmp_path / "sac.zip")
-    refuses(tmp_path / "sac.zip", "has the parameter 'actor.log_std': only MlpPolicy of PPO, A2C, SAC")
+    assert_zip_refused(tmp_path / "sac.zip", "has the parameter 'actor.log_std': only MlpPolicy of PPO, A2C, SAC")
     images = Noise()
     images.observation_space = gymnasium.spaces.Box(0, 255, (3, 36, 36), np.uint8)
     sb3.PPO("CnnPolicy", images, n_steps=16, batch_size=16).save(tmp_path / "cnn.zip")
     supported = "only MlpPolicy of PPO, A2C, SAC, TD3, DDPG and DQN is supported"
-    refuses(tmp_path / "cnn.zip", f"'.*features_extractor.* {supported}")
+    assert_zip_refused(tmp_path / "cnn.zip", f"'.*features_extractor.* {supported}")
 
 
 def test_other_widths_and_wrong_arguments_are_refused(plain: Path, tmp_path: Path) -> None:
-    refuses(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 93", observe="belief")
-    refuses(plain, f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101", league="middle-size-2006")
+    assert_zip_refused(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 93", observe="belief")
+    assert_zip_refused(
+        plain, f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101", league="middle-size-2006"
+    )
     for changes in ({"league": "none"}, {"observe": "all"}, {"activation": "gelu"}, {"action_repeat": 0}, {"name": ""}):
         with pytest.raises(ValueError, match=f"{next(iter(changes))}"):
             read(plain, **changes)
@@ -169,15 +182,15 @@ def test_other_widths_and_wrong_arguments_are_refused(plain: Path, tmp_path: Pat
 def test_the_activation_is_the_zips_own(plain: Path, tmp_path: Path) -> None:
     assert read(plain, activation="relu").activation == "relu"  # this zip does not say
     said = {"activation_fn": "<class 'torch.nn.modules.activation.ReLU'>"}
-    path = remade(plain, tmp_path / "a.zip", data=data_of(plain, policy_kwargs=said))
+    path = rewrite_zip(plain, tmp_path / "a.zip", data=data_of(plain, policy_kwargs=said))
     assert read(path).activation == "relu"
-    refuses(path, "its activation is relu, not tanh", activation="tanh")
+    assert_zip_refused(path, "its activation is relu, not tanh", activation="tanh")
 
 
 def test_a_name_is_made_from_the_file(plain: Path, tmp_path: Path) -> None:
     path = tmp_path / "..ö|best" / "-(ö) best|.zip"
     path.parent.mkdir()
-    assert read(remade(plain, path)).name == "best-"
+    assert read(rewrite_zip(plain, path)).name == "best-"
     assert read(plain, name="mine").name == "mine"
 
 
@@ -197,8 +210,8 @@ def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:
         "NaN": ({**state, "action_net.bias": bias * np.nan}, "must be finite"),
         "double": ({**state, "action_net.bias": bias.double()}, "torch DoubleStorage', which is no tensor"),
         "half": ({**state, "action_net.bias": bias.to(torch.bfloat16)}, "BFloat16Storage', which is no tensor"),
-        "lacking": (without(state, "action_net.bias"), "action_net must have a weight and a bias"),
-        "no log_std": (without(state, "log_std"), "is not of the kind that its net"),
+        "lacking": (without_key(state, "action_net.bias"), "action_net must have a weight and a bias"),
+        "no log_std": (without_key(state, "log_std"), "is not of the kind that its net"),
         "other": ({**state, "q_net.0.weight": bias}, "parameter 'q_net.0.weight': only MlpPolicy"),
         "gap": (
             {**state, "mlp_extractor.policy_net.5.weight": bias},
@@ -217,7 +230,7 @@ def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:
 
 def test_wrong_parameters_are_refused(plain: Path, tmp_path: Path) -> None:
     for table, reason in wrong_states(state_of(plain)).values():
-        refuses(remade(plain, tmp_path / "a.zip", policy_pth=pth_of(table)), reason)
+        assert_zip_refused(rewrite_zip(plain, tmp_path / "a.zip", policy_pth=pth_of(table)), reason)
 
 
 def test_wrong_data_is_refused(plain: Path, tmp_path: Path) -> None:
@@ -234,7 +247,7 @@ def test_wrong_data_is_refused(plain: Path, tmp_path: Path) -> None:
         (data_of(plain, policy_kwargs={"lstm_size": 2}), "policy_kwargs has 'lstm_size'"),
         (data_of(plain, action_space={":type:": box, "low": "[-1. nan]"}), "must lie in"),
     ):
-        refuses(remade(plain, tmp_path / "a.zip", data=content), reason)
+        assert_zip_refused(rewrite_zip(plain, tmp_path / "a.zip", data=content), reason)
 
 
 def test_without_torch_the_message_says_what_to_install(plain: Path) -> None:

@@ -8,72 +8,76 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.agents import rules_known
-from soccer_env.agents.learned import BUNDLED, team_of
+from soccer_env.agents.learned import BUNDLED, team_from_policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.rules_known import LOG, recorded, warn_once
-from soccer_env.agents.trained_with import differences, senses_of_run, tell_of_truth, trained_with
+from soccer_env.agents.trained_with import senses_of_run, training_differences, training_senses, warn_if_observing_truth
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import SWITCHES, rule_set
-from soccer_env.observations import names_of
+from soccer_env.observations import entry_names
 from soccer_env.teams import Lineup, make_team
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.ppo.toml_file import settings_of
-from tests.agents.staged_files import TABLE, refused, with_fields
-from tests.agents.staged_policies import from_disk, lively
+from tests.agents.staged_files import TABLE, assert_content_refused, with_fields
+from tests.agents.staged_policies import random_policy, team_from_disk
 
 UNKNOWN = {"senses": "", "pose": ""}
 
 
 def test_a_file_keeps_senses_and_pose_and_is_of_the_version_that_knows_them() -> None:
-    policy = lively(senses="sensors", pose="percept")
+    policy = random_policy(senses="sensors", pose="percept")
     read = parse(dump(policy), "file")
-    assert trained_with(read) == {"senses": "sensors", "pose": "percept"}
+    assert training_senses(read) == {"senses": "sensors", "pose": "percept"}
     assert b'\\"version\\":5' in dump(policy)
-    assert b'\\"version\\":3' in dump(lively()) and trained_with(lively()) == UNKNOWN
-    assert b'\\"version\\":4' in dump(lively(squash=True)), "older packages read what they know"
+    assert b'\\"version\\":3' in dump(random_policy()) and training_senses(random_policy()) == UNKNOWN
+    assert b'\\"version\\":4' in dump(random_policy(squash=True)), "older packages read what they know"
 
 
 def test_another_word_is_refused() -> None:
     fields = {**TABLE, "squash": False, "at_once": False, "normalise": {}, "version": 5}
-    refused(with_fields(**fields, senses="sensors", pose="compass"), "pose must be one of")
-    refused(with_fields(**fields, senses="eyes", pose=""), "senses must be one of")
-    refused(with_fields(**{**fields, "version": 4}, pose=""), "unknown key 'pose' for version 4")
+    assert_content_refused(with_fields(**fields, senses="sensors", pose="compass"), "pose must be one of")
+    assert_content_refused(with_fields(**fields, senses="eyes", pose=""), "senses must be one of")
+    assert_content_refused(with_fields(**{**fields, "version": 4}, pose=""), "unknown key 'pose' for version 4")
 
 
 def test_what_a_run_left_says_it_for_files_that_are_older() -> None:
-    assert trained_with(load(BUNDLED)) == {"senses": "", "pose": "particles"}, "a tenth of its matches had ideal senses"
+    assert training_senses(load(BUNDLED)) == {"senses": "", "pose": "particles"}, (
+        "a tenth of its matches had ideal senses"
+    )
     settings = json.dumps({"senses": "sensors", "ideal_share": 0.0, "pose": "percept"})
-    assert trained_with(lively(made={"settings": settings})) == {"senses": "sensors", "pose": "percept"}
+    assert training_senses(random_policy(made={"settings": settings})) == {"senses": "sensors", "pose": "percept"}
     for nonsense in ("", "[" * 100_000, "[]", '{"pose": 7, "senses": ["x"]}', '{"ideal_share": "much"}'):
-        assert trained_with(lively(made={"settings": nonsense[:2000]})) == UNKNOWN
+        assert training_senses(random_policy(made={"settings": nonsense[:2000]})) == UNKNOWN
     assert senses_of_run({"senses": "ideal", "pose": "percept"}) == {"senses": "ideal", "pose": ""}, "it needs no pose"
     assert senses_of_run({"senses": "sensors", "ideal_share": 1.0, "pose": "percept"})["senses"] == "ideal"
 
 
 def test_what_differs_is_told_of_every_policy_of_a_team() -> None:
-    policy = lively(senses="sensors", pose="percept")
-    team = team_of(policy)
-    assert differences(team, "sensors", "percept") == []
-    assert [one[1:] for one in differences(team, "sensors", "particles")] == [("pose", "percept", "particles")]
-    assert [one.setting for one in differences(team, "ideal", "particles")] == ["senses"], "no robot has to find itself"
+    policy = random_policy(senses="sensors", pose="percept")
+    team = team_from_policy(policy)
+    assert training_differences(team, "sensors", "percept") == []
+    assert [one[1:] for one in training_differences(team, "sensors", "particles")] == [("pose", "percept", "particles")]
+    assert [one.setting for one in training_differences(team, "ideal", "particles")] == ["senses"], (
+        "no robot has to find itself"
+    )
     both = Lineup(["chaser", team])
-    assert [one.policy for one in differences(both, "sensors", "particles")] == [policy]
+    assert [one.policy for one in training_differences(both, "sensors", "particles")] == [policy]
     for known in ("learned", "chaser"):
-        assert differences(make_team(known), "sensors", "particles") == []
+        assert training_differences(make_team(known), "sensors", "particles") == []
 
 
 def test_a_policy_that_observes_the_truth_is_said_to_need_ideal_senses(caplog: pytest.LogCaptureFixture) -> None:
     warn_once.cache_clear()
-    tell_of_truth(replace(lively(), name="sees"))
+    warn_if_observing_truth(replace(random_policy(), name="sees"))
     assert not caplog.records
     for _ in range(2):
-        tell_of_truth(lively(observe="truth", name="knows"))
+        warn_if_observing_truth(random_policy(observe="truth", name="knows"))
     (record,) = caplog.records
     assert record.name == LOG.name and "'knows' observes the truth" in record.message
     assert "--senses ideal" in record.message
     shown = "observe='belief', actions='box': slots of 93 inputs, layers of 32, 4"
-    assert repr(lively(32)) == f"Policy('lively', 'legged-2001', {shown})"
+    assert repr(random_policy(32)) == f"Policy('lively', 'legged-2001', {shown})"
 
 
 LEAGUE = find_league("legged-2001")
@@ -90,7 +94,7 @@ def under(rules: str) -> League:
 
 def warnings_of(caplog: pytest.LogCaptureFixture, policy_rules: str, rules: str) -> list[str]:
     """Return what is said where a policy trained under some rules plays two matches under others."""
-    team = team_of(replace(lively(), rules=recorded(under(policy_rules).rules)))
+    team = team_from_policy(replace(random_policy(), rules=recorded(under(policy_rules).rules)))
     for _ in range(2):
         Match(home=1, away=1, seed=1, rules=rules, controllers={"home": team, "away": "still"})
     return [record.message for record in caplog.records if record.name == LOG.name]
@@ -110,26 +114,26 @@ def test_other_rules_are_told_once_with_both_names_and_each_rule_that_differs(ca
 
 
 def test_rules_that_came_later_or_went_are_named_and_how_long_a_match_lasts_is_none() -> None:
-    assert rules_known.differences(recorded(LEAGUE.rules), replace(LEAGUE.rules, half_minutes=1.0)) == []
+    assert rules_known.rule_differences(recorded(LEAGUE.rules), replace(LEAGUE.rules, half_minutes=1.0)) == []
     known = {**recorded(LEAGUE.rules), "offside": True}
     del known["pushing"]
-    found = rules_known.differences(known, rule_set(LEAGUE.rules, "league:pushing=True"))
+    found = rules_known.rule_differences(known, rule_set(LEAGUE.rules, "league:pushing=True"))
     assert found == ["pushing (not there, on)", "offside (on, not there)"]
 
 
 def test_a_file_without_rules_is_said_to_be_older_than_they_are(caplog: pytest.LogCaptureFixture) -> None:
-    team_of(replace(lively(), rules={})).check_league(under("simple"))
+    team_from_policy(replace(random_policy(), rules={})).check_league(under("simple"))
     (record,) = caplog.records
     assert "does not say under which rules it was trained, and now plays under 'simple'" in record.message
     assert "save_policy or convert_sb3 and rules=..., or give FILE.zip:rules=league" in record.message
 
 
 def test_a_file_keeps_every_switch_and_number(tmp_path: Path) -> None:
-    policy = replace(lively(), rules=recorded(under("simple:pushing=True,pushing_time=4.5").rules))
+    policy = replace(random_policy(), rules=recorded(under("simple:pushing=True,pushing_time=4.5").rules))
     read = parse(dump(policy), "file")
-    assert read.rules == policy.rules == from_disk(policy, tmp_path).policy.rules
+    assert read.rules == policy.rules == team_from_disk(policy, tmp_path).policy.rules
     assert read.rules["name"] == "simple:pushing=True,pushing_time=4.5" and read.rules["pushing_time"] == 4.5
-    assert set(SWITCHES) <= set(read.rules) and rules_known.differences(read.rules, under("simple").rules)
+    assert set(SWITCHES) <= set(read.rules) and rules_known.rule_differences(read.rules, under("simple").rules)
 
 
 LEAST_STEPS = 0.99  # [1] of the steps asked for: a run ends with whole rollouts
@@ -139,7 +143,7 @@ def test_the_policy_is_small_and_plays_by_beliefs() -> None:
     policy = load(BUNDLED)
     assert BUNDLED.stat().st_size < 1_000_000
     assert (policy.name, policy.league, policy.observe) == ("learned", "legged-2001", "belief")
-    assert list(policy.inputs) == names_of(find_league("legged-2001"), "belief")
+    assert list(policy.inputs) == entry_names(find_league("legged-2001"), "belief")
     assert make_team("learned").name == "learned"
 
 

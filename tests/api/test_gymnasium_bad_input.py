@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from tests.scenes.staged_envs import MODES, make, make_many
+from tests.scenes.staged_envs import MODES, make_single_env, make_vector_env
 
 NAN = float("nan")
 GOOD = np.zeros((4, 4), np.float32)
 
 
-BOTH = (make, make_many)
+BOTH = (make_single_env, make_vector_env)
 BAD_SETTINGS = [
     (BOTH, {"agent": "home_2"}, "unknown agent 'home_2', did you mean .*known: home_0, home_1, away_0, away_1"),
     (BOTH, {"agent": 1}, "agent must be a text, got 1"),
@@ -22,11 +22,15 @@ BAD_SETTINGS = [
     (BOTH, {"league": "football"}, "unknown league 'football'"),
     (BOTH, {"home": 12}, "home must be 1 to 11, got 12"),
     (BOTH, {"render_mode": "ascii"}, "render_mode must be one of rgb_array"),
-    ((make_many,), {"num_envs": 0}, "num_envs must be 1 to "),
-    ((make_many,), {"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
-    ((make_many,), {"threads": 0}, "threads must be 1 to 256, got 0"),
-    ((make_many,), {"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
-    ((make_many,), {"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
+    ((make_vector_env,), {"num_envs": 0}, "num_envs must be 1 to "),
+    ((make_vector_env,), {"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
+    ((make_vector_env,), {"threads": 0}, "threads must be 1 to 256, got 0"),
+    (
+        (make_vector_env,),
+        {"autoreset_mode": "Disabled"},
+        "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'",
+    ),
+    ((make_vector_env,), {"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
 ]
 
 
@@ -49,7 +53,7 @@ def test_bad_settings_are_refused(makers, settings, complaint):
     ],
 )
 def test_bad_actions_are_refused_and_change_nothing(action, complaint):
-    env = make()
+    env = make_single_env()
     env.reset(seed=1)
     env.step(np.zeros(4))
     before = env.match.state_hash()
@@ -77,7 +81,7 @@ def test_bad_actions_are_refused_and_change_nothing(action, complaint):
     ],
 )
 def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, kind, actions, complaint):
-    envs, witness = (make_many(autoreset_mode=mode, actions=kind) for _ in range(2))
+    envs, witness = (make_vector_env(autoreset_mode=mode, actions=kind) for _ in range(2))
     good = GOOD if kind == "box" else [0, 11, 3, 4]
     envs.reset(seed=1), witness.reset(seed=1)
     envs.step(good), witness.step(good)
@@ -102,7 +106,7 @@ def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, kind
     ],
 )
 def test_bad_resets_of_the_vector_env_are_refused(arguments, complaint):
-    envs = make_many()
+    envs = make_vector_env()
     envs.reset(seed=1)
     before = envs.match.state_hash()
     with pytest.raises(ValueError, match=complaint):
@@ -111,7 +115,7 @@ def test_bad_resets_of_the_vector_env_are_refused(arguments, complaint):
 
 
 def test_calls_in_the_wrong_order_say_that_reset_is_due():
-    solo, envs = make(max_cycles=1, render_mode="rgb_array"), make_many(render_mode="rgb_array")
+    solo, envs = make_single_env(max_cycles=1, render_mode="rgb_array"), make_vector_env(render_mode="rgb_array")
     for call in (lambda: solo.step(GOOD[0]), lambda: envs.step(GOOD), solo.render, envs.render):
         with pytest.raises(RuntimeError, match="before reset"):
             call()

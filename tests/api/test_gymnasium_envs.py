@@ -13,7 +13,7 @@ from gymnasium.wrappers import RecordEpisodeStatistics, TimeAwareObservation
 from soccer_env import soccer_v0
 from soccer_env.api import ids
 from soccer_env.api.ids import STEPS, register
-from tests.scenes.staged_envs import GAMES, TEAMS, make
+from tests.scenes.staged_envs import GAMES, TEAMS, make_single_env
 from tests.scenes.staging import LEAGUES
 
 
@@ -29,7 +29,7 @@ def test_gymnasium_accepts_it(league, home, away):
 @pytest.mark.parametrize("actions", ["box", "full", "discrete"])
 def test_stable_baselines_accepts_it(league, home, away, actions):
     checker = pytest.importorskip("stable_baselines3.common.env_checker")
-    checker.check_env(make(league, home, away, actions=actions))
+    checker.check_env(make_single_env(league, home, away, actions=actions))
 
 
 def test_every_id_can_be_made():
@@ -58,7 +58,7 @@ def test_the_default_opponent_is_a_team_of_the_league():
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("agent", ["home_1", "home_0", "away_1"])
 def test_the_single_env_is_the_parallel_env_of_its_agent(league, agent):
-    solo = make(league, agent=agent, max_cycles=60)
+    solo = make_single_env(league, agent=agent, max_cycles=60)
     others = {name: "random" for name in ("home_0", "home_1", "away_0", "away_1") if name != agent}
     parallel = soccer_v0.parallel_env(league=league, home=2, away=2, controllers=others, max_cycles=60)
     assert solo.observation_space == parallel.observation_space(agent)
@@ -78,21 +78,21 @@ def test_the_single_env_is_the_parallel_env_of_its_agent(league, agent):
 
 
 def test_the_learner_and_the_teams_can_be_chosen():
-    assert make(home=3, away=3).agent == "home_2"
-    assert make(home=1, away=1, max_players=3).agent == "home_0"  # not a robot of the padding
-    env = make(home=2, away=3, agent="away_1", controllers={"away_0": "still"})
+    assert make_single_env(home=3, away=3).agent == "home_2"
+    assert make_single_env(home=1, away=1, max_players=3).agent == "home_0"  # not a robot of the padding
+    env = make_single_env(home=2, away=3, agent="away_1", controllers={"away_0": "still"})
     names = {name: squad.team.name for squad in env.match.squads for name in np.array(env.match.agents)[squad.players]}
     assert names == {"home_0": "random", "home_1": "random", "away_0": "still", "away_2": "random"}
-    assert make(home=1, away=1, teammates=None).agent == "home_0"
+    assert make_single_env(home=1, away=1, teammates=None).agent == "home_0"
 
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_one_policy_fits_every_team_size(league):
     sb3 = pytest.importorskip("stable_baselines3")
-    model = sb3.PPO("MlpPolicy", make(league, 1, 1), n_steps=8, batch_size=8, n_epochs=1, device="cpu")
+    model = sb3.PPO("MlpPolicy", make_single_env(league, 1, 1), n_steps=8, batch_size=8, n_epochs=1, device="cpu")
     model.learn(8)
     for home, away in ((3, 5), (11, 11)):
-        env = make(league, home, away)
+        env = make_single_env(league, home, away)
         model.set_env(env)
         model.learn(8)
         action, _ = model.predict(env.reset(seed=0)[0])

@@ -7,7 +7,7 @@ from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from soccer_env import Scene
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
-from tests.scenes.staged_envs import MODES, make, make_many
+from tests.scenes.staged_envs import MODES, make_single_env, make_vector_env
 from tests.scenes.staging import LEAGUES
 
 
@@ -65,8 +65,8 @@ def same_infos(mine, theirs):
 )
 def test_the_vector_env_is_gymnasiums_own_vector_of_single_envs(league, mode, settings, infos):
     settings = {"opponents": "still", "teammates": "random", "agent": "home_1", "infos": infos, **settings}
-    many = make_many(4, league, autoreset_mode=mode, **settings)
-    each = SyncVectorEnv([lambda: make(league, **settings)] * 4, autoreset_mode=mode)
+    many = make_vector_env(4, league, autoreset_mode=mode, **settings)
+    each = SyncVectorEnv([lambda: make_single_env(league, **settings)] * 4, autoreset_mode=mode)
     assert many.observation_space == each.observation_space and many.action_space == each.action_space
     mine, theirs = many.reset(seed=[3, 4, 5, 6]), each.reset(seed=[3, 4, 5, 6])
     assert np.array_equal(mine[0], theirs[0])
@@ -89,7 +89,7 @@ def test_the_vector_env_is_gymnasiums_own_vector_of_single_envs(league, mode, se
 
 @pytest.mark.parametrize("mode", MODES)
 def test_threads_and_numbers_of_matches_change_nothing(mode):
-    envs = [make_many(n, autoreset_mode=mode, threads=t, max_cycles=9) for n, t in ((8, 1), (8, 2), (3, 1))]
+    envs = [make_vector_env(n, autoreset_mode=mode, threads=t, max_cycles=9) for n, t in ((8, 1), (8, 2), (3, 1))]
     firsts = [env.reset(seed=2)[0] for env in envs]
     assert all(np.array_equal(first[:3], firsts[0][:3]) for first in firsts)
     rng = np.random.default_rng(0)
@@ -103,7 +103,7 @@ def test_threads_and_numbers_of_matches_change_nothing(mode):
 
 
 def test_seeds_of_the_vector_env_lead_to_its_matches():
-    envs, solo = make_many(3), make()
+    envs, solo = make_vector_env(3), make_single_env()
     observations, _ = envs.reset(seed=7)
     assert np.array_equal(observations[0], solo.reset(seed=7)[0])
     match_seeds = envs.match.seeds.copy()
@@ -115,9 +115,9 @@ def test_seeds_of_the_vector_env_lead_to_its_matches():
 
 
 def test_the_last_observation_and_info_of_an_episode_are_kept_in_same_step_mode():
-    envs = make_many(2, autoreset_mode="SameStep", max_cycles=5)
+    envs = make_vector_env(2, autoreset_mode="SameStep", max_cycles=5)
     envs.reset(seed=[1, 2])
-    solo = make(max_cycles=5)
+    solo = make_single_env(max_cycles=5)
     solo.reset(seed=2)
     for _ in range(5):
         observations, rewards, _, truncated, infos = envs.step(np.full((2, 4), 0.5, np.float32))
@@ -133,7 +133,10 @@ def test_the_last_observation_and_info_of_an_episode_are_kept_in_same_step_mode(
 @pytest.mark.parametrize("agent", ["home_1", "away_0"])
 def test_nested_infos_of_an_episode_that_ended_have_its_maps_in_either_mode(agent):
     given = {"infos": "nested", "max_cycles": 9, "agent": agent, "scene": ROLLING}
-    following, same = make_many(2, autoreset_mode="NextStep", **given), make_many(2, autoreset_mode="SameStep", **given)
+    following, same = (
+        make_vector_env(2, autoreset_mode="NextStep", **given),
+        make_vector_env(2, autoreset_mode="SameStep", **given),
+    )
     following.reset(seed=[1, 2]), same.reset(seed=[1, 2])
     for step in range(9):
         infos, others = (envs.step(np.full((2, 4), 0.5, np.float32))[4] for envs in (following, same))
@@ -145,7 +148,7 @@ def test_nested_infos_of_an_episode_that_ended_have_its_maps_in_either_mode(agen
 
 
 def test_what_the_vector_env_returns_is_the_callers_to_change():
-    envs, witness = make_many(max_cycles=6), make_many(max_cycles=6)
+    envs, witness = make_vector_env(max_cycles=6), make_vector_env(max_cycles=6)
     envs.reset(seed=1), witness.reset(seed=1)
     rng = np.random.default_rng(0)
     for _ in range(15):
@@ -161,7 +164,7 @@ def test_what_the_vector_env_returns_is_the_callers_to_change():
 
 @pytest.mark.parametrize("mode", MODES)
 def test_gymnasiums_vector_wrappers_work(mode):
-    envs = gymnasium.wrappers.vector.RecordEpisodeStatistics(make_many(3, autoreset_mode=mode, max_cycles=7))
+    envs = gymnasium.wrappers.vector.RecordEpisodeStatistics(make_vector_env(3, autoreset_mode=mode, max_cycles=7))
     envs.reset(seed=1)
     lengths = []
     for _ in range(30):
@@ -173,12 +176,12 @@ def test_gymnasiums_vector_wrappers_work(mode):
 
 def test_every_match_of_the_vector_env_has_its_frame():
     pytest.importorskip("pygame")
-    envs = make_many(3, render_mode="rgb_array")
+    envs = make_vector_env(3, render_mode="rgb_array")
     envs.reset(seed=1)
     frames = envs.render()
     assert len(frames) == 3 and frames[0].dtype == np.uint8 and frames[0].shape[2] == 3
     assert not np.array_equal(frames[0], frames[1])
-    silent = make_many(1)
+    silent = make_vector_env(1)
     silent.reset(seed=0)
     with pytest.warns(UserWarning, match="render_mode"):
         assert silent.render() is None

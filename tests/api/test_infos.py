@@ -10,9 +10,9 @@ from soccer_env import Rewards, soccer_v0
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.api.infos import EVENT_NAMES, OWN_NAMES
 from soccer_env.api.report import PHASES
-from soccer_env.statistics.figures import flat
+from soccer_env.statistics.figures import flatten_statistics
 from soccer_env.types import AWAY, HOME, Foul, Phase
-from tests.scenes.staged_envs import about_to_score, make, make_many, play, standing
+from tests.scenes.staged_envs import env_about_to_score, make_single_env, make_vector_env, play, standing_actions
 from tests.scenes.staging import LEAGUES, each_league
 
 
@@ -20,26 +20,26 @@ from tests.scenes.staging import LEAGUES, each_league
 @pytest.mark.parametrize("league", LEAGUES)
 def test_every_info_of_an_episode_has_the_same_keys_with_numbers_of_the_same_kinds(league, infos):
     rewards = Rewards(extra={"one": lambda match: np.ones(match.rewards.shape)})
-    env = about_to_score(3, league=league, rewards=rewards, max_cycles=8, infos=infos)
+    env = env_about_to_score(3, league=league, rewards=rewards, max_cycles=8, infos=infos)
     kinds = {key: type(value) for key, value in env.reset(seed=1)[1]["home_0"].items()}
     assert set(kinds.values()) <= {bool, int, float} and "reward_one" in kinds
     assert kinds["active"] is bool and {"score_for", "score_against", "phase"} <= {k for k in kinds if kinds[k] is int}
     while env.agents:
-        for info in env.step(standing(env))[4].values():
+        for info in env.step(standing_actions(env))[4].values():
             assert {key: type(value) for key, value in info.items()} == kinds
 
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_they_tell_of_a_goal_from_either_side(league):
-    env = about_to_score(league=league)
-    _, rewards, _, _, infos = env.step(standing(env))
+    env = env_about_to_score(league=league)
+    _, rewards, _, _, infos = env.step(standing_actions(env))
     home, away = infos["home_1"], infos["away_0"]
     assert (home["score_for"], home["score_against"]) == (away["score_against"], away["score_for"]) == (1, 0)
     assert home["reward_goal"] == 1.0 and away["reward_goal"] == -1.0
     assert home["event_goal"] == away["event_goal"] == HOME
     assert home["event_restart"] == home["phase"] == Phase.KICK_OFF and home["event_restart_team"] == AWAY
     assert rewards["home_1"] == pytest.approx(sum(home[key] for key in home if key.startswith("reward_")), abs=1e-12)
-    home = env.step(standing(env))[4]["home_1"]
+    home = env.step(standing_actions(env))[4]["home_1"]
     assert home["event_goal"] == -1 and home["event_restart"] == 0 and home["score_for"] == 1
 
 
@@ -70,7 +70,9 @@ def test_full_ones_hold_the_statistics_of_the_episode_so_far(name):
         assert infos["home_0"]["statistics_played"] == pytest.approx(cycle * env.match.league.dt)
         for agent, team in (("home_0", HOME), ("away_0", AWAY)):
             found = {key: value for key, value in infos[agent].items() if key.startswith("statistics_")}
-            assert found == {f"statistics_{k}": value for k, value in flat(env.match.statistics[0], team).items()}
+            assert found == {
+                f"statistics_{k}": value for k, value in flatten_statistics(env.match.statistics[0], team).items()
+            }
 
 
 def test_a_foul_of_ones_own_and_one_of_the_match_have_names_of_their_own():
@@ -82,7 +84,7 @@ def test_a_foul_of_ones_own_and_one_of_the_match_have_names_of_their_own():
     assert infos["home_0"]["event_foul"] == infos["away_0"]["event_foul"] == Foul.HOLDING
 
 
-@pytest.mark.parametrize("maker", [soccer_v0.parallel_env, make, make_many])
+@pytest.mark.parametrize("maker", [soccer_v0.parallel_env, make_single_env, make_vector_env])
 def test_true_and_false_are_flat_and_none_and_a_wrong_kind_is_refused(maker):
     for given, same in ((True, "flat"), (False, "none")):
         asked, words = maker(home=1, away=1, infos=given), maker(home=1, away=1, infos=same)
@@ -107,8 +109,8 @@ def test_the_last_infos_of_an_episode_hold_its_statistics(name):
         home, away = infos["home_0"]["statistics"], infos["away_0"]["statistics"]
         assert home["played"] == pytest.approx(CYCLES * env.match.league.dt)
         assert all(isinstance(value, (int, float)) for value in home.values())
-        assert home == flat(env.match.statistics[0], HOME)
-        assert away == flat(env.match.statistics[0], AWAY)
+        assert home == flatten_statistics(env.match.statistics[0], HOME)
+        assert away == flatten_statistics(env.match.statistics[0], AWAY)
 
 
 def test_infos_that_are_left_out_are_empty_and_each_kind_is_copied() -> None:

@@ -10,8 +10,8 @@ import pytest
 from soccer_env import Lineup, Match, make_team, soccer_v0, team_of_function
 from soccer_env.replay import Recorder
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
-from tests.agents.staged_policies import from_disk, lively
-from tests.scenes.staged_envs import play, standing
+from tests.agents.staged_policies import random_policy, team_from_disk
+from tests.scenes.staged_envs import play, standing_actions
 
 NESTED: dict[str, Any] = {"infos": "nested"}
 SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3, **NESTED}
@@ -153,7 +153,7 @@ def test_the_number_in_flat_infos_is_the_place_of_the_name_in_nested_ones() -> N
             met.add(told[1]["opponent"])
             if not flat.agents:
                 break
-            told = [env.step(standing(env))[4]["home_0"] for env in (flat, nested)]
+            told = [env.step(standing_actions(env))[4]["home_0"] for env in (flat, nested)]
     assert met == {"still", "chaser@0.5", "random"}
 
 
@@ -224,7 +224,7 @@ def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
 
 def test_a_team_has_one_name_however_it_was_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    from_disk(lively(), tmp_path)
+    team_from_disk(random_policy(), tmp_path)
     env = soccer_v0.parallel_env(**FLAT, opponents=Lineup(["lively.safetensors", "chaser@0.25"]))
     weak = make_team("chaser", strength=0.25)
     others = (str(tmp_path / "lively.safetensors"), make_team("lively.safetensors"), "chaser@0.25", weak, "chaser@.250")
@@ -236,7 +236,7 @@ def test_a_team_has_one_name_however_it_was_named(tmp_path: Path, monkeypatch: p
 def test_policies_of_one_name_in_a_lineup_are_told_apart_by_their_files(tmp_path: Path) -> None:
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
-        from_disk(lively(), tmp_path / folder)
+        team_from_disk(random_policy(), tmp_path / folder)
     files = [str(tmp_path / folder / "lively.safetensors") for folder in ("a", "b")]
     assert Lineup([*files, "still"]).names == (*files, "still")
 

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team, soccer_v0, team_of_function
-from soccer_env.api.report import Screen
+from soccer_env.api.report import MatchScreen
 from soccer_env.leagues import find_league
 from soccer_env.replay import Recorder
 from soccer_env.scenes import SCENES, Scene, mixture
-from tests.scenes.staged_envs import make, make_many
+from tests.scenes.staged_envs import make_single_env, make_vector_env
 
 
 def test_a_notebook_shows_a_match_as_it_stands() -> None:
@@ -29,7 +29,7 @@ def test_what_cannot_be_drawn_is_shown_in_words(monkeypatch: pytest.MonkeyPatch,
         raise error
 
     match = Match(home=1, away=1, seed=1)
-    monkeypatch.setattr(Screen, "frame", fail)
+    monkeypatch.setattr(MatchScreen, "frame", fail)
     assert match._repr_png_() is None and repr(match).startswith("<Match legged-2001: 1 learners v 1 learners")
     monkeypatch.setitem(sys.modules, "pygame", None)
     assert match._repr_png_() is None
@@ -96,10 +96,12 @@ def test_an_env_is_written_as_the_call_that_makes_it():
     assert repr(soccer_v0.raw_env(home=1, away=1)) == "TurnSoccer(league='legged-2001', home=1, away=1)"
     solo = gymnasium.make("soccer_env/Legged2001-1v1-v0").unwrapped
     assert repr(solo) == "SoloSoccer(league='legged-2001', home=1, away=1, max_cycles=1000)"
-    assert repr(make_many(3)).startswith("SoccerVectorEnv(league='legged-2001', home=2, away=2, opponents='random'")
+    assert repr(make_vector_env(3)).startswith(
+        "SoccerVectorEnv(league='legged-2001', home=2, away=2, opponents='random'"
+    )
 
 
-@pytest.mark.parametrize("maker", [soccer_v0.parallel_env, soccer_v0.raw_env, make, make_many])
+@pytest.mark.parametrize("maker", [soccer_v0.parallel_env, soccer_v0.raw_env, make_single_env, make_vector_env])
 def test_a_notebook_shows_a_picture_and_without_pygame_the_text(maker, monkeypatch: pytest.MonkeyPatch):
     pytest.importorskip("pygame")
     env = maker(home=1, away=1)

@@ -9,7 +9,15 @@ from math import cos, sin
 import numpy as np
 import pytest
 
-from soccer_env.baselines.chaser.attacking import GIVE_TIME, MEET, MET, PASSED, comes_to_me, meet, pass_ball
+from soccer_env.baselines.chaser.attacking import (
+    GIVE_TIME,
+    MEET,
+    MET,
+    PASSED,
+    ball_comes_to_me,
+    limit_closing_speed,
+    run_into_ball,
+)
 from soccer_env.baselines.chaser.team import MEMORY, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -35,8 +43,8 @@ def seen(**values: float) -> np.void:
     ("vx", "vy", "comes"), [(-1.0, 0.0, True), (1.0, 0.0, False), (-0.3, 0.0, False), (-1.0, 1.0, False)]
 )
 def test_a_ball_comes_that_rolls_fast_enough_and_not_wide(vx, vy, comes):
-    assert bool(comes_to_me(seen(ball_vx=vx, ball_vy=vy), K)) == comes
-    assert bool(comes_to_me(seen(ball_vx=vx, ball_vy=-vy), K)) == comes
+    assert bool(ball_comes_to_me(seen(ball_vx=vx, ball_vy=vy), K)) == comes
+    assert bool(ball_comes_to_me(seen(ball_vx=vx, ball_vy=-vy), K)) == comes
 
 
 @pytest.mark.parametrize(
@@ -57,7 +65,7 @@ def test_who_tackles_a_ball_that_is_carried_past_runs_along_with_it(side):
     sight = seen(cosine=1.0, pace=1.0, distance=0.29, ball_vy=1.2 * side)
     command = np.zeros(1, COMMAND)[0]
     command["forward"], command["left"] = 1.0, 0.5 * side
-    meet(command, sight, K, 1.0, 0.0)
+    run_into_ball(command, sight, K, 1.0, 0.0)
     vx, vy = command["forward"] * K["drive_forward"], command["left"] * K["drive_sideways"]
     assert np.hypot(vx, vy - 1.2 * side) == pytest.approx(MET)
     assert vx > 0.0 and vy * side > 1.0
@@ -67,7 +75,7 @@ def test_who_tackles_a_ball_that_is_carried_past_runs_along_with_it(side):
 def test_a_ball_that_lies_still_is_met_slowly(gap):
     sight, command = seen(cosine=1.0, pace=1.0, distance=0.29 + gap), np.zeros(1, COMMAND)[0]
     command["forward"] = 1.0
-    meet(command, sight, K, 1.0, 0.0)
+    run_into_ball(command, sight, K, 1.0, 0.0)
     assert command["forward"] * K["drive_forward"] == pytest.approx(min(MET + gap / GIVE_TIME, MEET))
 
 
@@ -128,7 +136,7 @@ def test_a_ball_that_is_passed_is_approached_only_as_fast_as_the_gap_lets_brake(
     sight["touch"], sight["cosine"], sight["ball_vx"] = 0.29, 1.0, rolls
     sight["distance"] = sight["ball_x"] = 0.29 + PASSED + gap
     command["forward"], command["left"] = 1.0, 0.5
-    pass_ball(command, sight, K, PLAY)
+    limit_closing_speed(command, sight, K, PLAY)
     most = min(gap / PLAY["settle"], np.sqrt(2.0 * BRAKE_SHARE * K["drive_acceleration"] * gap))
     assert command["forward"] * K["drive_forward"] == pytest.approx(min(K["drive_forward"], rolls + most))
     assert command["left"] == pytest.approx(0.5), "past the ball it is as fast as before"

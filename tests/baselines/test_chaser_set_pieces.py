@@ -7,17 +7,17 @@ from soccer_env import Match
 from soccer_env.baselines.chaser.team import MEMORY, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.match.staging import begin, put_ball
+from soccer_env.match.staging import begin_scene, put_ball
 from soccer_env.records.beliefs import BELIEF
-from soccer_env.skills.moves import KEPT_OFF, hold_back
+from soccer_env.skills.moves import KEPT_OFF, brake_before_robots
 from soccer_env.skills.set_pieces import (
     KEPT,
     PASSES_BY,
-    holds_off,
+    kick_strength_for,
+    move_out_of_area,
     note_set_piece,
-    out_of_area,
-    round_ball,
-    strength_for,
+    should_block_opponent,
+    waypoint_round_ball,
 )
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import Foul, Phase
@@ -30,7 +30,7 @@ K = constants_of(LEAGUE)[0]
 @pytest.mark.parametrize(("far", "arrival"), [(1.0, 0.0), (2.0, 0.8), (4.0, 3.0)])
 def test_a_kick_of_that_strength_rolls_past_the_distance_at_the_speed(far, arrival):
     match = Match(endless(MIDDLE), home=1, away=1, seed=1)
-    speed = strength_for(K, far, arrival) * LEAGUE.kicker.fastest
+    speed = kick_strength_for(K, far, arrival) * LEAGUE.kicker.fastest
     match.matches["phase"] = Phase.PLAY
     place(match, ball=(0.0, 0.0, speed, 0.0, False), robots={0: (-50.0, 0.0), 1: (50.0, 0.0)})
     slide = (speed**2 - (0.6 * speed) ** 2) / (2.0 * LEAGUE.ball.sliding)  # [m] on which it slides
@@ -81,7 +81,7 @@ def test_it_forgets_in_time_and_at_once_at_a_penalty_kick_and_a_mate_that_comes_
 
 @pytest.mark.parametrize(("x", "y", "place"), [(-5.0, 1.0, -4.21), (-4.0, 1.0, -4.0), (-5.0, 3.0, -5.0)])
 def test_supporters_stay_out_of_their_own_penalty_area(x, y, place):
-    found_x, found_y = out_of_area(np.zeros(1, SIGHT)[0], K, x, y, 0.0)
+    found_x, found_y = move_out_of_area(np.zeros(1, SIGHT)[0], K, x, y, 0.0)
     assert found_x == pytest.approx(place, abs=0.01) and found_y == y
 
 
@@ -97,17 +97,17 @@ def sees(x: float, y: float, mate: int = 0, field: int = 1) -> np.void:
 @pytest.mark.parametrize("gap", [0.02, 0.2, 0.5])
 def test_it_drives_at_another_robot_only_as_fast_as_it_can_brake(gap):
     sight, play = sees(2.0 * K["body_reach"] + KEPT_OFF + gap, 0.0), team().settings[int(K["drive_kind"])]
-    x, y, speed = hold_back(sight, K, play, 1.0, 0.0, 2.6, False)
+    x, y, speed = brake_before_robots(sight, K, play, 1.0, 0.0, 2.6, False)
     assert (x, y) == pytest.approx((1.0, 0.0)) and speed == pytest.approx(min(gap / 0.25, np.sqrt(5.6 * gap)))
-    assert hold_back(sight, K, play, 0.0, 1.0, 2.6, False) == (0.0, 1.0, 2.6)
-    assert hold_back(sight, K, play, -1.0, 0.0, 2.6, False) == (-1.0, 0.0, 2.6)
+    assert brake_before_robots(sight, K, play, 0.0, 1.0, 2.6, False) == (0.0, 1.0, 2.6)
+    assert brake_before_robots(sight, K, play, -1.0, 0.0, 2.6, False) == (-1.0, 0.0, 2.6)
 
 
 @pytest.mark.parametrize(("fights", "field", "held_back"), [(True, 1, False), (False, 1, True), (True, 0, True)])
 def test_who_fights_for_the_ball_may_drive_at_who_has_it_but_not_at_a_goalkeeper(fights, field, held_back):
     sight, play = sees(0.6, 0.0, field=field), team().settings[int(K["drive_kind"])]
     sight["ball_x"] = 0.3
-    assert (hold_back(sight, K, play, 1.0, 0.0, 2.6, fights)[2] < 2.6) == held_back
+    assert (brake_before_robots(sight, K, play, 1.0, 0.0, 2.6, fights)[2] < 2.6) == held_back
 
 
 @pytest.mark.parametrize(("away", "mate", "ball_x", "holds"), [
@@ -116,9 +116,9 @@ def test_who_fights_for_the_ball_may_drive_at_who_has_it_but_not_at_a_goalkeeper
 def test_it_stands_in_the_way_of_an_opponent_that_has_the_ball_but_not_before_its_own_goal(away, mate, ball_x, holds):
     sight = sees(ball_x, away, mate)
     sight["ball_x"], sight["distance"] = ball_x, 1.0
-    assert holds_off(sight, K) == holds
+    assert should_block_opponent(sight, K) == holds
     sight["distance"] = away + 0.09  # as near itself
-    assert not holds_off(sight, K)
+    assert not should_block_opponent(sight, K)
 
 
 def test_it_takes_a_throw_in_without_a_foul_and_a_mate_plays_on():
@@ -126,7 +126,7 @@ def test_it_takes_a_throw_in_without_a_foul_and_a_mate_plays_on():
     match.matches["phase"], match.matches["restart_team"] = Phase.PLAY, -1
     match.matches["last_touch_team"] = 1
     put_ball(match, 1.0, 4.2)
-    begin(match)
+    begin_scene(match)
     taken, takers, touched, fouls = [], set(), set(), []
     for _ in range(400):
         match.step()
@@ -143,7 +143,7 @@ def test_it_takes_a_throw_in_without_a_foul_and_a_mate_plays_on():
 def test_a_supporter_that_runs_back_goes_round_the_ball_on_its_nearer_side(side):
     sight = np.zeros(1, SIGHT)[0]
     sight["ball_x"], sight["ball_y"] = -1.0, 0.1 * side
-    x, y = round_ball(sight, K, -3.0, 0.0)
+    x, y = waypoint_round_ball(sight, K, -3.0, 0.0)
     room = LEAGUE.body.reach + LEAGUE.ball.radius + PASSES_BY
     assert x == pytest.approx(-1.0) and y == pytest.approx((0.1 - room) * side)
 
@@ -152,7 +152,7 @@ def test_a_supporter_that_runs_back_goes_round_the_ball_on_its_nearer_side(side)
 def test_a_ball_that_is_not_in_its_way_does_not_turn_it_aside(ball_x, ball_y):
     sight = np.zeros(1, SIGHT)[0]
     sight["ball_x"], sight["ball_y"] = ball_x, ball_y
-    assert round_ball(sight, K, -3.0, 0.0) == (-3.0, 0.0)
+    assert waypoint_round_ball(sight, K, -3.0, 0.0) == (-3.0, 0.0)
 
 
 def finish(match: Match) -> Match:

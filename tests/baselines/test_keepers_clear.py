@@ -8,15 +8,15 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.baselines.chaser import team as chaser_team
-from soccer_env.baselines.chaser.attacking import DEFENDED, choose_aim, side_inside
-from soccer_env.baselines.chaser.goalkeeping import part_angle
+from soccer_env.baselines.chaser.attacking import DEFENDED, choose_aim, choose_inner_side
+from soccer_env.baselines.chaser.goalkeeping import bisect_shot_angle
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.keeping_rules import is_in_own_area, out_of_own_area
 from soccer_env.skills.sight import SIGHT
 from soccer_env.teams import make_team
 from soccer_env.types import Foul, Phase
-from tests.scenes.staging import LEGGED, MIDDLE, each_step, place, put, put_ball, set_phase, stage, steps_in
+from tests.scenes.staging import LEGGED, MIDDLE, place, put, put_ball, record_each_step, set_phase, stage, steps_in
 
 MATCHES = 64
 
@@ -28,7 +28,7 @@ def keeper_at_goal(league: str, team: str, home: int = 2) -> Match:
 
 def ever(match: Match, seconds: float, what: Callable[[], np.ndarray]) -> float:
     """Return the share of matches in which something was so after a step of some seconds of play."""
-    return float(each_step(match, what, seconds).any(axis=0).mean())
+    return float(record_each_step(match, what, seconds).any(axis=0).mean())
 
 
 def with_the_ball(team: str, widest: float) -> Match:
@@ -71,7 +71,7 @@ def test_a_legged_keeper_gets_a_ball_on_its_own_line_out_of_its_goal(heading: fl
     length = match.league.pitch.length / 2
     put(match, 0, rng.uniform(0.25, 0.45, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES), heading)
     place(match, ball=(rng.uniform(0.02, 0.06, MATCHES) - length, rng.uniform(-0.2, 0.2, MATCHES)))
-    x, y = each_step(match, lambda: [match.balls["x"], match.balls["y"]], 12.0).swapaxes(0, 1)
+    x, y = record_each_step(match, lambda: [match.balls["x"], match.balls["y"]], 12.0).swapaxes(0, 1)
     out = (x > 0.2 - length) | (np.abs(y) > match.league.pitch.goal_width / 2)
     assert match.matches["score"][:, 1].mean() < 0.3, "0.62 of those that turn with it, or run at it from the field"
     assert out.any(axis=0).mean() > 0.7
@@ -86,7 +86,7 @@ def test_the_way_round_a_ball_never_comes_between_it_and_the_board(turned: float
     for now in np.radians([-150.0, -60.0, -10.0, 10.0, 60.0, 150.0]):
         for back in np.radians([-170.0, -135.0, -90.0, 90.0, 135.0, 170.0]):
             where, to = mirrored * now + turned, mirrored * back + turned
-            side = side_inside(np.cos(where), np.sin(where), -np.cos(to), -np.sin(to), *inner)
+            side = choose_inner_side(np.cos(where), np.sin(where), -np.cos(to), -np.sin(to), *inner)
             assert side == mirrored * np.sign(back - now) or back == now
 
 
@@ -142,13 +142,13 @@ def with_ball_at(x: float, y: float) -> np.void:
 @pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (-4.0, 2.8), (-5.0, -2.0), (3.0, -1.0)])
 def test_a_keeper_on_wheels_parts_the_angle_between_the_posts(x: float, y: float) -> None:
     stand = -5.66
-    way = np.arctan2(part_angle(with_ball_at(x, y), WHEELS, stand) - y, x - stand)
+    way = np.arctan2(bisect_shot_angle(with_ball_at(x, y), WHEELS, stand) - y, x - stand)
     left, right = (np.arctan2(post - y, x + 6.0) for post in (1.0, -1.0))
     assert way == pytest.approx((left + right) / 2.0)
 
 
 def test_a_ball_behind_the_keeper_is_met_at_the_nearer_post() -> None:
-    assert part_angle(with_ball_at(-5.9, 1.5), WHEELS, -5.66) == 1.5
+    assert bisect_shot_angle(with_ball_at(-5.9, 1.5), WHEELS, -5.66) == 1.5
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -195,7 +195,7 @@ def test_a_ball_in_the_own_area_is_left_to_the_goalkeeper(team: str) -> None:
     match, rng = staged(team), np.random.default_rng(2)
     put(match, 1, -0.6, 0.3, np.pi)
     place(match, ball=(rng.uniform(-1.3, -1.1, MANY), rng.uniform(-0.4, 0.4, MANY)))
-    events = each_step(match, lambda: match.robot_events, 12.0)
+    events = record_each_step(match, lambda: match.robot_events, 12.0)
     defended = (events["foul"][:, :, :3] == Foul.ILLEGAL_DEFENDER).any(axis=(0, 2))
     assert defended.mean() < 0.1 and (events["touch"][:, :, 0] == 1).any(axis=0).mean() > 0.8
 
@@ -215,7 +215,7 @@ def nearest_to_area(team: str) -> np.ndarray:
     put_ball(match, -0.9, 0.2)
     match.balls["vx"] = -0.3
     match.rebuild()
-    return each_step(match, lambda: match.robots["x"][:, 1] - EDGE, 10.0).min(axis=0)
+    return record_each_step(match, lambda: match.robots["x"][:, 1] - EDGE, 10.0).min(axis=0)
 
 
 def test_settings_of_the_chaser_are_its_numbers_by_name() -> None:

@@ -10,7 +10,7 @@ from soccer_env import Match
 from soccer_env.baselines.chaser.team import NUMBERS
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
-from soccer_env.skills import SIGHT, fitted, go, look, skill_settings
+from soccer_env.skills import SIGHT, fill_sight, fitted, go, skill_settings
 from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_player
 
@@ -19,7 +19,7 @@ from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_player
 def go_to_middle(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
     """Go to the centre spot by a skill."""
     scratch.pace, scratch.elapsed = settings.hurry, k.dt
-    look(scratch, belief, tracks, k)
+    fill_sight(scratch, belief, tracks, k)
     go(command, scratch, k, settings, 0.0, 0.0, 0.0, 0.0)
 
 

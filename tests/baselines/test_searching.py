@@ -12,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.records.beliefs import BELIEF
-from soccer_env.skills.searching import FULL_TURN, LOOKOUT, SEARCH, search
+from soccer_env.skills.searching import FULL_TURN, LOOKOUT, SEARCH, search_for_ball
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEGGED, MIDDLE
@@ -41,7 +41,9 @@ class Searcher:
         """Return the command of a step in which the ball is remembered at a bearing [rad]."""
         self.sight["bearing"] = bearing
         self.command[:] = np.zeros((), COMMAND)
-        search(self.belief[0], self.command[0], self.sight[0], self.memory[0], K, team().settings[int(K["drive_kind"])])
+        search_for_ball(
+            self.belief[0], self.command[0], self.sight[0], self.memory[0], K, team().settings[int(K["drive_kind"])]
+        )
         return self.command[0]
 
 
@@ -78,7 +80,7 @@ def test_where_a_goalkeeper_looks_and_who_never_saw_the_ball_and_who_sees_all_ro
         assert np.sign(searcher.look(0.0)["turn"]) == side
     k, searcher = constants_of(find_league(MIDDLE))[0], Searcher(3.0)
     settings = team().settings[int(k["drive_kind"])]
-    search(searcher.belief[0], searcher.command[0], searcher.sight[0], searcher.memory[0], k, settings)
+    search_for_ball(searcher.belief[0], searcher.command[0], searcher.sight[0], searcher.memory[0], k, settings)
     assert searcher.command["forward"][0] != 0.0 or searcher.command["left"][0] != 0.0
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env.agents.policy import Policy, trained_in
+from soccer_env.agents.policy import Policy, training_fields
 from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
-from soccer_env.observations import names_of
+from soccer_env.observations import entry_names
 from soccer_env.teams import ObservingTeam, make_team
 from soccer_env.train.command.command_line import main
 from soccer_env.train.provenance import team_hash
@@ -21,9 +21,9 @@ LEAGUE = "legged-2001"
 def policy(seed: int = 0, league: str = LEAGUE, **changes: str) -> Policy:
     """Return a policy of random weights."""
     rng, trained = np.random.default_rng(seed), find_league(league)
-    inputs = tuple(names_of(trained, "belief"))
+    inputs = tuple(entry_names(trained, "belief"))
     made = Policy(
-        name="tiny", **trained_in(trained), observe="belief", inputs=inputs, actions="box", action_repeat=8,
+        name="tiny", **training_fields(trained), observe="belief", inputs=inputs, actions="box", action_repeat=8,
         kind="slots", activation="tanh", mirror=False, weights=(rng.normal(size=(4, len(inputs))).astype(np.float32),),
         biases=(np.zeros(4, np.float32),), made={},
     )  # fmt: skip

@@ -9,7 +9,7 @@ import pytest
 from soccer_env import Match, make_team
 from soccer_env.compiled import compiled
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
-from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered, registry
+from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered_teams, registry
 from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, place, play, scatter, set_phase, stage
@@ -121,7 +121,7 @@ def test_a_team_decides_for_an_image_as_for_the_scene(league: str, team: str, ch
 
 
 def test_names_are_parsed_and_checked() -> None:
-    assert set(TEAMS) <= set(registered())
+    assert set(TEAMS) <= set(registered_teams())
     assert parse_team("chaser") == ("chaser", 1.0, {}) and parse_team("chaser@0.25") == ("chaser", 0.25, {})
     switches = {"recovery": False, "step_length": 0.04, "stuck_count": 9, "goal_force": "unit"}
     text = "sacks-2001@0.5:recovery=False,step_length=0.04,stuck_count=9,goal_force=unit"
@@ -179,7 +179,7 @@ def shipped(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("shipped")
 def test_a_package_ships_a_team_as_a_factory_of_its_strength_and_settings() -> None:
-    assert "lions" in registered()
+    assert "lions" in registered_teams()
     weak: Any = make_team("lions@0.5:brave=True")
     assert (weak.strength, weak.brave) == (0.5, True)
     also: Any = make_team("lions:strength=0.25,brave=True")

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.belief.legged.talk import SOUND_MESSAGE, exchange
+from soccer_env.belief.legged.talk import SOUND_MESSAGE, exchange_words
 from soccer_env.belief.omni.radio import RADIO_MESSAGE, exchange_radio
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
@@ -18,7 +18,7 @@ from tests.scenes.staging import LEGGED, MIDDLE
 
 @compiled
 def talk(percepts, beliefs, tracks, messages, noise, constants, sensors, settings, home, rows):  # type: ignore[no-untyped-def]
-    exchange(percepts, beliefs, tracks, messages, noise, constants[0], sensors[0], settings[0], home, rows)
+    exchange_words(percepts, beliefs, tracks, messages, noise, constants[0], sensors[0], settings[0], home, rows)
 
 
 @compiled

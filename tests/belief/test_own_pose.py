@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, is_crowded, motion_since
+from soccer_env.belief.own_pose import POSE_MEMORY, add_motion, is_crowded, take_summed_motion
 from soccer_env.compiled import compiled
 from soccer_env.records.beliefs import OWN_POSE, TRACK
 from soccer_env.records.percepts import POSE_SENSED
@@ -101,7 +101,7 @@ def test_odometry_is_trusted_less_the_farther_the_way_and_while_others_are_near(
     spreads = []
     for forward, crowded in ((0.0, 0.0), (0.2, 0.0), (0.0, 0.2)):
         add_motion(memory[0], forward, 0.0, 0.0, crowded)
-        spreads.append(motion_since(memory[0], world.k[0], world.w[0])[3:])
+        spreads.append(take_summed_motion(memory[0], world.k[0], world.w[0])[3:])
     (still, still_turn, few), (walking, _, _), (among, among_turn, many) = spreads
     assert still < walking and still < among and still_turn < among_turn
     assert few == world.league.memory.pose_stuck < many
@@ -131,7 +131,7 @@ def test_steps_add_up_as_a_rigid_body_moves() -> None:
     for _ in range(90):
         add_motion(memory[0], np.sin(angle), 1.0 - np.cos(angle), angle, 0.0)
     assert (memory["ahead"][0], memory["left"][0]) == pytest.approx((1.0, 1.0))
-    ahead, left, turn = motion_since(memory[0], world.k[0], world.w[0])[:3]
+    ahead, left, turn = take_summed_motion(memory[0], world.k[0], world.w[0])[:3]
     assert (ahead, left, turn) == pytest.approx((1.0, -1.0, 0.5 * np.pi))  # in the axes at its end
     assert memory["path"][0] == memory["turn"][0] == 0.0
 

@@ -36,12 +36,12 @@ def pose_at(x: float, y: float, heading: float) -> np.ndarray:
 
 def test_a_draw_has_mean_0_and_deviation_1_and_an_outlier_costs_no_more_than_half_the_bound() -> None:
     noise = noise_of()
-    found = np.array([kernels.draw(noise) for _ in range(20_000)])
+    found = np.array([kernels.draw_triangular(noise) for _ in range(20_000)])
     assert found.mean() == pytest.approx(0.0, abs=0.03) and found.std() == pytest.approx(1.0, abs=0.02)
     assert abs(found).max() < 2.5
-    assert kernels.bounded(0.01, 9.0) == pytest.approx(0.005, rel=0.01)  # as a normal distribution would have it
-    assert kernels.bounded(9.0, 9.0) == pytest.approx(2.25)
-    assert kernels.bounded(1e12, 9.0) == pytest.approx(4.5)
+    assert kernels.bounded_cost(0.01, 9.0) == pytest.approx(0.005, rel=0.01)  # as a normal distribution would have it
+    assert kernels.bounded_cost(9.0, 9.0) == pytest.approx(2.25)
+    assert kernels.bounded_cost(1e12, 9.0) == pytest.approx(4.5)
 
 
 def test_particles_are_placed_as_widely_as_robots_and_move_as_the_odometry_says_in_the_axes_at_its_end() -> None:
@@ -96,7 +96,7 @@ def test_particles_that_are_to_be_drawn_anew_are_marked_by_weight_0(kept: int) -
 def test_mh08_of_two_clusters_the_pose_is_in_one_and_not_between_them() -> None:
     particles = set_of(np.where(np.arange(96) < 48, 1.0, -1.0))
     own = pose_at(0.9, 0.0, 0.1)
-    weight, spread = kernels.estimate(particles, own[0], 96.0, 95, W)
+    weight, spread = kernels.estimate_pose(particles, own[0], 96.0, 95, W)
     assert own["x"][0] == pytest.approx(1.0) and own["heading"][0] == pytest.approx(0.0)
     assert weight == 48.0 and spread == 0.0
 
@@ -105,7 +105,7 @@ def test_mh08_the_pose_jumps_to_another_cluster_only_if_that_is_clearly_heavier(
     for others, at in ((50, 1.0), (80, -1.0)):
         particles = set_of(np.where(np.arange(96) < 96 - others, 1.0, -1.0))
         own = pose_at(1.0, 0.0, 0.0)
-        kernels.estimate(particles, own[0], 96.0, 95, W)
+        kernels.estimate_pose(particles, own[0], 96.0, 95, W)
         assert own["x"][0] == at
 
 
@@ -113,19 +113,19 @@ def test_the_pose_does_not_jump_about_in_a_cloud_and_headings_are_averaged_acros
     spread = np.linspace(-1.4, 1.4, 96)
     cloud = set_of(spread, 0.9 * np.sin(40.0 * spread), 3.0 * np.cos(70.0 * spread))
     own = pose_at(0.0, 5.0, 0.0)  # where there is no particle at all
-    kernels.estimate(cloud, own[0], 96.0, 95, W)
+    kernels.estimate_pose(cloud, own[0], 96.0, 95, W)
     assert (own["x"][0], own["y"][0]) == (0.0, 5.0)
     own = pose_at(0.0, 0.0, 3.0)
-    kernels.estimate(set_of(0.0, heading=np.where(np.arange(96) % 2 == 0, 3.1, -3.1)), own[0], 96.0, 0, W)
+    kernels.estimate_pose(set_of(0.0, heading=np.where(np.arange(96) % 2 == 0, 3.1, -3.1)), own[0], 96.0, 0, W)
     assert abs(own["heading"][0]) == pytest.approx(np.pi, abs=1e-6)
 
 
 def test_mh08_more_particles_are_drawn_anew_the_worse_they_fit() -> None:
     memory = np.zeros(1, POSE_MEMORY)
     memory["fast"] = memory["slow"] = 0.9
-    shares = [kernels.share_of_fresh(memory[0], 0.9, W) for _ in range(20)]
+    shares = [kernels.share_to_redraw(memory[0], 0.9, W) for _ in range(20)]
     assert shares == pytest.approx([W["pose_fresh"]] * 20)
-    shares = [kernels.share_of_fresh(memory[0], 0.05, W) for _ in range(20)]
+    shares = [kernels.share_to_redraw(memory[0], 0.05, W) for _ in range(20)]
     assert (np.diff(shares) >= 0.0).all() and shares[-1] == kernels.SHARE_MOST
 
 
@@ -135,7 +135,7 @@ def test_a_pose_that_is_drawn_from_a_thing_sees_it_as_it_is_seen() -> None:
     sight = (1.5, 1.0, np.cos(bearing), np.sin(bearing), 0.8, 0.0, 0.1, 0.02)
     for _ in range(100):
         particle = set_of(0.0, count=1)
-        kernels.draw_seeing(particle[0], sight, 9.0, 9.0, noise, 1.0)
+        kernels.draw_from_sighting(particle[0], sight, 9.0, 9.0, noise, 1.0)
         x, y, heading = (float(particle[name][0]) for name in ("x", "y", "heading"))
         cosine, sine = np.cos(heading), np.sin(heading)
         away_x, away_y = 1.5 - (x + 0.1 * cosine - 0.02 * sine), 1.0 - (y + 0.1 * sine + 0.02 * cosine)

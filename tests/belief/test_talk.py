@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import binomtest
 
 from soccer_env import Match
-from soccer_env.records.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of, word_for
+from soccer_env.records.ball_words import FARTHEST, GROWTH, NEAREST, SILENT, distance_of_word, word_for_distance
 from tests.belief.staged_talk import Talkers
 from tests.scenes.staging import MIDDLE, each_league
 
@@ -18,15 +18,15 @@ LATE = 8  # frames that a word is on its way
 def test_ms06_fifteen_words_tell_near_distances_finely_and_far_ones_coarsely() -> None:
     """MS06: four bits are sixteen words, one of which says that the ball is not seen."""
     distances = np.linspace(0.0, 6.0, 20_000)
-    words = np.array([word_for(distance) for distance in distances])
+    words = np.array([word_for_distance(distance) for distance in distances])
     assert set(words) == set(range(1, FARTHEST + 1)) and FARTHEST == 2**4 - 1
     assert (np.diff(words) >= 0).all()
     edges = distances[1:][np.diff(words) > 0]
     assert edges[0] == pytest.approx(NEAREST, abs=1e-3)
     assert edges[1:] / edges[:-1] == pytest.approx(np.full(13, GROWTH), abs=0.01)
     assert edges[-1] > 2.9  # most of a field of 3 x 2 m
-    assert word_for(inf) == SILENT and distance_of(SILENT) == inf
-    assert all(word_for(distance_of(word)) == word for word in range(1, FARTHEST + 1))
+    assert word_for_distance(inf) == SILENT and distance_of_word(SILENT) == inf
+    assert all(word_for_distance(distance_of_word(word)) == word for word in range(1, FARTHEST + 1))
 
 
 def test_ms06_a_word_is_heard_by_team_mates_alone_half_a_second_later() -> None:
@@ -35,8 +35,8 @@ def test_ms06_a_word_is_heard_by_team_mates_alone_half_a_second_later() -> None:
     talkers.step(LATE)
     assert talkers.heard() == [0] * 6 and talkers.heard("distance") == [inf] * 6 and talkers.heard("age") == [inf] * 6
     talkers.step()
-    word = word_for(0.5)
-    assert talkers.heard() == [word, 0, word, 0, 0, 0] and talkers.heard("distance")[0] == distance_of(word)
+    word = word_for_distance(0.5)
+    assert talkers.heard() == [word, 0, word, 0, 0, 0] and talkers.heard("distance")[0] == distance_of_word(word)
     assert talkers.heard("age")[:2] == [0.5, inf]
 
 
@@ -48,9 +48,9 @@ def test_the_team_mate_nearest_to_the_ball_is_heard_and_elevens_do_not_mix_up_th
         elevens.see(r, 0.2 if r == 10 else 0.9)
     for one in (talkers, elevens):
         one.step(LATE + 1)
-    near, next_to = word_for(0.3), word_for(0.9)
+    near, next_to = word_for_distance(0.3), word_for_distance(0.9)
     assert talkers.heard() == [near, next_to, near, near, 0, 0]
-    assert elevens.heard() == [word_for(0.2)] * 10 + [next_to] * 12
+    assert elevens.heard() == [word_for_distance(0.2)] * 10 + [next_to] * 12
 
 
 def test_four_bits_a_second_are_said_and_no_more() -> None:
@@ -69,13 +69,13 @@ def test_a_robot_that_does_not_see_the_ball_says_so_and_a_word_is_forgotten_afte
     for one in (blind, talkers):
         one.see(1, 0.3)
         one.step(LATE + 1)
-        assert one.heard()[0] == word_for(0.3)
+        assert one.heard()[0] == word_for_distance(0.3)
     blind.lose(1)
     blind.step(RATE)
     assert blind.heard()[0] == SILENT
     talkers.percepts["body"]["active"][1] = 0  # sent off: it says nothing more
     talkers.step(2 * RATE)
-    assert talkers.heard()[0] == word_for(0.3) and talkers.heard("age")[0] == pytest.approx(2.5)
+    assert talkers.heard()[0] == word_for_distance(0.3) and talkers.heard("age")[0] == pytest.approx(2.5)
     talkers.step()
     assert talkers.heard()[0] == SILENT and talkers.heard("distance")[0] == inf
 
@@ -120,9 +120,9 @@ def test_any_period_and_delay_make_a_channel(period: float, delay: float) -> Non
     talkers.step(wait)
     assert talkers.heard()[0] == (SILENT if wait else 0)
     talkers.step()
-    assert talkers.heard()[0] == word_for(0.3)
+    assert talkers.heard()[0] == word_for_distance(0.3)
     talkers.step(200)
-    assert talkers.heard()[0] == word_for(0.3)
+    assert talkers.heard()[0] == word_for_distance(0.3)
 
 
 def test_only_the_rows_that_use_their_sensors_talk_and_swapping_the_teams_swaps_what_is_heard() -> None:
@@ -131,7 +131,7 @@ def test_only_the_rows_that_use_their_sensors_talk_and_swapping_the_teams_swaps_
     for r in range(3):
         talkers.see(r, 0.3 + 0.3 * r)
     talkers.step(LATE + 1)
-    assert talkers.heard() == [word_for(0.9), 0, word_for(0.3), 0, 0, 0]
+    assert talkers.heard() == [word_for_distance(0.9), 0, word_for_distance(0.3), 0, 0, 0]
     assert talkers.messages["known"].tolist() == [1, 0, 1, 0, 0, 0]
     talkers, swapped = Talkers(audio_loss=0.3), Talkers(audio_loss=0.3)
     distances = np.random.default_rng(2).uniform(0.1, 3.0, 6)
@@ -166,5 +166,5 @@ def test_ideal_senses_hear_the_truth(name: str) -> None:
     heard = match.beliefs["heard"][0]
     away = np.hypot(match.balls["x"] - match.robots["x"][0], match.balls["y"] - match.robots["y"][0])
     assert heard["distance"][:3] == pytest.approx([min(away[1:3]), min(away[[0, 2]]), min(away[:2])])
-    assert heard["word"].tolist() == [word_for(distance) for distance in heard["distance"]]
+    assert heard["word"].tolist() == [word_for_distance(distance) for distance in heard["distance"]]
     assert heard["age"].tolist() == [0.0, 0.0, 0.0, inf] and heard["distance"][3] == inf and heard["word"][3] == SILENT

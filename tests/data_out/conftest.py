@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from soccer_env import Match
-from soccer_env.data_out.collect import Collected, collect
+from soccer_env.data_out.collect import MatchRecording, collect_match
 from soccer_env.replay import Recorder, Replay
 
 STAGED: dict[str, dict[str, Any]] = {  # goals in both halves; both teams keep the ball, pass and shoot
@@ -29,8 +29,8 @@ def replay(request: pytest.FixtureRequest) -> Replay:
 
 
 @pytest.fixture(scope="session")
-def found(replay: Replay) -> Collected:
-    return collect(replay, "a match")
+def found(replay: Replay) -> MatchRecording:
+    return collect_match(replay, "a match")
 
 
 @pytest.fixture(scope="session")

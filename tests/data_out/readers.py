@@ -18,13 +18,13 @@ from xml.etree import ElementTree
 import numpy as np
 
 from soccer_env.data_out import kloppy_tracking
-from soccer_env.data_out.collect import Collected
+from soccer_env.data_out.collect import MatchRecording
 from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import KICK_OFF, write_standard
 from soccer_env.data_out.table_files import write_tables
-from soccer_env.data_out.tables import tables_of
+from soccer_env.data_out.tables import match_tables
 from soccer_env.replay import Replay
-from soccer_env.shows.browser.collect import collect
+from soccer_env.shows.browser.collect import collect_page_data
 
 Told = dict[str, np.ndarray]
 NAN = float("nan")
@@ -35,20 +35,22 @@ def frame_at(stamp: str, rate: int) -> int:
     return round((datetime.fromisoformat(stamp.replace("Z", "+00:00")) - KICK_OFF).total_seconds() * rate)
 
 
-def from_csv(_: Replay, found: Collected, folder: Path) -> Told:
-    path = write_tables([tables_of(found)], folder / "x.csv")["tracking"]
+def from_csv(_: Replay, found: MatchRecording, folder: Path) -> Told:
+    path = write_tables([match_tables(found)], folder / "x.csv")["tracking"]
     with path.open(encoding="utf-8", newline="") as file:
-        return of_table([*csv.DictReader(file)], len(found.players), lambda text: float(text or NAN))
+        return frames_from_table([*csv.DictReader(file)], len(found.players), lambda text: float(text or NAN))
 
 
-def from_parquet(_: Replay, found: Collected, folder: Path) -> Told:
+def from_parquet(_: Replay, found: MatchRecording, folder: Path) -> Told:
     from pyarrow import parquet
 
-    path = write_tables([tables_of(found)], folder / "x.parquet")["tracking"]
-    return of_table(parquet.read_table(path).to_pylist(), len(found.players), lambda x: NAN if x is None else float(x))
+    path = write_tables([match_tables(found)], folder / "x.parquet")["tracking"]
+    return frames_from_table(
+        parquet.read_table(path).to_pylist(), len(found.players), lambda x: NAN if x is None else float(x)
+    )
 
 
-def of_table(rows: list[dict[str, Any]], robots: int, number: Any) -> Told:
+def frames_from_table(rows: list[dict[str, Any]], robots: int, number: Any) -> Told:
     """Return a tracking table, frame by frame: the ball and then the robots."""
     shape = (-1, robots + 1)
     of_frames = ("frame", "time", "period", "clock", "home_direction")
@@ -65,7 +67,7 @@ def of_table(rows: list[dict[str, Any]], robots: int, number: Any) -> Told:
     }  # fmt: skip
 
 
-def from_standard(_: Replay, found: Collected, folder: Path) -> Told:
+def from_standard(_: Replay, found: MatchRecording, folder: Path) -> Told:
     lines = (write_standard(found, folder / "x.cdf") / "tracking.jsonl").read_text().splitlines()
     rows = [json.loads(line) for line in lines]
     names = {player.name: player.row for player in found.players}
@@ -82,7 +84,7 @@ def from_standard(_: Replay, found: Collected, folder: Path) -> Told:
     }  # fmt: skip
 
 
-def from_sportec(_: Replay, found: Collected, folder: Path) -> Told:
+def from_sportec(_: Replay, found: MatchRecording, folder: Path) -> Told:
     root, rate = ElementTree.parse(write_sportec(found, folder / "x.xml")).getroot(), found.league.control_rate
     names = {player.name: player.row for player in found.players}
     periods, firsts = {"firstHalf": 1, "secondHalf": 2}, {1: 10_000, 2: 100_000}
@@ -112,7 +114,7 @@ def numbers_of(element: ElementTree.Element, *names: str) -> tuple[float, ...]:
     return tuple(float(element.get(name, "")) for name in names)
 
 
-def from_kloppy(replay: Replay, found: Collected, _: Path) -> Told:
+def from_kloppy(replay: Replay, found: MatchRecording, _: Path) -> Told:
     dataset = kloppy_tracking(replay)
     names = {player.name: player.row for player in found.players}
     shape = (len(dataset.frames), len(names))
@@ -134,8 +136,8 @@ def from_kloppy(replay: Replay, found: Collected, _: Path) -> Told:
     }  # fmt: skip
 
 
-def from_page(replay: Replay, found: Collected, _: Path) -> Told:
-    page = collect(replay)
+def from_page(replay: Replay, found: MatchRecording, _: Path) -> Told:
+    page = collect_page_data(replay)
     columns, robots = page["columns"], len(page["robots"])
     planes = np.frombuffer(zlib.decompress(base64.b64decode(page["tables"]["places"])), np.uint8).astype(int)
     folded = (planes[: len(planes) // 2] + 256 * planes[len(planes) // 2 :]).reshape(-1, page["rows"])

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from soccer_env.data_out import kloppy_events, kloppy_tracking
-from soccer_env.data_out.collect import SIDES, Collected
+from soccer_env.data_out.collect import SIDES, MatchRecording
 from soccer_env.data_out.sportec import RATE, write_sportec
 from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.replay import Replay
@@ -24,7 +24,7 @@ PAGE = Path(__file__).parents[2] / "soccer_env/data_out/README.md"
 HOSTILE = '</PutDataRequest><script>alert("&")</script>'
 
 
-def test_the_validator_of_the_common_data_format_accepts_every_line(found: Collected, tmp_path: Path) -> None:
+def test_the_validator_of_the_common_data_format_accepts_every_line(found: MatchRecording, tmp_path: Path) -> None:
     cdf = pytest.importorskip("cdf")
     folder = write_standard(found, tmp_path / "x.cdf")
     assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
@@ -35,7 +35,7 @@ def test_the_validator_of_the_common_data_format_accepts_every_line(found: Colle
             validator.validate_schema(sample=folder / name, mode="extreme", limit=None)
 
 
-def test_the_common_data_format_tells_each_goal_once(found: Collected, tmp_path: Path) -> None:
+def test_the_common_data_format_tells_each_goal_once(found: MatchRecording, tmp_path: Path) -> None:
     folder = write_standard(found, tmp_path / "x.cdf")
     events = [json.loads(line)["event"] for line in (folder / "event.jsonl").read_text().splitlines()]
     shots = [event for event in events if event["type"] == "shot"]
@@ -52,7 +52,7 @@ def test_the_common_data_format_tells_each_goal_once(found: Collected, tmp_path:
         assert lasts.total_seconds() == pytest.approx(np.ptp(found.time[inside]), abs=1e-5)
 
 
-def test_kloppy_reads_the_xml(found: Collected, tmp_path: Path) -> None:
+def test_kloppy_reads_the_xml(found: MatchRecording, tmp_path: Path) -> None:
     sportec = pytest.importorskip("kloppy.sportec")
     path = write_sportec(found, tmp_path / "x.xml")
     with path.open("rb") as about, path.open("rb") as positions:
@@ -76,7 +76,7 @@ def test_kloppy_reads_the_xml(found: Collected, tmp_path: Path) -> None:
                 assert places[player.name].y == pytest.approx(found.robots["y"][at, player.row], abs=1e-4)
 
 
-def test_xml_escapes_what_came_from_a_file(found: Collected, tmp_path: Path) -> None:
+def test_xml_escapes_what_came_from_a_file(found: MatchRecording, tmp_path: Path) -> None:
     hostile = replace(found, name=HOSTILE, teams=(HOSTILE, "a\x00b\x1b"))
     root = ElementTree.parse(write_sportec(hostile, tmp_path / "x.xml")).getroot()
     assert root.find("MatchInformation/General").get("HomeTeamName") == HOSTILE  # type: ignore[union-attr]
@@ -85,7 +85,7 @@ def test_xml_escapes_what_came_from_a_file(found: Collected, tmp_path: Path) -> 
     assert json.loads((tmp_path / "x.cdf" / "meta.json").read_text())["match"]["id"] == HOSTILE
 
 
-def test_kloppy_turns_its_dataset_there_and_back(replay: Replay, found: Collected) -> None:
+def test_kloppy_turns_its_dataset_there_and_back(replay: Replay, found: MatchRecording) -> None:
     pytest.importorskip("kloppy")
     dataset = kloppy_tracking(replay)
     assert len(dataset) == len(found)
@@ -103,7 +103,7 @@ def test_kloppy_turns_its_dataset_there_and_back(replay: Replay, found: Collecte
             assert (returned.x, returned.y) == pytest.approx((data.coordinates.x, data.coordinates.y), abs=1e-9)
 
 
-def test_kloppys_events_tell_goals_passes_and_shots(replay: Replay, found: Collected) -> None:
+def test_kloppys_events_tell_goals_passes_and_shots(replay: Replay, found: MatchRecording) -> None:
     pytest.importorskip("kloppy")
     dataset = kloppy_events(replay)
     kinds = [event.kind for event in found.events]

@@ -9,18 +9,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.data_out.collect import Collected
+from soccer_env.data_out.collect import MatchRecording
 from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import write_standard
-from soccer_env.data_out.table_files import plain_cell, write_tables
-from soccer_env.data_out.tables import EVENTS, TRACKING, event_table, tables_of, tracking_table
+from soccer_env.data_out.table_files import escape_formula, write_tables
+from soccer_env.data_out.tables import EVENTS, TRACKING, event_table, match_tables, tracking_table
 from soccer_env.replay import Replay
 from soccer_env.train.command.command_line import main
 from soccer_env.types import Phase
 from tests.data_out.readers import READERS, frame_at
 
 
-def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Replay, found: Collected) -> None:
+def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Replay, found: MatchRecording) -> None:
     table = tracking_table(found)
     assert [*table] == [column.name for column in TRACKING]
     assert len(table["x"]) == (len(replay) + 1) * 5
@@ -35,7 +35,7 @@ def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Replay, f
     assert table["time"][-1] == pytest.approx(len(replay) / found.league.control_rate)
 
 
-def test_events_are_those_that_are_counted(replay: Replay, found: Collected) -> None:
+def test_events_are_those_that_are_counted(replay: Replay, found: MatchRecording) -> None:
     *_, last = replay.play()
     counts, table = last.statistics[0], event_table(found)
     kinds = table["event"].tolist()
@@ -57,8 +57,8 @@ def read_csv(path: Path) -> list[dict[str, str]]:
         return [*csv.DictReader(file)]
 
 
-def test_csv_holds_the_table(found: Collected, tmp_path: Path) -> None:
-    paths = write_tables([tables_of(found)], tmp_path / "x.csv")
+def test_csv_holds_the_table(found: MatchRecording, tmp_path: Path) -> None:
+    paths = write_tables([match_tables(found)], tmp_path / "x.csv")
     rows, table = read_csv(paths["tracking"]), tracking_table(found)
     assert len(rows) == len(table["x"])
     assert [*rows[0]] == [column.name for column in TRACKING]
@@ -69,9 +69,9 @@ def test_csv_holds_the_table(found: Collected, tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["x.csv", "x_events.csv"]
 
 
-def test_parquet_holds_the_table_with_units(found: Collected, tmp_path: Path) -> None:
+def test_parquet_holds_the_table_with_units(found: MatchRecording, tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
-    paths = write_tables([tables_of(found)] * 2, tmp_path / "x.parquet")
+    paths = write_tables([match_tables(found)] * 2, tmp_path / "x.parquet")
     read, table = parquet.read_table(paths["tracking"]), tracking_table(found)
     assert read.num_rows == 2 * len(table["x"])
     assert read["x"].to_numpy()[: len(table["x"])].tolist() == table["x"].tolist()
@@ -81,11 +81,11 @@ def test_parquet_holds_the_table_with_units(found: Collected, tmp_path: Path) ->
     assert all(column.text for column in (*TRACKING, *EVENTS))
 
 
-def test_a_match_that_fails_leaves_what_was_there(found: Collected, tmp_path: Path) -> None:
+def test_a_match_that_fails_leaves_what_was_there(found: MatchRecording, tmp_path: Path) -> None:
     (tmp_path / "x.csv").write_text("mine")
 
     def matches() -> Any:
-        yield tables_of(found)
+        yield match_tables(found)
         raise ValueError("the second one is damaged")
 
     with pytest.raises(ValueError, match="damaged"):
@@ -96,8 +96,8 @@ def test_a_match_that_fails_leaves_what_was_there(found: Collected, tmp_path: Pa
 
 @pytest.mark.parametrize("text", ["=1+1", "+1", "-1", "@x"])
 def test_no_cell_of_a_csv_is_a_formula(text: str) -> None:
-    assert plain_cell(text) == f"'{text}"
-    assert plain_cell("match-1") == "match-1"
+    assert escape_formula(text) == f"'{text}"
+    assert escape_formula("match-1") == "match-1"
 
 
 def test_a_folder_gives_one_table_with_the_names_of_its_matches(folder: Path, tmp_path: Path) -> None:
@@ -131,7 +131,7 @@ def test_folders_of_other_things_and_without_replays_are_refused(folder: Path, t
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="limits of Unix")
 @pytest.mark.parametrize("name", ["x.csv", "x.parquet", "x.xml", "x.cdf"])
 def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(
-    found: Collected, tmp_path: Path, name: str
+    found: MatchRecording, tmp_path: Path, name: str
 ) -> None:
     import resource
 
@@ -140,7 +140,7 @@ def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(
     try:
         with pytest.raises(OSError, match=r"File too large: '.*x") as error:
             if name in ("x.csv", "x.parquet"):
-                write_tables([tables_of(found)], tmp_path / name)
+                write_tables([match_tables(found)], tmp_path / name)
             else:
                 (write_sportec if name == "x.xml" else write_standard)(found, tmp_path / name)
     finally:
@@ -189,7 +189,7 @@ def expected_of(records: Records, frames: np.ndarray, rate: int) -> Records:
 
 @pytest.mark.parametrize("kind", READERS)
 def test_a_format_tells_what_the_records_of_the_match_are(
-    kind: str, replay: Replay, found: Collected, records: Records, tmp_path: Path
+    kind: str, replay: Replay, found: MatchRecording, records: Records, tmp_path: Path
 ) -> None:
     pytest.importorskip(NEEDS.get(kind, "numpy"))
     told = READERS[kind](replay, found, tmp_path)
@@ -214,7 +214,7 @@ def goals_in(records: Records) -> list[tuple[int, int, int]]:
 
 
 def test_every_format_tells_the_goals_of_the_score(
-    replay: Replay, found: Collected, records: Records, tmp_path: Path
+    replay: Replay, found: MatchRecording, records: Records, tmp_path: Path
 ) -> None:
     goals, rate = goals_in(records), found.league.control_rate
     assert len({half for _, _, half in goals}) == 2, "goals in both halves"
@@ -236,7 +236,7 @@ def test_every_format_tells_the_goals_of_the_score(
 
 
 def test_events_lie_where_the_ball_was_and_are_turned_with_the_half(
-    found: Collected, records: Records, tmp_path: Path
+    found: MatchRecording, records: Records, tmp_path: Path
 ) -> None:
     ball = np.stack([records["events"]["ball_x"], records["events"]["ball_y"]], axis=-1)  # before any restart
     table = event_table(found)

@@ -10,7 +10,7 @@ from soccer_env import Match, OwnTerm, Rewards, Scene, soccer_v0
 from soccer_env.replay import Recorder
 from soccer_env.scenes import SCENES, Mixture, mixture
 from soccer_env.types import Phase
-from tests.scenes.staging import each_step
+from tests.scenes.staging import record_each_step
 
 TEXT = "kick-off:3,scattered:1"
 
@@ -134,7 +134,7 @@ def walked_drill(forward: list[float], **changes: Any) -> tuple[Match, list[list
     match = Match(**{**SETTINGS, "matches": len(forward), **changes})
     actions = np.zeros((len(forward), 2, 4))
     actions[:, 0, 0] = forward
-    stands = each_step(
+    stands = record_each_step(
         match, lambda: np.where(match.truncated, 2, match.events["drill"] * match.terminated), 0.0, actions, 60
     )
     return match, stands.tolist()

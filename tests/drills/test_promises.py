@@ -9,7 +9,7 @@ from soccer_env.scenes import SCENES
 from soccer_env.scenes.drills_alone import AT_BOARD, DRILLS_ALONE, IN_CORNER
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
 from soccer_env.scenes.judging import PAST
-from tests.scenes.staging import LEAGUES, LEGGED, asking, each_league, play
+from tests.scenes.staging import LEAGUES, LEGGED, each_league, play, robot_actions
 
 MATCHES = 60
 DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
@@ -65,7 +65,7 @@ def test_facing_wall_a_paw_touches_the_foot_of_the_board_and_the_ball_is_behind(
 def test_facing_wall_a_robot_that_walks_on_gets_nowhere() -> None:
     match = drill("facing-wall")
     start = match.robots[:, 0].copy()
-    play(match, actions=asking(match, forward=1.0), steps=16 * 3)
+    play(match, actions=robot_actions(match, forward=1.0), steps=16 * 3)
     outwards = np.sign(start["y"]) * (match.robots["y"][:, 0] - start["y"])
     turned = np.abs(np.sin(match.robots["heading"][:, 0] - start["heading"])) * match.league.body.tip_x
     assert (outwards < 0.01 + turned).all()

@@ -12,7 +12,7 @@ from soccer_env.train.evaluate.drills import run_drill
 from soccer_env.train.pages.tables.drills import TEAMS, drills_of
 from soccer_env.types import AWAY, HOME, MAX_TEAM
 from tests.scenes.leagues import LEAGUES, MIDDLE, each_league
-from tests.scenes.staging import deepest_overlaps, each_step, place, play, send_off, stand, steps_in
+from tests.scenes.staging import deepest_overlaps, place, play, record_each_step, send_off, stand, steps_in
 
 SIZES = ((1, 1), (2, 3), (5, 5), (MAX_TEAM, MAX_TEAM), (1, MAX_TEAM), (MAX_TEAM, 1))
 
@@ -47,7 +47,7 @@ def test_a_shot_that_nobody_saves_is_a_goal(name):
     match = Match(name, home=1, away=1, matches=50, seed=4, scene="shot-at-keeper", episode="drill")
     send_off(match, [1])
     match.rebuild()
-    drill, goal = each_step(match, lambda: [match.events["drill"], match.events["goal"]], 9.0).swapaxes(0, 1)
+    drill, goal = record_each_step(match, lambda: [match.events["drill"], match.events["goal"]], 9.0).swapaxes(0, 1)
     assert (goal.max(axis=0) == HOME).all() and (drill.sum(axis=0) == -1).all() and match.terminated.all()
 
 
@@ -111,7 +111,7 @@ def test_shots_are_kicked_at_the_post_that_they_name(scene: str, far: bool) -> N
     assert (ball["roll_x"] == 0.0).all()
     assert (np.abs(crossing) > 0.5).all() and (np.abs(crossing) < 0.85).all()
     assert ((crossing * ball["y"] < 0.0) == far).all()
-    goals = (each_step(match, lambda: match.events["drill"], 5.0) == -1).any(axis=0)
+    goals = (record_each_step(match, lambda: match.events["drill"], 5.0) == -1).any(axis=0)
     assert far == (goals.mean() > 0.8) or not far  # a keeper that stands still saves hardly a far shot
     assert goals.any()
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, soccer_v0, team_of_function
-from soccer_env.agents.learned import team_of
+from soccer_env.agents.learned import team_from_policy
 from soccer_env.random_numbers import seeds_for
 from soccer_env.replay import Recorder
 from soccer_env.teams import ObservingTeam
-from tests.agents.staged_policies import lively
+from tests.agents.staged_policies import random_policy
 
 
 def by_numbers(policy: Any) -> Any:
@@ -53,11 +53,11 @@ COUNTS = {"memory": ("f4", (1,)), "name": "counting"}
     ],
 )  # fmt: skip
 def test_it_plays_what_the_same_policy_plays_from_a_file(league: str, observe: str, senses: str, side: str) -> None:
-    policy = lively(8, league=league, observe=observe, action_repeat=4, mirror=False)
+    policy = random_policy(8, league=league, observe=observe, action_repeat=4, mirror=False)
     other = "away" if side == "home" else "home"
     mine = team_of_function(by_numbers(policy), observe=observe, action_repeat=4)
     settings: dict[str, Any] = {"home": 2, "away": 2, "matches": 3, "seed": 1, "senses": senses}
-    ours = Match(league, controllers={side: team_of(policy, at_once=True), other: "chaser"}, **settings)
+    ours = Match(league, controllers={side: team_from_policy(policy, at_once=True), other: "chaser"}, **settings)
     match = Match(league, controllers={side: mine, other: "chaser"}, **settings)
     for _ in range(60):
         ours.step()
@@ -166,7 +166,7 @@ def test_a_match_with_it_pickles_copies_and_is_replayed() -> None:
 
 
 def test_a_match_alone_is_that_among_many_on_threads() -> None:
-    team = team_of_function(by_numbers(lively(8)), action_repeat=3)
+    team = team_of_function(by_numbers(random_policy(8)), action_repeat=3)
     who = {"home": team, "away": "chaser"}
     many = Match(home=1, away=1, matches=70, threads=2, controllers=who, seeds=seeds_for(1, 70), autoreset="same_step")
     one = Match(home=1, away=1, controllers=who, seeds=[many.seeds[66]], autoreset="same_step")

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from soccer_env.guards.ranges import ANY, Columns, Place, Range, columns, places
+from soccer_env.guards.ranges import ANY, Columns, NumberPlace, Range, columns, number_places
 from soccer_env.match import saving
-from soccer_env.match.saving.saves import MAGIC, kept
+from soccer_env.match.saving.saves import MAGIC, saved_arrays
 
 WHOLE = (-1, 0, 1, 2, 3, 4, 5, 7, 127, 1000, 1 << 31, (1 << 31) - 1, 2_000_000, 10**11)
 BROKEN = (nan, inf, -inf, 1e308, -1e308, 5e-324, -5e-324, 0.0, -0.0, 1.0, -1.0, 1e-12, 1e-300, 0.5, 3.141592653589794)
@@ -32,7 +32,7 @@ def parts_of(saved: bytes, match: Any, memory: bool) -> list[Part]:
     """Return the arrays that a save of a match holds, without those of no bytes."""
     _, start, header = saving.open_save(saved)
     found = []
-    for name, array in kept(match, memory).items():
+    for name, array in saved_arrays(match, memory).items():
         shape = next(shape for other, _, shape, _ in header["parts"] if other == name)
         count = int(np.prod(shape))
         if count * array.dtype.itemsize:
@@ -42,15 +42,15 @@ def parts_of(saved: bytes, match: Any, memory: bool) -> list[Part]:
 
 
 @functools.cache
-def numbers_of(dtype: np.dtype) -> dict[str, list[Place]]:
+def numbers_of(dtype: np.dtype) -> dict[str, list[NumberPlace]]:
     """Return the numbers of a record by their path, an array itself as one without a name."""
-    found: dict[str, list[Place]] = {}
-    for place in list(places(dtype)) or [Place("", dtype, 0, None)]:
+    found: dict[str, list[NumberPlace]] = {}
+    for place in list(number_places(dtype)) or [NumberPlace("", dtype, 0, None)]:
         found.setdefault(place.path, []).append(place)
     return found
 
 
-def hostile(place: Place, robots: int, draw: random.Random) -> Any:
+def hostile(place: NumberPlace, robots: int, draw: random.Random) -> Any:
     """Return a number that may do harm in a field: at the ends of its type or its range, just beyond, or odd."""
     kind, bounds = place.kind, place.range or Range(0, 1)
     low, high = bounds.low, bounds.high + robots * bounds.robots
@@ -104,14 +104,14 @@ def with_header(saved: bytes, header: Any) -> bytes:
 @functools.cache
 def fractions_of(dtype: np.dtype) -> list[Columns]:
     """Return the numbers with a fraction that a record holds, by type."""
-    numbers = [place._replace(range=ANY) for place in places(dtype) if place.kind.kind == "f"]
+    numbers = [place._replace(range=ANY) for place in number_places(dtype) if place.kind.kind == "f"]
     kinds = {place.kind for place in numbers}
     return [columns(dtype, kind, [place for place in numbers if place.kind == kind], 0) for kind in kinds]
 
 
 def not_a_number(match: Any) -> str:
     """Return the first field of a match's records that holds NaN, "" if none does."""
-    for name, array in kept(match, memory=True).items():
+    for name, array in saved_arrays(match, memory=True).items():
         flat = np.ascontiguousarray(array).reshape(-1)
         for kind, word, pieces, *_, paths in fractions_of(array.dtype) if flat.nbytes else ():
             wrong = np.isnan(flat.view(word).reshape(len(flat), -1).take(pieces, axis=1).view(kind)).any(axis=0)

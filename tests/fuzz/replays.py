@@ -14,7 +14,7 @@ from unittest.mock import patch
 import numpy as np
 
 from soccer_env import Match, shows
-from soccer_env.guards.ranges import UNIT, Place
+from soccer_env.guards.ranges import UNIT, NumberPlace
 from soccer_env.match import saving
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.train.command.command_line import main
@@ -93,7 +93,7 @@ def records(source: Source, parts: dict[str, np.ndarray], draw: random.Random, n
 def commands(source: Source, parts: dict[str, np.ndarray], draw: random.Random, name: str) -> str:
     """Put a hostile number into commands or gazes."""
     numbers = parts[name].copy()
-    value = hostile(Place("", np.dtype("f8"), 0, UNIT), 3, draw)
+    value = hostile(NumberPlace("", np.dtype("f8"), 0, UNIT), 3, draw)
     at = tuple(draw.randrange(size) for size in numbers.shape)
     numbers[at if draw.random() < 0.7 else ...] = value
     parts[name] = numbers

@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env import Match, Rewards, soccer_v0
 from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.gymnasium_envs import SoloSoccer
-from soccer_env.match.saving.saves import kept
+from soccer_env.match.saving.saves import saved_arrays
 from soccer_env.replay import Recorder
 
 Do = Callable[[int], Any]  # from the number of the trial
@@ -48,7 +48,7 @@ def of_match(match: Match) -> list[Any]:
     if written is not None:
         shown += [written.commands, written.gazes, written.hashes, [(n, rows) for n, rows, _ in written.log]]
         shown += [written.thoughts.steps, written.thoughts.rows] if written.thoughts else []
-    return seen([dict(kept(match, True)), *shown])
+    return seen([dict(saved_arrays(match, True)), *shown])
 
 
 ENV = (  # attributes of envs that change in a step

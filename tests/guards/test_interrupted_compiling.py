@@ -18,7 +18,7 @@ from numba.core.registry import cpu_target
 
 from soccer_env.compiled import compiled, config
 from soccer_env.compiling import stops
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.interrupts import SignalsHeld
 
 pytestmark = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
 
@@ -59,7 +59,7 @@ def fresh() -> tuple[Any, Any]:
 def at_stop(monkeypatch: pytest.MonkeyPatch, wanted: int) -> list[int]:
     """Let a signal come at the stop of that number, counted from 1; return a list that grows by each stop."""
     seen: list[int] = []
-    come = stops.let_come
+    come = stops.deliver_waiting_signals
 
     def counted() -> None:
         seen.append(len(seen) + 1)
@@ -67,7 +67,7 @@ def at_stop(monkeypatch: pytest.MonkeyPatch, wanted: int) -> list[int]:
             signal.raise_signal(signal.SIGINT)
         come()
 
-    monkeypatch.setattr(stops, "let_come", counted)
+    monkeypatch.setattr(stops, "deliver_waiting_signals", counted)
     return seen
 
 
@@ -106,12 +106,12 @@ def test_a_signal_does_not_wait_for_llvm(stop: None) -> None:
         go_on.wait(10.0)
         ended.append(True)
 
-    with pytest.raises(StopError), HeldBack(), stops.stoppable():
+    with pytest.raises(StopError), SignalsHeld(), stops.stoppable():
         signal.raise_signal(signal.SIGINT)
-        stops.beside(work)
+        stops.run_stoppably(work)
     assert not ended
     go_on.set()
-    stops._end_what_is_left()
+    stops._join_lock_holders()
     assert ended
 
 
@@ -127,7 +127,7 @@ def test_a_signal_does_not_wait_for_another_thread_that_compiles(stop: None) -> 
     other.start()
     begun.wait()
     at = time.monotonic()
-    with pytest.raises(StopError), HeldBack():
+    with pytest.raises(StopError), SignalsHeld():
         signal.raise_signal(signal.SIGINT)
         fresh()[0].compile((cpu_target.typing_context.resolve_value_type(1.0),))
     assert time.monotonic() - at < 5.0
@@ -139,8 +139,8 @@ def test_what_llvm_raises_comes(stop: None) -> None:
     def fail() -> None:
         raise ArithmeticError
 
-    with pytest.raises(ArithmeticError), HeldBack(), stops.stoppable():
-        stops.beside(fail)
+    with pytest.raises(ArithmeticError), SignalsHeld(), stops.stoppable():
+        stops.run_stoppably(fail)
 
 
 LIMIT = 1.0  # [s] of processor time, from an interrupt until it has ended what it fell in

@@ -13,7 +13,7 @@ from types import FrameType
 import pytest
 
 from soccer_env import Match
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.interrupts import SignalsHeld
 
 
 class StopError(Exception):
@@ -35,15 +35,15 @@ def handlers(monkeypatch: pytest.MonkeyPatch) -> object:
 
 def test_a_signal_waits_for_the_end_of_the_outermost() -> None:
     done = []
-    with pytest.raises(StopError), HeldBack():
-        with HeldBack():
+    with pytest.raises(StopError), SignalsHeld():
+        with SignalsHeld():
             signal.raise_signal(signal.SIGINT)
         done.append("the rest")
     assert done == ["the rest"]
 
 
 def test_two_signals_both_come_and_the_handlers_are_back(handlers: object) -> None:
-    with pytest.raises(StopError) as error, HeldBack():
+    with pytest.raises(StopError) as error, SignalsHeld():
         signal.raise_signal(signal.SIGTERM)
         signal.raise_signal(signal.SIGINT)
     assert {error.value.args[0], error.value.__context__.args[0]} == {signal.SIGINT, signal.SIGTERM}  # type: ignore[union-attr]
@@ -51,7 +51,7 @@ def test_two_signals_both_come_and_the_handlers_are_back(handlers: object) -> No
 
 
 def test_without_a_signal_nothing_happens_and_the_handlers_are_back(handlers: object) -> None:
-    with pytest.raises(ZeroDivisionError), HeldBack():
+    with pytest.raises(ZeroDivisionError), SignalsHeld():
         _ = 1 // 0
     assert signal.getsignal(signal.SIGINT) is handlers
 
@@ -61,7 +61,7 @@ def test_a_destructor_sends_it_on_once_it_has_ended() -> None:
 
     class Thing:
         def __del__(self) -> None:
-            with HeldBack(later=True):
+            with SignalsHeld(later=True):
                 signal.raise_signal(signal.SIGINT)
             time.sleep(0.1)  # in which it must not come
             done.append("the rest")
@@ -77,7 +77,7 @@ def test_other_threads_hold_nothing_back_and_may_ask(handlers: object) -> None:
     seen: list[object] = []
 
     def ask() -> None:
-        with HeldBack():
+        with SignalsHeld():
             seen.append(signal.getsignal(signal.SIGINT))
 
     thread = threading.Thread(target=ask)

@@ -14,8 +14,8 @@ from soccer_env.leagues.checks import PYTHON_ONLY
 from soccer_env.leagues.constants import CONSTANTS, NUMBERS, constants_of
 from soccer_env.leagues.robot import DRIVE_KINDS
 from soccer_env.scenes import SCENES
-from soccer_env.teams import make_team, registered
-from tests.agents.staged_policies import from_disk, lively
+from soccer_env.teams import make_team, registered_teams
+from tests.agents.staged_policies import random_policy, team_from_disk
 
 LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
 ICY = replace(  # as in the README
@@ -42,9 +42,9 @@ def test_a_team_of_the_family_plays_whatever_the_league_is_called(league: League
 
 
 def test_a_policy_file_plays_in_a_league_of_ones_own(tmp_path: Path) -> None:
-    team = from_disk(lively(), tmp_path)
+    team = team_from_disk(random_policy(), tmp_path)
     assert walks(replace(LEGGED, name="of-my-own"), team)
-    mine = from_disk(lively(league="middle-size-2006"), tmp_path)
+    mine = team_from_disk(random_policy(league="middle-size-2006"), tmp_path)
     assert walks(replace(MIDDLE, name="of-my-own", ball=replace(MIDDLE.ball, rolling=0.2)), mine)
 
 
@@ -78,7 +78,7 @@ def test_a_policy_is_refused_at_another_control_rate_where_scripted_teams_play()
 def test_families_of_teams_and_scenes_are_those_that_leagues_have() -> None:
     known = {league.family for league in LEAGUES.values()}
     assert known == {"legged", "middle-size"}
-    asked = [getattr(make_team(name), "families", ()) for name in registered()]
+    asked = [getattr(make_team(name), "families", ()) for name in registered_teams()]
     asked += [scene.families for scene in SCENES.values()]
     assert {family for families in asked for family in families} <= known
     assert any(asked), "or else the line above says nothing"

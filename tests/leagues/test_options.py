@@ -9,7 +9,7 @@ import pytest
 
 from soccer_env.leagues.legged_sensors import LeggedMemory, LeggedSensors
 from soccer_env.leagues.omni_sensors import OmniMemory, OmniSensors
-from soccer_env.leagues.options import GREATEST, Options, notes_of
+from soccer_env.leagues.options import GREATEST, Options, field_comments
 from soccer_env.leagues.rules import Rules
 from soccer_env.train.command.command_line import main
 
@@ -81,7 +81,7 @@ def test_the_list_shows_bounds(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.parametrize("rule", [field.name for field in fields(Rules)])
 def test_every_rule_says_what_it_is(rule: str) -> None:
-    assert notes_of(Rules).get(rule), "`soccer list rules` shows the comment beside the field"
+    assert field_comments(Rules).get(rule), "`soccer list rules` shows the comment beside the field"
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.match.saving.fitting import differences
+from soccer_env.match.saving.fitting import describe_differences
 from soccer_env.replay import Recorder
 from tests.scenes.staging import LEAGUES
 
@@ -212,4 +212,4 @@ def test_what_changes_no_future_is_not_named() -> None:
     match = played(steps=5)
     match.load(played(steps=5, rewards="sparse", actions="full", action_repeat=3).save())
     for said in ({"home": 7}, None):  # a save may say anything
-        assert differences(said, match.described_settings) == ""
+        assert describe_differences(said, match.described_settings) == ""

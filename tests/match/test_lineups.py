@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from soccer_env import Lineup, Match, team_of_function
-from soccer_env.agents.learned import team_of
+from soccer_env.agents.learned import team_from_policy
 from soccer_env.teams import make_team
 from soccer_env.types import AWAY, HOME
-from tests.agents.staged_policies import lively
+from tests.agents.staged_policies import random_policy
 
 NAMES = ("still", "random@0.5", "chaser")
 
@@ -116,7 +116,7 @@ def test_a_team_may_be_in_the_lineups_of_both_sides() -> None:
 
 def learned_too() -> Lineup:
     """Return a lineup of a scripted team and of two policies that decide at different times."""
-    policies = [team_of(lively(8, action_repeat=repeat, seed=repeat)) for repeat in (1, 4)]
+    policies = [team_from_policy(random_policy(8, action_repeat=repeat, seed=repeat)) for repeat in (1, 4)]
     chaser: Any = make_team("chaser")
     return Lineup((chaser, *policies), np.ones(3), ("chaser", "quick", "slow"))
 
@@ -231,7 +231,7 @@ def test_what_is_no_lineup_is_refused(given: tuple[Any, ...], message: str) -> N
 
 
 def test_a_team_that_cannot_play_and_weights_that_were_spoilt_are_named() -> None:
-    truth = Lineup((CHASER, team_of(lively(observe="truth"))), np.ones(2), ("chaser", "t"))
+    truth = Lineup((CHASER, team_from_policy(random_policy(observe="truth"))), np.ones(2), ("chaser", "t"))
     with pytest.raises(ValueError, match="team 'lively' observes truth: it needs senses='ideal', got 'sensors'"):
         pitch(truth)
     chooser = lineup()

@@ -6,9 +6,18 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.guards.ranges import ANY, FLAG, NUMBER, ROW_OR_NONE, SIGN, outside, places, record
+from soccer_env.guards.ranges import (
+    ANY,
+    FLAG,
+    NUMBER,
+    ROW_OR_NONE,
+    SIGN,
+    first_out_of_range,
+    number_places,
+    ranged_record,
+)
 from soccer_env.match import saving
-from soccer_env.match.saving.saves import kept
+from soccer_env.match.saving.saves import saved_arrays
 from soccer_env.teams import registry
 from soccer_env.types import COMMAND, GAZE
 from tests.fuzz import targets
@@ -29,9 +38,9 @@ FREE = {"noise", "seed", "unused", "spare", "own"}  # fields in which all bits a
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 def test_every_field_that_a_save_holds_has_a_range(settings: dict[str, Any]) -> None:
     match = Match(**settings, seed=1)
-    for name, array in kept(match, memory=True).items():
+    for name, array in saved_arrays(match, memory=True).items():
         assert array.dtype.names or array.dtype == bool or name == "seeds", name
-        for place in places(array.dtype):
+        for place in number_places(array.dtype):
             assert place.range is not None, f"{place.path} of {name}"
             assert place.range != ANY or place.path.rpartition(".")[2] in FREE, f"{place.path} of {name}"
     match.load(match.save())
@@ -51,22 +60,24 @@ def test_no_match_leaves_its_ranges(name: str) -> None:
 
 def test_a_field_without_a_range_cannot_be_declared() -> None:
     with pytest.raises(TypeError, match="field 'count' of a record has no range"):
-        record([("place", "f8", NUMBER), ("count", "i8")])
+        ranged_record([("place", "f8", NUMBER), ("count", "i8")])
     with pytest.raises(TypeError, match="field 'place' of a record has no range"):
-        record([("place", np.dtype([("x", "f8")]))])
+        ranged_record([("place", np.dtype([("x", "f8")]))])
 
 
 def test_equal_records_have_equal_ranges_and_those_of_a_replay_have_some() -> None:
-    record([("only_here", "i8", FLAG)])
+    ranged_record([("only_here", "i8", FLAG)])
     with pytest.raises(TypeError, match="another record has the same fields"):
-        record([("only_here", "i8", NUMBER)])
-    assert all(place.range is not None for dtype in (COMMAND, GAZE) for place in places(dtype))
+        ranged_record([("only_here", "i8", NUMBER)])
+    assert all(place.range is not None for dtype in (COMMAND, GAZE) for place in number_places(dtype))
     assert {*LEGGED, *MIDDLE} == set(registry.NAMES), "every shipped team is looked at"
-    assert [outside(np.array([0, flag], np.uint8).view(bool), 2) for flag in (1, 2)] == ["", "a flag"]
+    assert [first_out_of_range(np.array([0, flag], np.uint8).view(bool), 2) for flag in (1, 2)] == ["", "a flag"]
 
 
-INNER = record([("sign", "i2", SIGN), ("row", "i1", ROW_OR_NONE)])
-OUTER = record([("flag", "i1", FLAG), ("inner", INNER, (2,)), ("speeds", "f4", NUMBER, (3,)), ("bits", "u8", ANY)])
+INNER = ranged_record([("sign", "i2", SIGN), ("row", "i1", ROW_OR_NONE)])
+OUTER = ranged_record(
+    [("flag", "i1", FLAG), ("inner", INNER, (2,)), ("speeds", "f4", NUMBER, (3,)), ("bits", "u8", ANY)]
+)
 
 
 @pytest.mark.parametrize(
@@ -80,12 +91,12 @@ def test_a_number_outside_its_range_is_named_wherever_it_stands(field: str, at: 
     records = np.zeros((2, 5), OUTER)
     records["inner"]["sign"], records["bits"] = -1, 2**64 - 1
     records["inner"]["row"][..., 0], records["inner"]["row"][..., 1] = -1, 3
-    assert outside(records, robots=4) == ""
+    assert first_out_of_range(records, robots=4) == ""
     numbers = records[1, 3:4][field.partition(".")[0]]
     numbers = numbers[field.partition(".")[2]] if "." in field else numbers
     numbers[(0, at) if at != () else 0] = value
-    assert outside(records, robots=4) == field
-    assert outside(records[0], robots=4) == ""
+    assert first_out_of_range(records, robots=4) == field
+    assert first_out_of_range(records[0], robots=4) == ""
 
 
 class Odd:

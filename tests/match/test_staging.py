@@ -36,7 +36,7 @@ def test_sensors_read_the_settings_that_are_changed(missed: float) -> None:
     match = Match("middle-size-2006", home=1, away=1, matches=2, seed=4, controllers={"home": "chaser"}, pose="percept")
     staging.put(match, 0, 0.0, 0.0)
     staging.put_ball(match, 1.5, 0.0)
-    staging.begin(match)
+    staging.begin_scene(match)
     staging.sensors_of(match)["ball_miss"], staging.sensors_of(match)["false_balls"] = missed, 0.0
     for _ in range(50):
         match.step(np.zeros((2, 2, 4)))
@@ -47,7 +47,7 @@ def test_sensors_read_the_settings_that_are_changed(missed: float) -> None:
 def test_bodies_read_the_constants_that_are_changed(traction: float | None, walks: bool) -> None:
     match = Match("legged-2001", home=1, away=1, seed=4)
     staging.put(match, 0, 0.0, 0.0)
-    staging.begin(match)
+    staging.begin_scene(match)
     if traction:
         staging.constants_of(match)["drive_traction"] = staging.constants_of(match)["drive_thrust"] = traction
     for _ in range(32):
@@ -59,20 +59,20 @@ def test_a_scene_begins_with_robots_that_know_where_they_are_or_not() -> None:
     known, lost = sacks(), sacks()
     for match, placed in ((known, True), (lost, False)):
         staging.put(match, 0, 0.4, -0.3, 1.0)
-        staging.begin(match, placed=placed)
+        staging.begin_scene(match, placed=placed)
     assert np.hypot(known.beliefs["own"]["x"][:, 0] - 0.4, known.beliefs["own"]["y"][:, 0] + 0.3).max() < 0.3
     assert (lost.beliefs["ball"]["confidence"] == 0.0).all()
 
 
 def pushed_by(pushers: int, mass: float | None = None) -> float:
     """Return how far [m] a robot that stands is moved in four seconds by others that walk at it, one behind another."""
-    match = Match(staging.patient("legged-2001"), home=pushers, away=1, seed=2)
+    match = Match(staging.league_without_calls("legged-2001"), home=pushers, away=1, seed=2)
     apart = 2.0 * (match.league.body.tip_x + match.league.body.tip_radius) + 0.002  # [m] between neighbours
     for r in range(pushers):
         staging.put(match, r, -apart * r, 0.0)
     staging.put(match, pushers, apart, 0.0, np.pi)
     staging.put_ball(match, 0.0, 0.8)
-    staging.begin(match)
+    staging.begin_scene(match)
     if mass:
         staging.set_mass(match, (pushers,), mass, mass)
     actions = np.zeros((1, pushers + 1, 4))

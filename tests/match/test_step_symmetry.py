@@ -11,12 +11,12 @@ from soccer_env.compiled import compiled
 from soccer_env.match.step import clear_events
 from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
-from soccer_env.physics.drive import drive, move_head
+from soccer_env.physics.drive import drive_robot, move_head
 from soccer_env.physics.engine.memory import BODY_ARBITERS, BODY_COS, BODY_OMEGA, BODY_SIN, BODY_VX, BODY_VY
-from soccer_env.physics.kicker import work_kicker
+from soccer_env.physics.kicker import advance_kicker
 from soccer_env.physics.solver.records import STANCE
-from soccer_env.physics.solver.rounds import hold_ground
-from soccer_env.referee.calls import judge
+from soccer_env.physics.solver.rounds import apply_ground_drive
+from soccer_env.referee.calls import judge_match
 from soccer_env.referee.restarts import carry_out_restart, end_placing
 from soccer_env.referee.steering import steer_to_place
 from soccer_env.types import NO_TEAM, Phase
@@ -74,7 +74,7 @@ def in_both_worlds(match, stage, events=False):
 def drive_all(matches, balls, robots, constants, stances, bodies):
     for m in range(len(matches)):
         for r in range(robots.shape[1]):
-            drive(robots[m, r], constants[0], matches[m].step, matches[m].handedness, stances[m, r])
+            drive_robot(robots[m, r], constants[0], matches[m].step, matches[m].handedness, stances[m, r])
             take_ground(robots[m, r], stances[m, r], bodies[m, r], constants[0].dt)
             move_head(robots[m, r], constants[0], balls[m])
         matches[m].step += 1
@@ -86,7 +86,7 @@ def take_ground(robot, stance, body, dt):
     stance.given_x = stance.given_y = stance.given_turn = 0.0
     body[BODY_VX // 8], body[BODY_VY // 8], body[BODY_OMEGA // 8] = robot.vx, robot.vy, robot.omega
     body[BODY_COS // 8], body[BODY_SIN // 8] = np.cos(robot.heading), np.sin(robot.heading)
-    hold_ground(stance, dt)
+    apply_ground_drive(stance, dt)
     robot.vx, robot.vy, robot.omega = body[BODY_VX // 8], body[BODY_VY // 8], body[BODY_OMEGA // 8]
 
 
@@ -112,14 +112,14 @@ def steer_all(matches, robots, constants):
 def kick_all(matches, balls, robots, robot_events, constants):
     for m in range(len(matches)):
         for r in range(robots.shape[1]):
-            work_kicker(robots[m], r, robot_events[m, r], constants[0], balls[m], matches[m].handedness)
+            advance_kicker(robots[m], r, robot_events[m, r], constants[0], balls[m], matches[m].handedness)
 
 
 @compiled
 def judge_all(matches, balls, robots, events, robot_events, constants, placement):
     for m in range(len(matches)):
         clear_events(events[m], robot_events[m])
-        judge(matches[m], balls[m], robots[m], events[m], constants[0], matches[m].last_touch_robot)
+        judge_match(matches[m], balls[m], robots[m], events[m], constants[0], matches[m].last_touch_robot)
         if events[m].restart != 0 and matches[m].over == 0:
             carry_out_restart(matches[m], balls[m], robots[m], constants[0], placement)
 

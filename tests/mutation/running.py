@@ -19,7 +19,7 @@ from collections import namedtuple
 from collections.abc import Iterator
 from pathlib import Path
 
-from soccer_env.compiling.cache import folders
+from soccer_env.compiling.cache import cache_folders
 from soccer_env.compiling.sources import source_stamp
 from tests.mutation.related import module_of
 
@@ -47,7 +47,7 @@ class Ground:
         self.folder, self.until = folder, until
         self.shared = folder / "tmp" / f"soccer_env-{os.getuid()}"  # soccer_env reads it after SOCCER_ENV_CACHE
         self.shared.mkdir(mode=0o700, parents=True, exist_ok=True)
-        for file in (file for kept in folders()[:1] if kept.is_dir() for file in kept.glob("*.nbc")):
+        for file in (file for kept in cache_folders()[:1] if kept.is_dir() for file in kept.glob("*.nbc")):
             with contextlib.suppress(OSError):
                 os.link(file, self.shared / file.name)
         files = [file for top in FOLDERS for file in (ROOT / top).rglob("*.py")]

@@ -9,9 +9,9 @@ from soccer_env import Match
 from soccer_env.agents.attention import Layout, layout_of
 from soccer_env.leagues import find_league
 from soccer_env.observations import Entry, entries_named, layout
-from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, record_of
+from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, entries_dtype
 from soccer_env.observations.reflection import observation_signs
-from soccer_env.observations.scales import in_numbers
+from soccer_env.observations.scales import scale_in_numbers
 from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
 from tests.scenes.staging import LEAGUES
 from tests.scenes.symmetry import (
@@ -59,7 +59,7 @@ def test_names_of_a_policys_inputs_give_back_the_entries(league: str, observe: s
 
 
 def test_a_record_holds_the_entries_in_order() -> None:
-    record = record_of([Entry("a"), Entry("b")])
+    record = entries_dtype([Entry("a"), Entry("b")])
     assert record.names == ("a", "b") and record.itemsize == 8
 
 
@@ -142,7 +142,7 @@ def test_scales_are_in_numbers_as_observations_are_made() -> None:
     match.balls[0]["x"], match.balls[0]["y"], match.balls[0]["vx"] = 1.26055, 0.25, 0.2
     match.batch.observe_anew(0, 1)
     seen = dict(zip(match.observation_names, match.observations[0, 0].tolist(), strict=True))
-    told = {entry.name: in_numbers(entry, match.league) for entry in layout(match.league, "truth")}
+    told = {entry.name: scale_in_numbers(entry, match.league) for entry in layout(match.league, "truth")}
     assert (told["own_x"], told["own_y"], told["ball_x"]) == ("1.8 m", "1 m", "3.606 m")
     assert told["ball_near_x"] == "x / (|x| + 0.3606 m)" and told["ball_vx"] == "v / (|v| + 0.2 m/s)"
     found = [seen[name] for name in ("own_x", "own_y", "ball_x", "ball_near_x", "ball_vx")]
@@ -153,7 +153,7 @@ def test_scales_are_in_numbers_as_observations_are_made() -> None:
 @pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])
 def test_every_scale_has_a_number(league: str, observe: str) -> None:
     found = find_league(league)
-    told = [in_numbers(entry, found) for entry in layout(found, observe)]
+    told = [scale_in_numbers(entry, found) for entry in layout(found, observe)]
     assert [text for text in told if not any(letter.isdigit() for letter in text) or "soft" in text] == []
 
 

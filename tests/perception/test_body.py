@@ -10,11 +10,11 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.omni_sensors import OmniSensors
-from soccer_env.perception.body import POSE_ERROR, light_barrier, sense_body
+from soccer_env.perception.body import POSE_ERROR, sense_body, sense_light_barrier
 from soccer_env.records.percepts import BODY_PERCEPT, NO_POSE, POSE_SENSED, POSE_TOLD
 from soccer_env.types import MATCH, ROBOT, ROBOT_EVENTS
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league, steady
-from tests.scenes.staging import WALK, asking, each_step, place, play, put, stage, stand
+from tests.scenes.staging import WALK, place, play, put, record_each_step, robot_actions, stage, stand
 
 EXACT = {"odometry_noise": 0.0}
 
@@ -35,19 +35,19 @@ def body(match: Match) -> np.ndarray:
 def travelled(match: Match, actions: np.ndarray, steps: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the displacement ahead [m] by odometry and in truth, robot 0 of each match, after some steps."""
     start = match.robots["x"][:, 0].copy()
-    felt = each_step(match, lambda: body(match)["forward"], 0.0, actions, steps).sum(axis=0)
+    felt = record_each_step(match, lambda: body(match)["forward"], 0.0, actions, steps).sum(axis=0)
     return felt, match.robots["x"][:, 0] - start
 
 
 @each_league
 def test_on_firm_ground_the_odometry_is_the_path_and_a_turning_walk_adds_up_to_the_pose(name: str) -> None:
     match = feeling(steady(name), sensors=EXACT)
-    felt, true = travelled(match, asking(match, forward=1.0), 40)
+    felt, true = travelled(match, robot_actions(match, forward=1.0), 40)
     assert true[0] > 0.1 and felt == pytest.approx(true, rel=1e-5)
     match = feeling(steady(name), sensors=EXACT)
     x, y, heading = 0.0, 0.0, 0.0
     for _ in range(48):
-        match.step(asking(match, forward=0.2, left=-0.2, turn=0.1))
+        match.step(robot_actions(match, forward=0.2, left=-0.2, turn=0.1))
         one = body(match)[0]
         x += np.cos(heading) * one["forward"] - np.sin(heading) * one["left"]
         y += np.sin(heading) * one["forward"] + np.cos(heading) * one["left"]
@@ -59,7 +59,7 @@ def test_on_firm_ground_the_odometry_is_the_path_and_a_turning_walk_adds_up_to_t
 
 def test_slip_is_not_felt() -> None:
     match = feeling(LEGGED, 40, sensors=EXACT)
-    felt, true = travelled(match, asking(match, forward=1.0), 64)
+    felt, true = travelled(match, robot_actions(match, forward=1.0), 64)
     assert np.ptp(felt) < 1e-6 and true.std() > 0.01 * true.mean()
 
 
@@ -69,7 +69,7 @@ def test_a_stuck_robot_feels_that_it_walks(name: str) -> None:
     edge = match.league.pitch.length / 2 + match.league.pitch.band_end
     put(match, 0, edge - match.league.body.reach, 0.4 * match.league.pitch.width)  # its nose at the boards
     match.rebuild()
-    felt, true = travelled(match, asking(match, forward=1.0), 4 * match.league.control_rate)
+    felt, true = travelled(match, robot_actions(match, forward=1.0), 4 * match.league.control_rate)
     assert felt > 0.8 * 3.0 * match.league.drive.forward
     assert abs(true) < 0.2 * felt
 
@@ -77,7 +77,7 @@ def test_a_stuck_robot_feels_that_it_walks(name: str) -> None:
 @each_league
 def test_odometry_errs_in_proportion_to_the_step(name: str) -> None:
     match = feeling(steady(name), 40, sensors={"odometry_noise": 0.05})
-    found, actions = [], asking(match, forward=0.6, left=0.3, turn=0.5)
+    found, actions = [], robot_actions(match, forward=0.6, left=0.3, turn=0.5)
     for _ in range(30):
         match.step(actions)  # until everybody walks
     for _ in range(30):
@@ -115,7 +115,7 @@ def test_a_kick_is_felt_in_the_frame_in_which_it_hits() -> None:
     match = feeling(MIDDLE, home=2)
     place(match, ball=(0.18 + 0.11, 0.0), robots={1: (0.0, 0.0), 0: (-3.0, 1.0)})
     match.step(stand(match))
-    match.step(asking(match, 1, kick=1.0))
+    match.step(robot_actions(match, 1, kick=1.0))
     assert match.percepts["body"]["kicked"][0].tolist() == [0, 1, 0]
     match.step(stand(match))
     assert match.percepts["body"]["kicked"][0].tolist() == [0, 0, 0]
@@ -124,7 +124,7 @@ def test_a_kick_is_felt_in_the_frame_in_which_it_hits() -> None:
 @compiled
 def break_barriers(robots, bodies, sensors):  # type: ignore[no-untyped-def]
     for i in range(robots.shape[0]):
-        light_barrier(robots[i], bodies[i], sensors[0])
+        sense_light_barrier(robots[i], bodies[i], sensors[0])
 
 
 @pytest.mark.parametrize("has_ball", [0, 1])

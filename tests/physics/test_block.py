@@ -7,11 +7,23 @@ import pytest
 
 from soccer_env.leagues import Block, find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.physics.block import most_reach, spread_of
+from soccer_env.physics.block import foreleg_spread, most_reach
 from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
-from soccer_env.physics.solver.posts import between_segments
+from soccer_env.physics.solver.posts import nearest_between_segments
 from soccer_env.render.robots import figures_of
-from tests.scenes.staging import LEGGED, asking, endless, energy, place, play, put_ball, stage, stand, steady, steps_in
+from tests.scenes.staging import (
+    LEGGED,
+    endless,
+    energy,
+    place,
+    play,
+    put_ball,
+    robot_actions,
+    stage,
+    stand,
+    steady,
+    steps_in,
+)
 from tests.scenes.symmetry import MIRROR, Records, assert_same_records, mirrored
 
 LEAGUE = endless(steady("legged-2001-block"))
@@ -31,14 +43,14 @@ def keeper(matches=1, league=LEAGUE, **settings):
 def spread(match):
     """Return how far each goalkeeper's forelegs are spread (M,)."""
     k = constants_of(match.league)[0]
-    return np.array([spread_of(robot, k, 0.0) for robot in match.robots[:, 0]])
+    return np.array([foreleg_spread(robot, k, 0.0) for robot in match.robots[:, 0]])
 
 
 def rolled(offsets, v=1.0, blocks=True, **settings):
     """Return matches in which a ball has rolled at a goalkeeper at several places aside of it, legs spread or not."""
     offsets = np.asarray(offsets)
     match = keeper(len(offsets), **settings)
-    play(match, actions=asking(match, kick=1.0 if blocks else 0.0), steps=UP)
+    play(match, actions=robot_actions(match, kick=1.0 if blocks else 0.0), steps=UP)
     place(match, ball=(0.4, offsets, -v, 0.0))
     play(match, 0.4)
     return match
@@ -48,7 +60,7 @@ def test_ms53_a_block_takes_the_time_of_its_joints_and_stands_for_as_long_as_the
     """MS53: out at a constant speed, held, and in again; what is asked for meanwhile changes nothing."""
     match, found = keeper(), []
     for step in range(30):
-        match.step(asking(match, kick=1.0 if step == 0 else 0.0, forward=1.0))
+        match.step(robot_actions(match, kick=1.0 if step == 0 else 0.0, forward=1.0))
         found.append(spread(match)[0])
     t = np.arange(30) * LEAGUE.dt
     end = BLOCK.raise_time + BLOCK.hold_time + BLOCK.recover_time
@@ -59,13 +71,13 @@ def test_ms53_a_block_takes_the_time_of_its_joints_and_stands_for_as_long_as_the
 def test_while_it_blocks_a_robot_stands_still_and_in_a_league_without_a_block_nothing_happens():
     match = keeper()
     for _ in range(steps_in(match, 1.3)):
-        match.step(asking(match, kick=1.0, forward=1.0, left=0.5))
+        match.step(robot_actions(match, kick=1.0, forward=1.0, left=0.5))
         assert match.robots["walk"][0, 0].tolist() == (0.0, 0.0, 0.0)
     assert np.hypot(match.robots["x"][0, 0], match.robots["y"][0, 0]) < 1e-9
-    play(match, 2.0, asking(match, forward=1.0))
+    play(match, 2.0, robot_actions(match, forward=1.0))
     assert match.robots["x"][0, 0] > 0.05
     match = keeper(league=steady(LEGGED))
-    match.step(asking(match, kick=1.0))
+    match.step(robot_actions(match, kick=1.0))
     assert match.robots["kick_clock"][0, 0] == 0.0 and most_reach(constants_of(match.league)[0]) == BODY.reach
 
 
@@ -76,7 +88,7 @@ def test_ms53_only_a_goalkeeper_blocks_and_only_a_ball_out_of_its_kickers_reach(
     match.balls["x"][2] = BODY.front + BALL.radius + 0.003
     match.robots["has_ball"][2, 0] = 1
     match.rebuild()
-    play(match, actions=asking(match, kick=1.0), steps=UP)
+    play(match, actions=robot_actions(match, kick=1.0), steps=UP)
     assert spread(match).tolist() == [1.0, 0.0, 0.0]
     assert match.robots["kick_strength"][:, 0].tolist() == [0.0, 0.0, 1.0]
 
@@ -96,7 +108,7 @@ def test_legs_that_spread_push_a_ball_that_lies_beside_them_away_and_without_a_b
     assert (rolled(aside, blocks=False).balls["vy"] == 0.0).all()
     match = keeper()
     place(match, ball=(BODY.tip_x, BODY.tip_y + BODY.tip_radius + BALL.radius + 0.01))
-    play(match, actions=asking(match, kick=1.0), steps=UP + 2)
+    play(match, actions=robot_actions(match, kick=1.0), steps=UP + 2)
     k = constants_of(LEAGUE)[0]
     assert match.balls["y"][0] > OUTSIDE - 0.002
     assert paws_gap(match.robots[0, 0], k, match.balls["x"][0], match.balls["y"][0], 1.0) > -0.002
@@ -113,7 +125,7 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
     pair = replace(league.materials.ball_robot, friction=0.0)
     league = replace(league, materials=replace(league.materials, ball_robot=pair))
     match = keeper(league=league)
-    play(match, actions=asking(match, kick=1.0), steps=UP)
+    play(match, actions=robot_actions(match, kick=1.0), steps=UP)
     place(match, ball=(0.4, aside, -1.0, 0.0))
     play(match, steps=6)
     bounce = (1.0 + pair.elasticity) * nx
@@ -123,7 +135,7 @@ def test_a_ball_bounces_off_a_leg_as_off_a_slanting_wall(share):
 
 def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
     match = keeper()
-    play(match, actions=asking(match, kick=1.0), steps=UP)
+    play(match, actions=robot_actions(match, kick=1.0), steps=UP)
     robot, k = match.robots[0, 0], constants_of(LEAGUE)[0]
     for gap in (paws_gap(robot, k, BLOCK.paw_x, OUTSIDE, 1.0), ball_gap(robot, k, BLOCK.paw_x, -OUTSIDE)):
         assert gap == pytest.approx(0.0, abs=1e-12)
@@ -141,7 +153,7 @@ def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
     for _ in range(steps_in(match, 1.0)):
-        actions = asking(match, r=1, forward=1.0)
+        actions = robot_actions(match, r=1, forward=1.0)
         actions[0, 0, 3] = 1.0
         match.step(actions)
     assert match.robot_events["collision"].tolist() == [[1, 1], [0, 0]]
@@ -155,7 +167,7 @@ def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():
         place(match, ball=(0.45, 0.2, -0.5, 0.0), robots={1: (0.5, 0.14, np.pi)})
     mirrored(Records.of(one)).put_into(other)
     for step in range(40):
-        actions = asking(one, kick=float(step == 2), left=0.3)
+        actions = robot_actions(one, kick=float(step == 2), left=0.3)
         actions[:, 1, 0] = 1.0
         one.step(actions)
         actions[..., 1:3] *= -1.0
@@ -168,7 +180,7 @@ def test_both_backends_block_to_the_bit_and_a_block_is_saved_with_the_match_and_
     found = [rolled(np.linspace(-0.25, 0.25, 11), backend=backend) for backend in ("c", "batch")]
     assert found[0].state_hash() == found[1].state_hash()
     match = keeper()
-    play(match, actions=asking(match, kick=1.0), steps=6)
+    play(match, actions=robot_actions(match, kick=1.0), steps=6)
     saved = match.save()
     assert 0.0 < spread(match)[0] < 1.0
     paws = figures_of(match.robots[0], match.league, 1.0)[0].paws
@@ -188,7 +200,7 @@ def test_both_backends_block_to_the_bit_and_a_block_is_saved_with_the_match_and_
     ((1.0, 5.0), (1.0, 2.0), (0.0, 0.0), (2.0, 0.0), (1.0, 2.0), (0.0, -2.0)),
 ])  # fmt: skip
 def test_two_lines_are_nearest_where_geometry_says(a, b, c, d, at, away):
-    assert between_segments(*a, *b, *c, *d) == pytest.approx((*at, *away))
+    assert nearest_between_segments(*a, *b, *c, *d) == pytest.approx((*at, *away))
 
 
 def test_a_block_needs_legs_a_way_back_and_a_reach():

@@ -6,8 +6,19 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
 from soccer_env.types import HOME, NO_TEAM
-from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, icy, patient
-from tests.scenes.staging import asking, each_step, outline, place, play, put, put_ball, speed, stage, stand
+from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, icy, league_without_calls
+from tests.scenes.staging import (
+    outline,
+    place,
+    play,
+    put,
+    put_ball,
+    record_each_step,
+    robot_actions,
+    speed,
+    stage,
+    stand,
+)
 
 HUNDREDS = 300
 
@@ -69,7 +80,7 @@ def test_a_ball_comes_back_from_a_robot_with_the_elasticity_of_the_two(name):
 
 
 def test_a_ball_on_the_post_stays_out_and_one_off_the_inside_of_the_post_goes_in():
-    league = patient(MIDDLE)
+    league = league_without_calls(MIDDLE)
     pitch, offsets = league.pitch, np.linspace(-0.06, 0.12, 60)  # [m] from the middle of the post, towards the corner
     match = stage(league, 120)
     y = np.concatenate([s * (pitch.goal_width / 2 + pitch.post_radius + offsets) for s in (1, -1)])
@@ -82,10 +93,10 @@ def test_a_ball_on_the_post_stays_out_and_one_off_the_inside_of_the_post_goes_in
     head_on = np.tile(abs(offsets) < 0.05, 2)
     assert not out[head_on].any(), "it came back into the field"
     assert (match.balls["vx"][head_on] < 0.0).all()
-    league = patient(MIDDLE)
+    league = league_without_calls(MIDDLE)
     y = league.pitch.goal_width / 2 + league.pitch.post_radius - 0.14  # [m] the post turns it inwards
     match = stage(league, 2, ball=(league.pitch.length / 2 - 1.0, [y, -y], 9.0, 0.0))
-    assert (each_step(match, lambda: match.events["goal"], steps=60) == HOME).sum() == 2
+    assert (record_each_step(match, lambda: match.events["goal"], steps=60) == HOME).sum() == 2
 
 
 @each_league
@@ -201,9 +212,9 @@ def nearest_on_way(old, new):
 
 
 def test_a_legged_robot_fits_into_the_goal_and_not_through_the_board_beside_it():
-    league = patient(LEGGED)
+    league = league_without_calls(LEGGED)
     match = stage(league, 2, ball=(-1.0, 0.0), robots={0: (1.3, [0.0, 0.55], 0.0)})
-    play(match, actions=asking(match, forward=1.0), steps=160)
+    play(match, actions=robot_actions(match, forward=1.0), steps=160)
     inside, beside = match.robots["x"][:, 0] + league.body.tip_x + league.body.tip_radius
     pressed = 0.012  # [m] it goes into what it pushes against with its full force
     assert inside == pytest.approx(1.5 + league.pitch.goal_depth, abs=pressed)

@@ -205,7 +205,7 @@ def test_another_platform_takes_the_c_way_only_after_a_test(monkeypatch, asked_a
     monkeypatch.setattr("platform.machine", lambda: "riscv64")
     if backend == "batch":  # else it is really tested
         left = iter(answers)
-        monkeypatch.setattr("soccer_env.physics.engine.space_batch._collision", lambda backend: next(left))
+        monkeypatch.setattr("soccer_env.physics.engine.space_batch._simulate_collision", lambda backend: next(left))
     assert default_backend() == backend
 
 

@@ -8,8 +8,20 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.physics.engine.space import build_space
-from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, patient, steady
-from tests.scenes.staging import asking, distance, each_step, outline, place, play, put, put_ball, speed, stage, stand
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, league_without_calls, steady
+from tests.scenes.staging import (
+    distance,
+    outline,
+    place,
+    play,
+    put,
+    put_ball,
+    record_each_step,
+    robot_actions,
+    speed,
+    stage,
+    stand,
+)
 
 
 def pushed(league, matches, v, seconds, forward):
@@ -18,7 +30,7 @@ def pushed(league, matches, v, seconds, forward):
     place(match, ball=(-1.2 + league.body.front + league.ball.radius + 0.003, 0.0), robots={0: (-1.2, 0.0, 0.0)})
     kept = np.ones(matches, bool)
     for step in range(round(seconds * league.control_rate)):
-        match.step(asking(match, forward=forward(step * league.dt) * v / league.drive.forward))
+        match.step(robot_actions(match, forward=forward(step * league.dt) * v / league.drive.forward))
         if step > 2 * league.delay_steps:
             kept &= match.robots["has_ball"][:, 0] == 1
     return match, kept
@@ -36,7 +48,7 @@ def test_a_robot_that_brakes_hard_or_turns_on_the_spot_loses_its_ball():
     gap = match.balls["x"][0] - match.robots["x"][0, 0] - match.league.body.front - match.league.ball.radius
     assert match.robots["has_ball"][0, 0] == 0 and gap > 0.3
     match = stage(steady(MIDDLE), ball=(-1.0 + 0.18 + 0.11 + 0.003, 0.0), robots={0: (-1.0, 0.0, 0.0)})
-    play(match, actions=asking(match, turn=1.0), steps=100)
+    play(match, actions=robot_actions(match, turn=1.0), steps=100)
     assert match.robots["has_ball"][0, 0] == 0
 
 
@@ -50,7 +62,7 @@ def kept_for(commands, seconds=4.0):
     for step in range(warm + round(seconds * league.control_rate)):
         ahead = np.array([min(step / warm, 1.0) / league.drive.forward, 0.0, 0.0])
         forward, left, turn = np.broadcast_to(ahead if step < warm else commands, (len(commands), 3)).T
-        match.step(asking(match, forward=forward, left=left, turn=turn))
+        match.step(robot_actions(match, forward=forward, left=left, turn=turn))
         last[match.robots["has_ball"][:, 0] == 1] = (step - warm + 1) * league.dt
     return last
 
@@ -75,13 +87,13 @@ def test_a_ball_off_the_middle_is_steered_into_the_pocket_and_overlaps_nothing_t
     put(match, 0, -1.2, 0.0, 0.0)
     place(match, ball=(-1.2 + league.body.tip_x + league.ball.radius + league.body.tip_radius + 0.05, aside))
     share = 0.5 if name == LEGGED else 0.2
-    play(match, 0.5 / (share * league.drive.forward), asking(match, forward=share))
+    play(match, 0.5 / (share * league.drive.forward), robot_actions(match, forward=share))
     assert (match.robots["has_ball"][:, 0] == 1).mean() > 0.9
     league = find_league(name)
     match = stage(league, robots={0: (0.0, 0.0, 0.7)})
     reach = league.body.front + league.ball.radius
     place(match, ball=(reach * np.cos(0.7), reach * np.sin(0.7)))
-    match.step(asking(match))
+    match.step(robot_actions(match))
     assert match.robots["has_ball"][0, 0] == 1
     space = build_space(league, match.balls[0], match.robots[0])
     ball = next(iter(space.bodies))
@@ -150,14 +162,14 @@ def test_a_rolling_ball_stops_after_v_squared_over_2a_in_every_direction(name, s
 @each_league
 def test_a_rolling_ball_loses_speed_at_a_constant_rate_never_slides_again_and_stays_where_it_comes_to_rest(name):
     match = stage(endless(name), ball=(0.0, 0.0, 2.0, 0.0))
-    speeds = each_step(match, lambda: match.balls["vx"][0], steps=20)
+    speeds = record_each_step(match, lambda: match.balls["vx"][0], steps=20)
     expected = 2.0 - match.league.ball.rolling * match.league.dt * np.arange(1, 21)
     np.testing.assert_allclose(speeds, expected, rtol=1e-12)
     match = stage(endless(name), ball=(0.0, 0.0, 1.0, -0.7))
     while speed(match.balls).any():
         match.step(stand(match))
         assert match.balls["vx"] == match.balls["roll_x"] and match.balls["vy"] == match.balls["roll_y"]
-    match = stage(patient(name), 3, ball=([0.0, 0.3, -0.7], [0.1, 0.0, 0.4]))
+    match = stage(league_without_calls(name), 3, ball=([0.0, 0.3, -0.7], [0.1, 0.0, 0.4]))
     before = match.balls.copy()
     play(match, steps=200)
     np.testing.assert_array_equal(match.balls, before)
@@ -209,7 +221,7 @@ def test_a_ball_that_spins_on_the_spot_slows_down_at_a_constant_rate_and_stops(n
     match = stage(name)
     match.balls["spin"] = 3.0
     match.rebuild()
-    spins = each_step(match, lambda: match.balls["spin"][0], 2.0)
+    spins = record_each_step(match, lambda: match.balls["spin"][0], 2.0)
     times = match.league.dt * np.arange(1, len(spins) + 1)
     np.testing.assert_allclose(spins, np.maximum(3.0 - match.league.ball.pivot * times, 0.0), atol=1e-9)
     assert (match.balls["vx"][0], match.balls["vy"][0]) == (0.0, 0.0)

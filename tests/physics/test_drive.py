@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league, endless, steady
-from tests.scenes.staging import asking, each_step, place, play, put, speed, stage, stand, steps_in
+from tests.scenes.staging import place, play, put, record_each_step, robot_actions, speed, stage, stand, steps_in
 
 DIFFERENTIAL = "middle-size-2006-differential"
 
@@ -23,7 +23,7 @@ def on_its_own(league, matches=1, **settings):
 
 def walked(match: Match, actions: np.ndarray, steps: int) -> np.ndarray:
     """Return the speed ahead of robot 0 of the first match after each step."""
-    vx, vy, heading = each_step(
+    vx, vy, heading = record_each_step(
         match, lambda: [match.robots[n][0, 0] for n in ("vx", "vy", "heading")], 0.0, actions, steps
     ).T
     return np.cos(heading) * vx + np.sin(heading) * vy
@@ -33,14 +33,14 @@ def walked(match: Match, actions: np.ndarray, steps: int) -> np.ndarray:
 def test_a_command_moves_the_robot_a_tenth_of_a_second_later_to_the_control_step(name, steps):
     league = replace(steady(name), drive=replace(steady(name).drive, gait_steps=1))
     assert league.delay_steps == steps
-    speeds = walked(on_its_own(league), asking(on_its_own(league), forward=1.0), steps + 1)
+    speeds = walked(on_its_own(league), robot_actions(on_its_own(league), forward=1.0), steps + 1)
     assert (speeds[:steps] == 0.0).all() and speeds[steps] > 0.0
 
 
 @pytest.mark.parametrize("delay", [0.0, 0.06, 0.14, 0.2])
 def test_the_delay_is_a_setting(delay):
     league = replace(steady(MIDDLE), drive=replace(steady(MIDDLE).drive, delay=delay))
-    speeds = walked(on_its_own(league), asking(on_its_own(league), forward=1.0), 12)
+    speeds = walked(on_its_own(league), robot_actions(on_its_own(league), forward=1.0), 12)
     assert np.argmax(speeds > 0.0) == round(50 * delay)
 
 
@@ -60,7 +60,7 @@ def targets_of(match: Match, steps: int) -> np.ndarray:
     """Return the speeds ahead [m/s] that robot 0 goes for, asked for another one at every step."""
     found = []
     for step in range(steps):
-        match.step(asking(match, forward=(step + 1) / steps))
+        match.step(robot_actions(match, forward=(step + 1) / steps))
         found.append(match.robots["target"]["forward"][0, 0])
     return np.array(found)
 
@@ -75,7 +75,7 @@ def test_gait_steps_are_even_even_if_slip_is_drawn_at_other_times():
 def test_wheels_follow_at_every_control_step_and_reach_2_6_m_per_s_after_0_65_s():
     np.testing.assert_allclose(targets_of(on_its_own(steady(MIDDLE)), 20)[5:], 2.6 * np.arange(1, 16) / 20.0)
     match = on_its_own(steady(MIDDLE))
-    speeds = walked(match, asking(match, forward=1.0), 60)
+    speeds = walked(match, robot_actions(match, forward=1.0), 60)
     delay, top = 5, 2.6
     expected = np.minimum(4.0 * 0.02 * np.maximum(np.arange(60) + 1 - delay, 0), top)
     np.testing.assert_allclose(speeds, expected, atol=1e-9)
@@ -108,7 +108,7 @@ def test_no_robot_gains_or_loses_speed_faster_than_it_can(name):
 ])  # fmt: skip
 def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected):
     match = on_its_own(steady(name))
-    actions = asking(match, forward=command[0], left=command[1])
+    actions = robot_actions(match, forward=command[0], left=command[1])
     play(match, 1.5, actions)
     assert speed(match.robots)[0, 0] == pytest.approx(expected, rel=1e-9)
 
@@ -117,24 +117,24 @@ def test_robots_walk_at_the_speed_that_is_asked_of_them(name, command, expected)
 def test_robots_turn_at_their_top_rate_and_no_faster(name, rate):
     match = on_its_own(steady(name))
     for _ in range(steps_in(match, 2.0)):
-        match.step(asking(match, turn=1.0))
+        match.step(robot_actions(match, turn=1.0))
         assert match.robots["omega"][0, 0] <= rate + 1e-9
     assert match.robots["omega"][0, 0] == pytest.approx(rate)
 
 
 def test_a_turn_counter_clockwise_is_positive_left_is_to_the_left_and_a_differential_base_cannot_move_there():
     match = on_its_own(steady(MIDDLE), 2)
-    play(match, actions=asking(match, turn=[0.2, 0.0], left=[0.0, 0.5]), steps=25)
+    play(match, actions=robot_actions(match, turn=[0.2, 0.0], left=[0.0, 0.5]), steps=25)
     assert match.robots["heading"][0, 0] > 0.1 and match.robots["heading"][1, 0] == 0.0
     assert match.robots["y"][1, 0] > 0.1 and abs(match.robots["x"][1, 0]) < 1e-9
     match = on_its_own(find_league(DIFFERENTIAL), 20)
     match.robots["heading"][:, 0] = np.linspace(-3.0, 3.0, 20)
     match.rebuild()
-    play(match, actions=asking(match, left=1.0), steps=100)
+    play(match, actions=robot_actions(match, left=1.0), steps=100)
     assert not speed(match.robots)[:, 0].any()
     aside = 0.0
     for _ in range(100):  # in a curve, ground holds the wheels against the side
-        match.step(asking(match, forward=0.5, left=1.0, turn=0.1))
+        match.step(robot_actions(match, forward=0.5, left=1.0, turn=0.1))
         robot = match.robots[:, 0]
         aside = max(aside, abs(np.cos(robot["heading"]) * robot["vy"] - np.sin(robot["heading"]) * robot["vx"]).max())
     assert aside < 0.02
@@ -154,7 +154,7 @@ def test_a_differential_base_never_exceeds_2_m_per_s2_nor_10_rad_per_s2():
     for step in range(steps_in(match, 8.0)):
         if step % 30 == 0:
             command = rng.choice([-1.0, -0.3, 0.0, 0.5, 1.0], 40)
-            actions = asking(match, forward=np.where(drives, command, 0.0), turn=np.where(drives, 0.0, command))
+            actions = robot_actions(match, forward=np.where(drives, command, 0.0), turn=np.where(drives, 0.0, command))
         before = match.robots[:, 0].copy()
         match.step(actions)
         after = match.robots[:, 0]
@@ -170,7 +170,7 @@ def test_a_walk_misses_its_speed_by_the_leagues_slip(name, slip):
     match = on_its_own(name, matches, home=1, away=1)
     v = []
     for step in range(steps_in(match, 4.0)):
-        match.step(asking(match, forward=0.5))
+        match.step(robot_actions(match, forward=0.5))
         if step >= steps_in(match, 1.5):
             v.append(speed(match.robots)[:, 0].copy())
     asked = 0.5 * match.league.drive.forward
@@ -183,7 +183,9 @@ def test_a_walk_misses_its_speed_by_the_leagues_slip(name, slip):
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE])
 def test_slip_holds_for_half_a_second_and_then_is_drawn_anew(name):
     match = on_its_own(name)
-    drawn = each_step(match, lambda: match.robots["slip"]["forward"][0, 0], 3.0, asking(match, forward=1.0))
+    drawn = record_each_step(
+        match, lambda: match.robots["slip"]["forward"][0, 0], 3.0, robot_actions(match, forward=1.0)
+    )
     assert len(np.unique(drawn)) == 6
     assert (np.diff(np.flatnonzero(np.diff(drawn))) == steps_in(match, 0.5)).all()
 
@@ -201,7 +203,7 @@ def test_nobody_is_faster_than_top_speed_times_slip_and_who_is_told_nothing_or_i
         greatest = np.maximum(greatest, np.maximum(slip["forward"], slip["left"]))
         assert (speed(match.robots)[:, 0] <= drive.forward * greatest + 1e-9).all()
     match, out = on_its_own(name, 5), stage(name, 4, robots={1: (0.5, 0.5)})
-    for one, actions in ((match, None), (out, asking(out, forward=1.0, left=1.0, turn=1.0, kick=1.0))):
+    for one, actions in ((match, None), (out, robot_actions(out, forward=1.0, left=1.0, turn=1.0, kick=1.0))):
         before = one.robots[:, 0].copy()
         play(one, actions=actions, steps=100)
         for axis in ("x", "y", "heading", "vx", "vy", "omega"):

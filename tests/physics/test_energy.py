@@ -11,7 +11,19 @@ from soccer_env.physics.engine.space import robot_moment
 from soccer_env.types import Phase
 from tests.scenes.leagues import LEGGED, boarded, each_league, endless, icy, steady
 from tests.scenes.looking import energy, speed
-from tests.scenes.staging import asking, freeze, place, play, put, put_ball, scatter, set_phase, stage, stand, steps_in
+from tests.scenes.staging import (
+    freeze,
+    place,
+    play,
+    put,
+    put_ball,
+    robot_actions,
+    scatter,
+    set_phase,
+    stage,
+    stand,
+    steps_in,
+)
 
 SOLVER = 1e-9  # [J] of rounding in a step
 
@@ -167,7 +179,7 @@ def test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk(mas
     league, u = match.league, 2.0 * match.league.drive.forward
     body, ball = league.body, league.ball
     both = 1.0 / ball.mass + 1.0 / body.mass + body.tip_y**2 / robot_moment(league)  # [1/kg]
-    match.step(asking(match, forward=1.0))
+    match.step(robot_actions(match, forward=1.0))
     expected = (1.0 + league.materials.ball_robot.elasticity) * u / both / ball.mass
     assert match.balls["vx"][0] == pytest.approx(expected, rel=1e-6)
     assert match.balls["vy"][0] == pytest.approx(0.0, abs=1e-6)
@@ -175,7 +187,7 @@ def test_ms51_a_paw_that_swings_hits_the_ball_at_twice_the_speed_of_the_walk(mas
 
 def test_ms51_a_paw_that_stands_on_the_ground_leaves_the_ball_alone():
     match = swinging(1e6, gap=0.001, side=-1.0)
-    play(match, actions=asking(match, forward=1.0), steps=match.league.drive.gait_steps // 2)
+    play(match, actions=robot_actions(match, forward=1.0), steps=match.league.drive.gait_steps // 2)
     assert abs(match.balls["vx"][0]) < 1e-9
-    play(match, actions=asking(match, forward=1.0), steps=match.league.drive.gait_steps // 2)
+    play(match, actions=robot_actions(match, forward=1.0), steps=match.league.drive.gait_steps // 2)
     assert match.balls["vx"][0] > match.league.drive.forward, "then it swings"

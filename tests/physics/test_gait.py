@@ -10,7 +10,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.physics.gait import LEGS, most_swing, paw_offset, stance
 from tests.scenes.leagues import LEGGED, MIDDLE, endless, steady
-from tests.scenes.staging import asking, each_step, place, play, put, put_ball, stage, stand, steps_in
+from tests.scenes.staging import place, play, put, put_ball, record_each_step, robot_actions, stage, stand, steps_in
 
 LEFT_FORE, RIGHT_FORE, LEFT_HIND, RIGHT_HIND = range(LEGS)
 AT_FULL_SPEED = 24  # control steps after which a robot walks as it was asked to, gait steps of 8
@@ -21,7 +21,7 @@ def walker(forward: float = 0.0, left: float = 0.0, turn: float = 0.0, handednes
     match = stage(steady(endless(LEGGED)))
     match.matches["handedness"] = handedness
     place(match, ball=(50.0, 50.0), robots={0: (0.0, 0.0, 0.7)})
-    play(match, actions=asking(match, forward=forward, left=left, turn=turn), steps=AT_FULL_SPEED)
+    play(match, actions=robot_actions(match, forward=forward, left=left, turn=turn), steps=AT_FULL_SPEED)
     return match
 
 
@@ -31,7 +31,7 @@ def cycle(match: Match, forward: float = 0.0, left: float = 0.0, turn: float = 0
     handedness, off, places = float(match.matches["handedness"][0]), [], []
     for step in range(match.league.drive.gait_steps + 1):
         if step > 0:
-            match.step(asking(match, forward=forward, left=left, turn=turn))
+            match.step(robot_actions(match, forward=forward, left=left, turn=turn))
         robot = match.robots[0, 0]
         offsets = np.array([paw_offset(robot, k, leg, handedness) for leg in range(LEGS)])
         cosine, sine = np.cos(robot["heading"]), np.sin(robot["heading"])
@@ -152,8 +152,8 @@ def leg(match: Match) -> np.ndarray:
 
 def way(match: Match, seconds: float, forward: float = 0.0, left: float = 0.0, turn: float = 0.0) -> np.ndarray:
     """Let robot 0 walk for a time [s]; return how its leg has moved in the frame of robot 1 (steps, 2) [m]."""
-    start, asked = leg(match), asking(match, forward=forward, left=left, turn=turn)
-    return np.array([start, *each_step(match, lambda: leg(match), seconds, asked)]) - start
+    start, asked = leg(match), robot_actions(match, forward=forward, left=left, turn=turn)
+    return np.array([start, *record_each_step(match, lambda: leg(match), seconds, asked)]) - start
 
 
 def along_and_out(side: str, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -186,7 +186,7 @@ def test_ms51_it_comes_free_straight_apart(side):
 def free_way(match: Match) -> float:
     """Return how far a robot that nobody holds walks back in 3 s [m]."""
     alone = stage(match.league, ball=(50.0, 50.0), robots={0: (0.0, 0.0)})
-    play(alone, 3.0, asking(alone, forward=-1.0))
+    play(alone, 3.0, robot_actions(alone, forward=-1.0))
     return float(-alone.robots["x"][0, 0])
 
 

@@ -6,10 +6,21 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues.league import League
 from soccer_env.types import MAX_TEAM, Phase
-from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, patient, steady
+from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league, endless, league_without_calls, steady
 from tests.scenes.looking import deepest_overlaps, speed
 from tests.scenes.outlines import robot_gaps
-from tests.scenes.staging import asking, each_step, place, play, put, scatter, set_phase, stage, stand, steps_in
+from tests.scenes.staging import (
+    place,
+    play,
+    put,
+    record_each_step,
+    robot_actions,
+    scatter,
+    set_phase,
+    stage,
+    stand,
+    steps_in,
+)
 
 DIFFERENTIAL = "middle-size-2006-differential"
 ROBOTS = (LEGGED, MIDDLE, DIFFERENTIAL)
@@ -44,21 +55,21 @@ def all_ways() -> tuple[np.ndarray, np.ndarray]:
 
 def push(match: Match, actions: np.ndarray, seconds: float) -> np.ndarray:
     """Play for a time [s]; return where both robots have been (steps, M, 2, 2) [m]."""
-    return each_step(match, lambda: np.stack([match.robots["x"], match.robots["y"]], axis=-1), seconds, actions)
+    return record_each_step(match, lambda: np.stack([match.robots["x"], match.robots["y"]], axis=-1), seconds, actions)
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_a_walker_moves_one_of_its_own_weight_that_stands_by_less_than_a_centimetre_in_5_s(name):
     match = face_to_face(steady(endless(name)), *all_ways())
     began = np.stack([match.robots["x"], match.robots["y"]], axis=-1)[:, 1]
-    places = push(match, asking(match, forward=1.0), 5.0)[:, :, 1]
+    places = push(match, robot_actions(match, forward=1.0), 5.0)[:, :, 1]
     assert np.hypot(*np.moveaxis(places - began, -1, 0)).max() < 0.01
 
 
 def test_not_even_with_a_run_up_of_15_cm():
     match = face_to_face(steady(endless(LEGGED)), *all_ways(), gap=0.15)
     began = np.stack([match.robots["x"], match.robots["y"]], axis=-1)[:, 1]
-    places = push(match, asking(match, forward=1.0), 7.0)
+    places = push(match, robot_actions(match, forward=1.0), 7.0)
     assert (places[:, :, 0, 0].max(axis=0) > 0.1).all(), "they get there"
     assert np.hypot(*np.moveaxis(places[:, :, 1] - began, -1, 0)).max() < 0.01
 
@@ -67,7 +78,7 @@ def test_not_even_with_a_run_up_of_15_cm():
 def test_two_that_push_head_on_creep_at_less_than_1_cm_per_s_and_who_has_not_come_to_rest_brakes_with_thrust(name):
     aside = np.array([0.0, 0.03, -0.03])
     match = face_to_face(steady(endless(name)), np.full(3, np.pi), aside)
-    actions = asking(match, r=[0, 1], forward=1.0)
+    actions = robot_actions(match, r=[0, 1], forward=1.0)
     began = push(match, actions, 1.0)[-1]
     ended = push(match, actions, 4.0)[-1]
     assert np.hypot(*np.moveaxis(ended - began, -1, 0)).max() / 4.0 < 0.01
@@ -117,7 +128,7 @@ def test_who_walks_and_is_pushed_goes_back_to_its_walk_with_the_thrust_of_its_dr
     """The wheels of a differential base do not roll sideways: to either side they hold as if it stood."""
     match = alone(name)
     drive, dt = match.league.drive, match.league.dt
-    actions = asking(match, forward=0.5)
+    actions = robot_actions(match, forward=0.5)
     play(match, 1.5, actions)
     walk = match.robots["vx"][0, 0]
     assert walk == pytest.approx(0.5 * drive.forward)
@@ -136,7 +147,7 @@ def test_who_is_turned_resists_with_turn_traction_if_it_stands_and_with_turn_thr
     for walks in (False, True):
         match = alone(name)
         drive, dt = match.league.drive, match.league.dt
-        actions = asking(match, forward=0.3 if walks else 0.0)
+        actions = robot_actions(match, forward=0.3 if walks else 0.0)
         play(match, 1.5, actions)
         most = drive.turn_thrust if walks else drive.turn_traction
         omega = 3.5 * most * dt
@@ -168,7 +179,7 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
 
     More substeps and iterations halve that; the bound here is what keeps it from coming out on the other side.
     """
-    match = Match(patient(name), home=3, away=3, matches=4, seed=2)
+    match = Match(league_without_calls(name), home=3, away=3, matches=4, seed=2)
     set_phase(match, Phase.PLAY)
     scatter(match, np.random.default_rng(2), 0.9)
     match.rebuild()
@@ -192,13 +203,13 @@ def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each
 
 @each_league
 def test_robots_that_run_at_full_speed_into_the_boards_stay_inside_them(name):
-    match = Match(patient(name), home=3, away=3, matches=20, seed=3)
+    match = Match(league_without_calls(name), home=3, away=3, matches=20, seed=3)
     rng = np.random.default_rng(3)
     scatter(match, rng)
     match.rebuild()
     pitch = match.league.pitch
     for _ in range(steps_in(match, 20.0 if name == LEGGED else 5.0)):
-        match.step(asking(match, slice(None), forward=1.0))
+        match.step(robot_actions(match, slice(None), forward=1.0))
         goal = abs(match.robots["y"]) < pitch.goal_width / 2
         edge = pitch.length / 2 + np.where(goal, max(pitch.goal_depth, pitch.band_end), pitch.band_end)
         assert (abs(match.robots["x"]) < edge).all()

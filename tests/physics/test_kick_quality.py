@@ -9,10 +9,22 @@ import pytest
 from soccer_env import Match
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
-from soccer_env.physics.kicker import lies_badly, work_kicker
+from soccer_env.physics.kicker import advance_kicker, kick_misalignment
 from soccer_env.random_numbers import GOLDEN
 from soccer_env.types import RobotStream
-from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, place, put, put_ball, speed, stage, stand, steady
+from tests.scenes.staging import (
+    LEGGED,
+    MIDDLE,
+    each_league,
+    place,
+    put,
+    put_ball,
+    robot_actions,
+    speed,
+    stage,
+    stand,
+    steady,
+)
 
 KICKS = 1000
 FEW = 40  # kicks, of which a fact holds for each
@@ -48,7 +60,7 @@ def ready(league, ahead=0.0, aside=0.0, matches=KICKS) -> Match:
 @compiled
 def finish_all(matches, balls, robots, robot_events, constants):
     for m in range(len(matches)):
-        work_kicker(robots[m], 0, robot_events[m, 0], constants[0], balls[m], matches[m].handedness)
+        advance_kicker(robots[m], 0, robot_events[m, 0], constants[0], balls[m], matches[m].handedness)
 
 
 def finish(match: Match) -> np.ndarray:
@@ -81,7 +93,7 @@ def test_ball_and_robot_keep_their_momentum_in_a_kick_and_a_missed_one_gives_not
     match.step(stand(match))
     kicked, recharging = np.zeros(50, bool), np.zeros(50, bool)
     for _ in range(11):
-        match.step(asking(match, kick=1.0))
+        match.step(robot_actions(match, kick=1.0))
         kicked |= match.robot_events["kick"][:, 0] == 1
         recharging |= match.robots["kick_clock"][:, 0] < 0.0
     assert recharging.all() and kicked.mean() < 0.05
@@ -133,7 +145,7 @@ def test_a_kick_strays_up_to_twice_as_far_from_the_edge_of_the_kicker(name, ahea
 
 @compiled
 def badness_of(robot, k, x, y):
-    return lies_badly(robot, k, x, y)
+    return kick_misalignment(robot, k, x, y)
 
 
 @each_league
@@ -178,7 +190,7 @@ def test_a_ball_kicked_against_a_robot_that_touches_it_does_not_get_past(name):
     match.rebuild()
     kicked = 0
     for _ in range(16):
-        match.step(asking(match, kick=1.0))
+        match.step(robot_actions(match, kick=1.0))
         kicked += int(match.robot_events["kick"][0, 0])
         between = match.robots["x"][0, 0] < match.balls["x"][0] < match.robots["x"][0, 1]
         assert between and abs(match.balls["y"][0]) < 0.1

@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league, steady
-from tests.scenes.staging import asking, place, play, put, put_ball, speed, stage, stand, steps_in
+from tests.scenes.staging import place, play, put, put_ball, robot_actions, speed, stage, stand, steps_in
 
 
 def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) -> Match:
@@ -40,7 +40,7 @@ def carpet(match: Match) -> float:
 @pytest.mark.parametrize(("strength", "expected"), [(0.3, 0.8), (0.5, 1.0), (0.65, 1.15), (1.0, 1.5)])
 def test_a_legged_kick_sends_the_ball_off_at_0_8_to_1_5_m_per_s(strength, expected):
     match = at_the_ball(steady(LEGGED))
-    _, v, _ = kicks(match, asking(match, kick=strength), 16)
+    _, v, _ = kicks(match, robot_actions(match, kick=strength), 16)
     assert v[0] == pytest.approx(expected - carpet(match), abs=1e-6)
 
 
@@ -49,21 +49,21 @@ def test_a_legged_kick_sends_the_ball_off_at_0_8_to_1_5_m_per_s(strength, expect
 ])  # fmt: skip
 def test_no_strength_or_less_is_no_kick_and_a_legged_robot_ignores_strengths_below_0_3(name, strength):
     match = at_the_ball(name)
-    at, _, _ = kicks(match, asking(match, kick=strength), 40)
+    at, _, _ = kicks(match, robot_actions(match, kick=strength), 40)
     assert at[0] == -1 and not speed(match.balls).any()
 
 
 @pytest.mark.parametrize("strength", [0.02, 0.1, 0.5, 0.9, 1.0])
 def test_a_middle_size_kick_is_proportional_to_its_strength_up_to_10_m_per_s(strength):
     match = at_the_ball(steady(MIDDLE))
-    at, v, _ = kicks(match, asking(match, kick=strength), 1)
+    at, v, _ = kicks(match, robot_actions(match, kick=strength), 1)
     assert at[0] == 1 and v[0] == pytest.approx(10.0 * strength - carpet(match), abs=1e-6)
 
 
 def test_a_legged_kick_takes_0_6_s_in_which_the_robot_comes_to_a_stand_and_stays():
     match = at_the_ball(steady(LEGGED))
     put(match, 0, match.robots["x"][:, 0], 0.1, 0.0)
-    actions = asking(match, forward=1.0, kick=1.0)
+    actions = robot_actions(match, forward=1.0, kick=1.0)
     speeds, clock, at = [], [], match.robots["x"][0, 0]
     for _ in range(12):
         match.step(actions)
@@ -81,14 +81,14 @@ def test_a_walking_robot_brakes_as_soon_as_it_winds_up_and_a_ball_that_rolls_awa
     match = at_the_ball(steady(LEGGED))
     put(match, 0, match.robots["x"][:, 0], 0.1, 0.0, forward=0.07)
     place(match, ball=(match.balls["x"], 0.1, 0.07, 0.0))
-    actions, speeds = asking(match, forward=0.07 / 0.12, kick=1.0), []
+    actions, speeds = robot_actions(match, forward=0.07 / 0.12, kick=1.0), []
     while not match.robot_events["kick"][0, 0]:
         match.step(actions)
         speeds.append(speed(match.robots)[0, 0])
     assert (np.diff(speeds[:-1]) <= 1e-9).all()
     assert speeds[6] == 0.0, "0.07 m/s at 0.24 m/s2 takes 0.3 s"
     match = at_the_ball(LEGGED)
-    actions = asking(match, kick=1.0)
+    actions = robot_actions(match, kick=1.0)
     match.step(actions)
     match.balls["x"] += 0.2
     match.rebuild()
@@ -104,7 +104,7 @@ def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
     heading = np.linspace(-3.0, 3.0, matches)
     reach = match.league.body.front + match.league.ball.radius
     place(match, ball=(-0.5 + reach * np.cos(heading), reach * np.sin(heading)), robots={0: (-0.5, 0.0, heading)})
-    at, _, direction = kicks(match, asking(match, kick=1.0), 12)
+    at, _, direction = kicks(match, robot_actions(match, kick=1.0), 12)
     off = (direction - match.robots["heading"][:, 0] + np.pi) % (2.0 * np.pi) - np.pi
     assert (at > 0).all()
     assert off.mean() == pytest.approx(0.0, abs=np.radians(4.0 * degrees / np.sqrt(matches)))
@@ -115,7 +115,7 @@ def test_kicks_stray_from_the_heading_with_the_leagues_deviation(name, degrees):
 @each_league
 def test_a_kicked_ball_flies_clear_of_the_robot_that_kicked_it(name):
     match = at_the_ball(name, 200, seed=2)
-    kicks(match, asking(match, kick=1.0), 11)
+    kicks(match, robot_actions(match, kick=1.0), 11)
     direction = np.arctan2(match.balls["vy"], match.balls["vx"])
     play(match, 0.2)
     later = np.arctan2(match.balls["vy"], match.balls["vx"])
@@ -130,7 +130,7 @@ def test_a_kicked_ball_flies_clear_of_the_robot_that_kicked_it(name):
 def test_a_ball_outside_the_pocket_cannot_be_kicked(name, ahead, aside):
     match = at_the_ball(name, ahead=ahead, aside=aside)
     assert match.robots["has_ball"][0, 0] == 0
-    at, _, _ = kicks(match, asking(match, kick=1.0), 20)
+    at, _, _ = kicks(match, robot_actions(match, kick=1.0), 20)
     assert at[0] == -1 and not speed(match.balls).any()
 
 
@@ -138,12 +138,12 @@ def test_a_ball_outside_the_pocket_cannot_be_kicked(name, ahead, aside):
 def test_a_robot_without_the_ball_does_not_begin_to_kick_and_no_kick_gives_more_than_the_top_speed(name):
     match = at_the_ball(name, ahead=0.5)
     for _ in range(20):
-        match.step(asking(match, kick=1.0))
+        match.step(robot_actions(match, kick=1.0))
         assert match.robots["kick_clock"][0, 0] == 0.0
     league = find_league(name)
     strong = replace(league, kicker=replace(league.kicker, fastest=3.0 * league.ball.top_speed))
     match = at_the_ball(strong)
-    _, v, _ = kicks(match, asking(match, kick=1.0), 16)
+    _, v, _ = kicks(match, robot_actions(match, kick=1.0), 16)
     assert 0.5 * league.ball.top_speed < v[0] <= league.ball.top_speed
 
 
@@ -152,7 +152,7 @@ def test_after_a_kick_the_kicker_recharges(name, pause):
     match = at_the_ball(steady(name))
     x, times = match.balls["x"].copy(), []
     for step in range(steps_in(match, 4.0)):
-        match.step(asking(match, kick=1.0))
+        match.step(robot_actions(match, kick=1.0))
         if match.robot_events["kick"][0, 0]:
             times.append(step)
         put_ball(match, x, 0.1)  # somebody puts the ball back
@@ -168,14 +168,14 @@ def test_after_a_kick_the_kicker_recharges(name, pause):
 def test_a_legged_goalkeeper_kicks_and_the_middle_size_goalkeeper_has_no_kicker(name, has_kicker):
     match = at_the_ball(steady(name), home=2)
     assert match.robots["keeper"][0, 0] == 1 and match.robots["has_ball"][0, 0] == 1
-    assert (kicks(match, asking(match, kick=1.0), 60)[0][0] > 0) == has_kicker
+    assert (kicks(match, robot_actions(match, kick=1.0), 60)[0][0] > 0) == has_kicker
 
 
 def test_a_dribbled_ball_leaves_with_the_robots_speed_on_top():
     match = stage(steady(MIDDLE), ball=(-3.0 + 0.18 + 0.11 + 0.005, 0.0, 1.5, 0.0), robots={0: (-3.0, 0.0, 0.0, 1.5)})
     match.robots["has_ball"][:, 0] = 1
     match.rebuild()
-    at, v, _ = kicks(match, asking(match, forward=1.5 / 2.6, kick=0.4), 1)
+    at, v, _ = kicks(match, robot_actions(match, forward=1.5 / 2.6, kick=0.4), 1)
     assert at[0] == 1 and v[0] == pytest.approx(5.5 - carpet(match), abs=0.01)
 
 
@@ -192,7 +192,7 @@ def test_two_robots_that_kick_against_each_other_at_once_are_equals(name):
     match.rebuild()
     kicked = False
     for _ in range(20):
-        match.step(asking(match, r=slice(None), kick=1.0))
+        match.step(robot_actions(match, r=slice(None), kick=1.0))
         kicked |= bool(match.robot_events["kick"].all())
         assert abs(match.balls["x"][0]) < 1e-9 and speed(match.balls)[0] < 1e-9
     assert kicked

@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues.league import League
 from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, icy, steady
-from tests.scenes.staging import each_step, freeze, place, play, put, put_ball, speed, stage, stand
+from tests.scenes.staging import freeze, place, play, put, put_ball, record_each_step, speed, stage, stand
 
 SIDES = ("front", "left", "right", "back")
 DIRECTIONS = {"front": (-1.0, 0.0), "left": (0.0, -1.0), "right": (0.0, 1.0), "back": (1.0, 0.0)}  # of the ball
@@ -70,7 +70,7 @@ def test_no_ball_that_hits_a_side_squarely_rolls_on_beyond_it(name, side):
     speeds, aside = grid[0].ravel(), grid[1].ravel()
     match = stage(league, len(speeds))
     roll_at(match, side, speeds, aside)
-    farthest = each_step(match, lambda: ahead(match, side), 5.0)
+    farthest = record_each_step(match, lambda: ahead(match, side), 5.0)
     back = (ahead(match, side) + league.ball.radius)[speeds > 0.2 * top]
     assert farthest.max() + league.ball.radius < 0.02, "no ball gets into the side"
     assert back.max() < -0.005, "and all but slow ones come back"

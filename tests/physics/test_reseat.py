@@ -11,7 +11,7 @@ from soccer_env.physics.engine import prefetch
 from soccer_env.physics.engine.memory import address_of
 from soccer_env.physics.engine.pools import BUFFER_SIZE, SPACE_DYNAMIC
 from soccer_env.physics.engine.pools import layout_fits as structs_known
-from soccer_env.physics.engine.prefetch import LINE, SPANS, add
+from soccer_env.physics.engine.prefetch import LINE, SPANS, add_span
 from tests.scenes.staging import LEAGUES, play
 
 TOUCH = {"legged-2001": 0.3, "middle-size-2006": 0.6}  # [m] between the centres of robots that may touch
@@ -151,16 +151,16 @@ def test_a_small_batch_fetches_nothing(monkeypatch):
 
 def test_a_span_holds_whole_lines_and_grows_while_memory_goes_on_and_those_beyond_the_room_are_left_out():
     spans, many = np.zeros(1, SPANS), np.zeros(1, SPANS)
-    add(spans[0], 10 * LINE + 60, 8)  # over the end of a line
+    add_span(spans[0], 10 * LINE + 60, 8)  # over the end of a line
     assert spans["span"][0, :1].tolist() == [(10 * LINE, 2)]
-    add(spans[0], 12 * LINE, 1)  # begins where that ends
+    add_span(spans[0], 12 * LINE, 1)  # begins where that ends
     assert spans["span"][0, :1].tolist() == [(10 * LINE, 3)]
-    add(spans[0], 14 * LINE, 64)
-    add(spans[0], 0, 64)  # no address
-    add(spans[0], 20 * LINE, 0)  # nothing there
+    add_span(spans[0], 14 * LINE, 64)
+    add_span(spans[0], 0, 64)  # no address
+    add_span(spans[0], 20 * LINE, 0)  # nothing there
     assert spans["count"][0] == 2 and spans["span"][0, 1].tolist() == (14 * LINE, 1)
     for i in range(prefetch.MOST_SPANS + 5):
-        add(many[0], 3 * i * LINE + LINE, LINE)
+        add_span(many[0], 3 * i * LINE + LINE, LINE)
     assert many["count"][0] == prefetch.MOST_SPANS
 
 

@@ -11,7 +11,7 @@ from soccer_env.leagues import League, Materials, Pair, find_league
 from soccer_env.physics.engine.space import build_space, robot_moment
 from soccer_env.physics.engine.surfaces import surfaces_of
 from soccer_env.types import BALL, ROBOT
-from tests.scenes.staging import LEGGED, MIDDLE, asking, each_league, patient, play, stage
+from tests.scenes.staging import LEGGED, MIDDLE, each_league, league_without_calls, play, robot_actions, stage
 
 PAIRS = ("ball_board", "ball_post", "ball_net", "ball_robot", "robot_robot", "robot_board")
 each_pair = pytest.mark.parametrize("pair", PAIRS)
@@ -146,8 +146,8 @@ def test_a_legged_robot_is_a_trunk_a_smooth_one_a_hull_with_tips_and_a_league_th
 
 def walked_up(league: League, x: float, y: float) -> float:
     """Return where the foremost paws of a robot are [m] that has walked along +y until something stopped it."""
-    match = stage(patient(league), ball=(-1.0, -0.8), robots={0: (x, y, pi / 2)})
-    play(match, 5.0, asking(match, forward=1.0))
+    match = stage(league_without_calls(league), ball=(-1.0, -0.8), robots={0: (x, y, pi / 2)})
+    play(match, 5.0, robot_actions(match, forward=1.0))
     return float(match.robots["y"][0, 0]) + league.body.tip_x + league.body.tip_radius
 
 

@@ -16,7 +16,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from tests.scenes.leagues import MIDDLE, boarded, each_league, icy
-from tests.scenes.staging import asking, each_step, energy, freeze, put, put_ball, stage, stand
+from tests.scenes.staging import energy, freeze, put, put_ball, record_each_step, robot_actions, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow
 SUBSTEPS = 2
@@ -172,6 +172,6 @@ def test_a_ball_pressed_against_a_board_loses_its_roll_to_both_sides(name):
     rate = (materials.ball_board.friction + materials.ball_robot.friction) * press / (ball.shell * ball.mass)
     match.balls["roll_x"] = began = rate * 40 / RATE
     match.rebuild()
-    left = each_step(match, lambda: match.balls["roll_x"][0], 0.0, asking(match, forward=1.0), 60)
+    left = record_each_step(match, lambda: match.balls["roll_x"][0], 0.0, robot_actions(match, forward=1.0), 60)
     assert (left[9] - left[29]) * RATE / 20 == pytest.approx(rate, rel=0.1), "once it has begun to press"
     assert left[-1] == pytest.approx(0.0, abs=1e-3 * began)

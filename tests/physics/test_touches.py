@@ -11,7 +11,18 @@ from soccer_env.physics.contacts import TOUCH_GAP, ball_gap, paws_gap
 from soccer_env.types import AWAY, BALL, HOME, NO_TEAM, ROBOT
 from tests.scenes.leagues import LEGGED, MIDDLE, boarded, each_league, endless, steady
 from tests.scenes.outlines import Shape, ball_board_gaps, gap, robot_board_gaps, robot_gaps
-from tests.scenes.staging import asking, distance, each_step, outline, place, play, put, put_ball, stage, stand
+from tests.scenes.staging import (
+    distance,
+    outline,
+    place,
+    play,
+    put,
+    put_ball,
+    record_each_step,
+    robot_actions,
+    stage,
+    stand,
+)
 
 MANY = 200
 FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]
@@ -19,7 +30,7 @@ FLANK = outline(find_league(LEGGED))[:, 1].max()  # [m]
 
 def run_until_touched(match, seconds):
     """Return which robots (M, R) ever touched the ball, and whether robots changed the ball's velocity (M,)."""
-    return each_step(match, lambda: match.robot_events["touch"] == 1, seconds).any(axis=0)
+    return record_each_step(match, lambda: match.robot_events["touch"] == 1, seconds).any(axis=0)
 
 
 @pytest.mark.parametrize(("name", "top"), [(LEGGED, 2.0), (MIDDLE, 11.0)])
@@ -45,7 +56,9 @@ def test_a_fast_ball_on_a_robot_that_drives_away_is_a_touch():
     u = rng.uniform(0.5, 2.6, MANY)
     put(match, 1, 0.0, 0.0, np.pi, forward=u)
     place(match, ball=(rng.uniform(0.5, 0.9, MANY), rng.uniform(-0.1, 0.1, MANY), -rng.uniform(6.0, 11.0, MANY), 0.0))
-    touches = each_step(match, lambda: match.robot_events["touch"][:, 1], 0.4, asking(match, r=1, forward=u / 2.6))
+    touches = record_each_step(
+        match, lambda: match.robot_events["touch"][:, 1], 0.4, robot_actions(match, r=1, forward=u / 2.6)
+    )
     assert touches.any(axis=0).all()
     assert (match.matches["last_touch_team"] == AWAY).all()
 
@@ -98,7 +111,7 @@ def test_a_ball_that_passes_close_by_is_not_touched_and_a_kicked_one_is_though_g
     match.robots["has_ball"][:, 1] = 1
     match.rebuild()
     while not match.robot_events["kick"].any():
-        match.step(asking(match, r=1, kick=1.0))
+        match.step(robot_actions(match, r=1, kick=1.0))
     assert match.robot_events["touch"].tolist() == [[0, 1]]
     assert match.events["touch_team"][0] == AWAY and match.matches["last_touch_robot"][0] == 1
 
@@ -121,7 +134,7 @@ def test_of_two_that_touch_the_ball_the_nearer_is_the_last_and_robots_that_meet_
     place(match, ball=(0.3, -0.6))
     match.step(stand(match))
     assert not match.robot_events["collision"].any()
-    play(match, 2.0, asking(match, r=0, forward=1.0))
+    play(match, 2.0, robot_actions(match, r=0, forward=1.0))
     assert match.robot_events["collision"].tolist() == [[1, 0, 1, 0]]
 
 

@@ -9,7 +9,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league, icy
-from tests.scenes.staging import asking, each_step, place, stage, stand, steps_in
+from tests.scenes.staging import place, record_each_step, robot_actions, stage, stand, steps_in
 
 
 def ball_at(match, x, y):
@@ -64,7 +64,7 @@ def test_a_goal_is_between_the_posts_only_and_its_scorer_the_robot_that_touched_
     match.robots["has_ball"][:, 1] = 1
     place(match, ball=(1.2 + match.league.body.front + match.league.ball.radius + 0.003, 0.0))
     for _ in range(40):
-        match.step(asking(match, 1, kick=1.0))
+        match.step(robot_actions(match, 1, kick=1.0))
         if match.events["goal"][0] != NO_TEAM:
             break
     assert match.events["goal"][0] == HOME and match.events["scorer"][0] == 1
@@ -80,7 +80,7 @@ def test_an_own_goal_counts_for_the_opponents_and_a_shot_is_a_goal_and_a_shot_wi
     league = find_league(name)
     aside = np.array([0.1, 0.75]) * league.pitch.goal_width
     match = stage(league, 2, ball=(league.pitch.length / 2 - 0.5, aside, 0.6 * league.ball.top_speed))
-    assert (each_step(match, lambda: match.events["goal"], 1.5) == HOME).sum(axis=0).tolist() == [1, 0]
+    assert (record_each_step(match, lambda: match.events["goal"], 1.5) == HOME).sum(axis=0).tolist() == [1, 0]
 
 
 @each_league
@@ -89,7 +89,7 @@ def test_a_goal_is_counted_once(name):
     pitch, ball = match.league.pitch, match.league.ball
     match.matches["phase"] = Phase.PLAY
     place(match, ball=(pitch.length / 2 + ball.radius + 0.01, 0.0, 0.5 * ball.top_speed, 0.0))
-    goals = each_step(match, lambda: match.events["goal"], steps=100)
+    goals = record_each_step(match, lambda: match.events["goal"], steps=100)
     assert (goals != NO_TEAM).sum() == 1 and match.matches["score"].tolist() == [[1, 0]]
 
 
@@ -174,7 +174,7 @@ def test_the_last_touch_before_it_went_out_decides_and_a_robot_that_drives_the_b
     place(match, ball=(0.0, 2.0 + 0.18 + 0.11 + 0.005))  # it glances off away's robot
     teams = []
     for _ in range(steps_in(match, 2.0)):
-        match.step(asking(match, kick=0.5))
+        match.step(robot_actions(match, kick=0.5))
         if match.events["touch_team"][0] != NO_TEAM:
             teams.append(match.events["touch_team"][0])
         if match.events["out"][0]:
@@ -182,7 +182,7 @@ def test_the_last_touch_before_it_went_out_decides_and_a_robot_that_drives_the_b
     assert match.events["restart"][0] == Phase.THROW_IN and match.events["restart_team"][0] == 1 - teams[-1]
     match = stage(MIDDLE, ball=(0.0, 2.5 + 0.18 + 0.11 + 0.005), robots={0: (0.0, 2.5, np.pi / 2)})
     for _ in range(steps_in(match, 4.0)):
-        match.step(asking(match, forward=0.4))
+        match.step(robot_actions(match, forward=0.4))
         if match.events["out"][0]:
             break
     assert match.events["restart"][0] == Phase.THROW_IN and match.events["restart_team"][0] == AWAY

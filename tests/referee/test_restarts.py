@@ -7,12 +7,12 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.match.staging import constants_of
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.places import MARGIN, capsule, in_the_way
+from soccer_env.referee.places import MARGIN, are_robots_too_near, capsule
 from soccer_env.referee.restarts import STEP_ASIDE, make_room
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league
 from tests.scenes.looking import deepest_overlaps, distance, speed
-from tests.scenes.staging import asking, place, play, scatter, set_phase, stand, steps_in
+from tests.scenes.staging import place, play, robot_actions, scatter, set_phase, stand, steps_in
 
 KINDS = {
     LEGGED: (Phase.KICK_OFF,),
@@ -170,7 +170,7 @@ def test_formations_differ_by_centimetres_and_robots_may_stand_side_by_side_with
     k = constants_of(Match(name, home=1, away=1, seed=1))[0]
     _, radius = capsule(k)
     for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
-        assert in_the_way(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near
+        assert are_robots_too_near(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near
 
 
 @each_league
@@ -191,7 +191,7 @@ def test_play_goes_on_once_the_ball_has_moved_by_a_kick_off_or_after_ten_seconds
     match = Match(name, home=1, away=1, seed=1)
     taker = match.matches["kick_off_team"][0]
     for _ in range(steps_in(match, 9.0)):
-        match.step(asking(match, taker, forward=0.5))
+        match.step(robot_actions(match, taker, forward=0.5))
         if match.matches["phase"][0] == Phase.PLAY:
             break
     assert match.matches["phase"][0] == Phase.PLAY and match.matches["last_touch_team"][0] == taker

@@ -7,11 +7,22 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.leagues.rules import NEVER, simple_of
+from soccer_env.leagues.rules import NEVER, simple_rules
 from soccer_env.types import MAX_TEAM
 from tests.referee.test_dropped_ball import crowd
 from tests.scenes.leagues import LEGGED, MIDDLE
-from tests.scenes.staging import asking, deepest_overlaps, distance, place, play, put, put_ball, stage, stand, steps_in
+from tests.scenes.staging import (
+    deepest_overlaps,
+    distance,
+    place,
+    play,
+    put,
+    put_ball,
+    robot_actions,
+    stage,
+    stand,
+    steps_in,
+)
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions
 
 PAWS = find_league(LEGGED).body
@@ -21,9 +32,9 @@ NOSES = 2.0 * (PAWS.tip_x + PAWS.tip_radius) + 0.002  # [m] between the centres 
 def pushing(league=LEGGED, matches=1, x=0.3, y=0.4, contact_time=15.0):
     """Return matches in which two opponents push against each other, away from the ball, and their actions."""
     found = find_league(league)
-    found = replace(found, rules=replace(simple_of(found.rules), contact_time=contact_time, dropped_ball=False))
+    found = replace(found, rules=replace(simple_rules(found.rules), contact_time=contact_time, dropped_ball=False))
     match = stage(found, matches, ball=(-1.2, -0.8), robots={0: (x, y, 0.0), 1: (np.asarray(x) + NOSES, y, np.pi)})
-    return match, asking(match, [0, 1], forward=1.0)
+    return match, robot_actions(match, [0, 1], forward=1.0)
 
 
 def separations(match, actions, seconds):

@@ -9,7 +9,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.match.staging import put_ball
 from soccer_env.referee.shoot_out import is_decided
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.scenes.staging import MIDDLE, each_step, place, play, stand
+from tests.scenes.staging import MIDDLE, place, play, record_each_step, stand
 
 LEAGUE = find_league(MIDDLE)
 OUT = {  # where the ball goes out, and who touched it last: home attacks +x
@@ -139,7 +139,7 @@ def test_it_ends_when_one_team_cannot_be_caught_and_who_waits_ten_seconds_or_hit
     assert match.terminated[0] and match.events["final_whistle"][0] == 1
     assert match.matches["phase"][0] == Phase.OVER and match.matches["restart_team"][0] == -1
     match = drawn()
-    assert each_step(match, lambda: match.events["penalty"][0], steps=501).tolist().index(2) == 499
+    assert record_each_step(match, lambda: match.events["penalty"][0], steps=501).tolist().index(2) == 499
     match = drawn()
     put_ball(match, -6.12 * np.sign(match.matches["restart_x"][0]), 0.0)
     match.rebuild()

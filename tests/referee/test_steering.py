@@ -6,7 +6,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.compiled import compiled
 from soccer_env.physics.contacts import paws_gap
-from soccer_env.referee.steering import CLEAR, SLACK, hold_off, keep_off, way_round
+from soccer_env.referee.steering import CLEAR, SLACK, avoid_ring, move_off_ball, path_round_ring
 from soccer_env.types import Phase
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league
 from tests.scenes.staging import distance, place, put, put_ball, scatter, set_phase, speed, stage, stand, steps_in
@@ -26,7 +26,7 @@ def measure_gaps(matches, balls, robots, constants, gaps):
 @compiled
 def keep_all(balls, robots, constants, moved):
     for m in range(len(balls)):
-        moved[m] = keep_off(robots[m, 0], constants[0], balls[m], 1.0)
+        moved[m] = move_off_ball(robots[m, 0], constants[0], balls[m], 1.0)
 
 
 def gaps_of(match: Match) -> np.ndarray:
@@ -39,15 +39,15 @@ def gaps_of(match: Match) -> np.ndarray:
 @pytest.mark.parametrize("handedness", [1.0, -1.0])
 def test_a_way_that_keeps_off_the_ball_is_straight_and_through_its_middle_on_the_side_of_the_handedness(handedness):
     for x, y, to_x, to_y in ((-2.0, 0.6, 2.0, 0.6), (1.0, 0.0, 3.0, 0.1), (-3.0, 0.0, -1.0, 0.0)):
-        assert way_round(x, y, to_x, to_y, 0.5, handedness) == pytest.approx((to_x - x, to_y - y))
-    ahead, left = way_round(-2.0, 0.0, 2.0, 0.0, 0.5, handedness)
+        assert path_round_ring(x, y, to_x, to_y, 0.5, handedness) == pytest.approx((to_x - x, to_y - y))
+    ahead, left = path_round_ring(-2.0, 0.0, 2.0, 0.0, 0.5, handedness)
     assert left == pytest.approx(-handedness * 4.0 * 0.25) and ahead > 0.0
 
 
 @pytest.mark.parametrize("y", [0.3, 0.1, -0.1, -0.3])
 def test_a_way_through_the_ball_goes_along_the_tangent_of_its_ring_on_the_side_on_which_it_passes(y):
     ring, x = 0.5, -2.0
-    ahead, left = way_round(x, y, 2.0, y, ring, 1.0)
+    ahead, left = path_round_ring(x, y, 2.0, y, ring, 1.0)
     size = np.hypot(ahead, left)
     across = (x * left - y * ahead) / size
     assert across == pytest.approx(-np.sign(y) * ring), "the tangent passes the middle at the ring's radius"
@@ -73,7 +73,7 @@ def test_a_robot_within_the_ring_backs_out_and_one_outside_brakes_in_time(name):
 
 @compiled
 def held_off(k, x, y, to_x, to_y, ring):
-    return hold_off(k, x, y, to_x, to_y, ring)
+    return avoid_ring(k, x, y, to_x, to_y, ring)
 
 
 @pytest.mark.parametrize("name", [LEGGED, MIDDLE, DIFFERENTIAL])

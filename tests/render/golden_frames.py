@@ -12,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.render import Arrows, Label, Picture, Points, Polyline, contact_sheet
 from soccer_env.render.closeup import Closeup
-from soccer_env.render.overlays.panels import Help, Words
+from soccer_env.render.overlays.panels import HelpPanel, TextPanel
 from soccer_env.render.overlays.shapes import Area, ArrowGrid
 from soccer_env.render.video import swatches
 from soccer_env.types import Phase
@@ -216,8 +216,8 @@ def words() -> np.ndarray:
     for league, width in ((LEGGED, 480), (MIDDLE, 480), (MIDDLE, 960)):
         records = staged(2, 2, {}, {}, {1: {"active": 0, "penalty": 3.0}} if league == LEGGED else {})
         lines = ("a first line", "a second one, " + 9 * "longer than the picture is wide, ")
-        helped = Help(("H  help", "space  pause") + 14 * ("more",) * (width == 480))
-        overlays = [Words(lines, width / 960.0, above_bench=league == LEGGED), helped]
+        helped = HelpPanel(("H  help", "space  pause") + 14 * ("more",) * (width == 480))
+        overlays = [TextPanel(lines, width / 960.0, above_bench=league == LEGGED), helped]
         frames.append(Picture(league, width).draw(*records, overlays=overlays))
     return stacked(frames, 960)
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.render import Picture, contact_sheet
-from soccer_env.render.overlays.cast import Cast, Shot
-from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
-from soccer_env.render.overlays.layers import overlays_of
+from soccer_env.render.overlays.cast import Cast, Snapshot
+from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, parse_flags
+from soccer_env.render.overlays.layers import make_overlays
 from soccer_env.thoughts.groups import PLAN
-from soccer_env.thoughts.thought import Reader
+from soccer_env.thoughts.thought import NoteReader
 from tests.render.golden_frames import staged
 from tests.render.staged_notes import GOES, LEGGED_LEAGUE, MIDDLE, MUTE, PULLS, cast_for, note_of
 
@@ -19,7 +19,7 @@ WAY = [(-31 + 17 * at, 22 + 3 * at * (9 - at)) for at in range(10)]
 LINES = [(at % 7 * 6,) for at in range(32)]
 
 
-def past_of(shot: Shot, rate: int, seconds: float) -> list[Shot]:
+def past_of(shot: Snapshot, rate: int, seconds: float) -> list[Snapshot]:
     """Return shots of the time before one: ball and robots come from the left, after a jump and another match."""
     found = []
     now = int(shot.match["step"])
@@ -32,12 +32,12 @@ def past_of(shot: Shot, rate: int, seconds: float) -> list[Shot]:
         ball["y"] += 0.21 * np.sin(2.1 * ago)
         robots["x"] -= 0.083 * ago - far
         robots["y"] += 0.17 * np.sin(0.9 * ago)
-        found.append(Shot(match, ball, robots))
+        found.append(Snapshot(match, ball, robots))
     return found
 
 
-def drawn(cast: Cast, shot: Shot, flags: OverlayFlags, width: int, past: Sequence[Shot] = ()) -> np.ndarray:
-    overlays = overlays_of(flags, cast, shot, [*past], width)
+def drawn(cast: Cast, shot: Snapshot, flags: OverlayFlags, width: int, past: Sequence[Snapshot] = ()) -> np.ndarray:
+    overlays = make_overlays(flags, cast, shot, [*past], width)
     return Picture(cast.league, width).draw(shot.match, shot.ball, shot.robots, overlays=overlays)
 
 
@@ -67,7 +67,7 @@ def legged_mind() -> np.ndarray:
         {"memory": (1, 0, 0, 20, 0, 0, 0), "infrared": 270, "head": [(-43, 0)]},
         {"memory": (-1, -1, 10, 30, 4, 0, 0), "infrared": 433, "head": [(60, 0)], "ball_age": 31000},
     ]
-    shot = Shot(*records, note_of(cast, others))
+    shot = Snapshot(*records, note_of(cast, others))
     return drawn(cast, shot, EVERYTHING, 960, past_of(shot, 16, 5.5))
 
 
@@ -92,7 +92,7 @@ def legged_other_way() -> np.ndarray:
         {"infrared": 300}, {"sees": 0, "memory": (-1, -1, 0, 0, 0, 0, 8)}, {"memory": (0, 1, 0, 0, 0, 0, 0)}, thinks,
         {},
     ]  # fmt: skip
-    shot = Shot(*records, note_of(cast, notes))
+    shot = Snapshot(*records, note_of(cast, notes))
     flags = replace(EVERYTHING, robot="blue 1")
     return drawn(cast, shot, flags, 480, past_of(shot, 16, 9.0)[-20:])
 
@@ -116,7 +116,7 @@ def middle_mind() -> np.ndarray:
         "lines": LINES, "plan": [(51 + 31 * at, -127 + 9 * at) for at in range(10)], "memory": (0, 0, 0, 0, 0, 0, 0),
     }  # fmt: skip
     said = [{}, thinks, {"memory": (-1, -1, 0, 0, 0, 0, 0)}, {"sees": 0}, {"memory": (-1, -1, 20, 10, 0, 7, 3)}]
-    shot = Shot(*records, note_of(cast, said))
+    shot = Snapshot(*records, note_of(cast, said))
     return drawn(cast, shot, replace(EVERYTHING, robot="ball"), 720, past_of(shot, 50, 3.0))
 
 
@@ -134,7 +134,7 @@ def middle_other_way() -> np.ndarray:
         "tracks": [(2130, 760, -200)], "ball": [(30, 120)], "own_goal": [(150, 0)], "players": [(-200, -392)],
         "opponent_goal": [(-204, 779)], "spread": 310, "narrow": 0, "axis": -900,
     }  # fmt: skip
-    shot = Shot(*records, note_of(cast, [{}, thinks]))
+    shot = Snapshot(*records, note_of(cast, [{}, thinks]))
     return drawn(cast, shot, replace(EVERYTHING, robot="away_0"), 640, [])
 
 
@@ -147,8 +147,10 @@ def crowd() -> np.ndarray:
     records = staged(5, 3, {}, {"x": 0.9, "y": -0.7}, robots)
     cast = cast_for(LEGGED_LEAGUE, 5, 3, {})
     told = [(row % 3, row % 2, 0, 10 * row, row % 4, 0, 0) for row in range(8)]
-    shot = Shot(*records, note_of(cast, [{"memory": memory, "infrared": 90 * row} for row, memory in enumerate(told)]))
-    return drawn(cast, shot, flags_of("roles,infrared"), 640)
+    shot = Snapshot(
+        *records, note_of(cast, [{"memory": memory, "infrared": 90 * row} for row, memory in enumerate(told)])
+    )
+    return drawn(cast, shot, parse_flags("roles,infrared"), 640)
 
 
 def corners() -> np.ndarray:
@@ -158,8 +160,8 @@ def corners() -> np.ndarray:
         records = staged(1, 1, {}, {"x": x, "y": y + 0.2}, {0: {"x": x - 0.1, "y": y, "heading": 1.3}})
         blobs = {"head": [(10, 20)], "ball": [(5, -5, 20, 12)]}
         blobs |= {"own_goal": [(44, 20, -20, -36)], "opponents": [(1, 0, 2, 1)]}
-        shot = Shot(*records, note_of(cast, [blobs, {}]))
-        frames.append(drawn(cast, shot, flags_of({"sight": True, "robot": "red 0"}), 480))
+        shot = Snapshot(*records, note_of(cast, [blobs, {}]))
+        frames.append(drawn(cast, shot, parse_flags({"sight": True, "robot": "red 0"}), 480))
     return contact_sheet(frames, columns=2, gap=0)
 
 
@@ -168,7 +170,7 @@ def missing() -> np.ndarray:
     records = staged(1, 2, {}, {"x": 0.21}, {1: {"x": 0.3}})
     cast = cast_for(LEGGED_LEAGUE, 1, 2, {0: GOES, 1: MUTE, 2: PULLS})
     assert cast.reader is not None
-    few = replace(cast, reader=Reader(cast.reader.slots, [[]] * 3, []))
+    few = replace(cast, reader=NoteReader(cast.reader.slots, [[]] * 3, []))
     waits = replace(cast, reader=replace(cast.reader, groups=PLAN))
     knows = {"x": 100, "y": -100, "ball_age": 40, "ball_x": 200, "confidence": 100}
     cases = [
@@ -184,8 +186,8 @@ def missing() -> np.ndarray:
     frames = []
     for who, said, robot in cases:
         note = None if said is None else note_of(who, said)
-        frames.append(drawn(who, Shot(*records, note), replace(EVERYTHING, robot=robot), 480))
-    frames.append(drawn(cast, Shot(*records), OverlayFlags(), 480))
+        frames.append(drawn(who, Snapshot(*records, note), replace(EVERYTHING, robot=robot), 480))
+    frames.append(drawn(cast, Snapshot(*records), OverlayFlags(), 480))
     return contact_sheet(frames, columns=3, gap=2)
 
 

@@ -23,12 +23,12 @@ def make_records(home: int = 2, away: int = 2) -> tuple[np.ndarray, np.ndarray, 
     return match, ball, robots
 
 
-def near(frame: np.ndarray, colour: Any, tolerance: int = 24) -> np.ndarray:
+def coloured_pixels(frame: np.ndarray, colour: Any, tolerance: int = 24) -> np.ndarray:
     """Return where a frame shows a colour."""
     return (np.abs(frame.astype(int) - colour).max(axis=2) <= tolerance).astype(bool)
 
 
-def around(picture: Any, mask: np.ndarray, x: float, y: float, radius: float) -> np.ndarray:
+def points_around(picture: Any, mask: np.ndarray, x: float, y: float, radius: float) -> np.ndarray:
     """Return the points of a mask (rows, columns) within a radius [m] of a place, as metres in the field frame."""
     rows, columns = np.nonzero(mask)
     xs = (columns + 0.5 - picture.view.centre_x) / picture.view.scale
@@ -39,6 +39,6 @@ def around(picture: Any, mask: np.ndarray, x: float, y: float, radius: float) ->
 
 def centre_of(picture: Any, mask: np.ndarray, x: float, y: float, radius: float) -> np.ndarray:
     """Return the middle of those points; fail if there are none."""
-    points = around(picture, mask, x, y, radius)
+    points = points_around(picture, mask, x, y, radius)
     assert len(points), "the colour is not there"
     return points.mean(axis=0)

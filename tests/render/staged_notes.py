@@ -7,12 +7,12 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.robot_kind import Group
-from soccer_env.render.overlays.cast import Camera, Cast, Part
+from soccer_env.render.overlays.cast import Camera, Cast, TeamPart
 from soccer_env.robot_kinds.legged import GROUPS as LEGGED
 from soccer_env.robot_kinds.omni import GROUPS as OMNI
-from soccer_env.teams import Explanation, Mind
-from soccer_env.thoughts.groups import PLAN, width_of
-from soccer_env.thoughts.thought import Reader
+from soccer_env.teams import DecisionInputs, Explanation
+from soccer_env.thoughts.groups import PLAN, count_columns
+from soccer_env.thoughts.thought import NoteReader
 from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK
 from tests.scenes.staging import LEGGED as LEGGED_LEAGUE
 from tests.scenes.staging import MIDDLE
@@ -24,7 +24,7 @@ SILENT = (-1, -1, 0, 0, 0, 0, 0)
 CAMERA = Camera(1.0053096491487339, 0.075, 88.0, 72.0)
 
 
-def pull(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
+def pull_to_target(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Return forces (P, 2) to a target, off players, ball and obstacle, each by all that the mind knows of it."""
     own, ball, obstacle = (mind.beliefs[name][0] for name in ("own", "ball", "obstacle"))
     cosine, sine = np.cos(own["heading"]), np.sin(own["heading"])
@@ -42,22 +42,22 @@ def pull(mind: Mind, target: np.ndarray, points: np.ndarray) -> np.ndarray:
     return forces
 
 
-def no_way(mind: Mind) -> np.ndarray:
+def no_plan(mind: DecisionInputs) -> np.ndarray:
     """Return no way: notes have them."""
     return np.zeros((0, 2))
 
 
-GOES = Part("goes", Explanation(plan=no_way, forces=pull, needs_target=True), np.zeros(1))
-PULLS = Part("pulls", Explanation(forces=pull), np.zeros(1))
-MUTE = Part("mute", None, None)
+GOES = TeamPart("goes", Explanation(plan=no_plan, forces=pull_to_target, needs_target=True), np.zeros(1))
+PULLS = TeamPart("pulls", Explanation(forces=pull_to_target), np.zeros(1))
+MUTE = TeamPart("mute", None, None)
 
 
-def cast_for(league: str, home: int, away: int, parts: Mapping[int, Part], **changes: Any) -> Cast:
+def cast_for(league: str, home: int, away: int, parts: Mapping[int, TeamPart], **changes: Any) -> Cast:
     """Return who plays, with a reader of all groups of the league."""
     legged = league == LEGGED_LEAGUE
     agents = [f"home_{n}" for n in range(home)] + [f"away_{n}" for n in range(away)]
     groups = [*(LEGGED if legged else OMNI), *PLAN]
-    reader = Reader(SLOTS, [MEMORY for _ in agents], groups)
+    reader = NoteReader(SLOTS, [MEMORY for _ in agents], groups)
     given = {"camera": CAMERA if legged else None, "ranger": legged, "line_directions": 24, "reader": reader}
     return Cast(find_league(league), agents, parts=parts, why_no_notes="nothing was noted", **{**given, **changes})
 
@@ -73,7 +73,7 @@ def note_of(cast: Cast, robots: Sequence[Mapping[str, Any]]) -> np.ndarray:
         table = {"sees": SEES["thinks"], **said}
         tracks = [*said.get("tracks", ()), *[(0, 0, 0)] * reader.slots][: reader.slots]
         assert all(len(track) == len(TRACK) for track in tracks)
-        parts = [filled(group, said.get(group[0], ())) for group in reader.groups]
+        parts = [group_columns(group, said.get(group[0], ())) for group in reader.groups]
         memory = said.get("memory", SILENT)[: len(reader.fields[0])]
         numbers = [0 if name == "players" else table.get(name, 0) for name in TABLE]  # "players" is a group here
         row = [*numbers, *np.ravel(tracks), *np.concatenate([*parts, memory])]
@@ -81,12 +81,12 @@ def note_of(cast: Cast, robots: Sequence[Mapping[str, Any]]) -> np.ndarray:
     return np.stack(rows)
 
 
-def filled(group: Group, rows: Sequence[Sequence[int]]) -> np.ndarray:
+def group_columns(group: Group, rows: Sequence[Sequence[int]]) -> np.ndarray:
     """Return the columns of a group, 0 where rows are missing."""
     found = np.zeros((group[1], len(group[2])), int)
     if len(rows):
         found[: len(rows)] = rows
-    assert found.size == width_of([group])
+    assert found.size == count_columns([group])
     return found.ravel()
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env import Match
 from soccer_env.replay import Replay, Thoughts
-from soccer_env.replay.parts import describe
+from soccer_env.replay.parts import replay_settings
 from soccer_env.statistics.records import GoalKind
 from soccer_env.types import COMMAND, GAZE, QUIET, Foul, Phase
 from tests.scenes.staging import LEGGED, MIDDLE
@@ -52,7 +52,7 @@ class StagedReplay(Replay):
                 thoughts.note(match, step)
         commands = np.zeros((STEPS, *match.robots.shape), COMMAND)
         packed = {} if thoughts is None else thoughts.packed()
-        super().__init__(describe(match), b"", commands, np.zeros(commands.shape, GAZE), [], [], "0.9\n", packed)
+        super().__init__(replay_settings(match), b"", commands, np.zeros(commands.shape, GAZE), [], [], "0.9\n", packed)
 
     def new_match(self) -> Match:
         settings = {"home": 2, "away": 2, "matches": 2, "seed": 5, "senses": self.senses, "pose": "particles"}

@@ -9,12 +9,12 @@ import pytest
 
 from soccer_env import Match, shows
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.render.overlays.forces import force_arrows, grid, target_of
-from soccer_env.render.overlays.onlooker import Reel
+from soccer_env.render.overlays.forces import force_arrows, force_target, grid
+from soccer_env.render.overlays.onlooker import ReplaySnapshots
 from soccer_env.render.overlays.shapes import ArrowGrid
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.shows.browser.collect import collect
-from soccer_env.shows.browser.fields import APART, DIRECTIONS, LEVELS, coded
+from soccer_env.shows.browser.collect import collect_page_data
+from soccer_env.shows.browser.fields import APART, DIRECTIONS, LEVELS, encode_forces
 from tests.render.chromium import Chromium, find_chromium
 
 CHROMIUM = find_chromium()
@@ -47,11 +47,11 @@ def browser(replay: Replay, tmp_path_factory: pytest.TempPathFactory) -> Iterato
 
 def drawn(replay: Replay, rows: tuple[int, ...], steps: list[int]) -> dict[tuple[int, int], ArrowGrid | None]:
     """Return what a picture shows at some control steps, by row and step: None where there is no field."""
-    reel, found = Reel(replay), {}
+    reel, found = ReplaySnapshots(replay), {}
     for step, shot in enumerate(reel.shots()):
         for row in rows if step in steps else ():
             thought = reel.cast.thought(shot, row)
-            target = None if thought is None or not thought.knows else target_of(reel.cast.parts[row], thought)
+            target = None if thought is None or not thought.knows else force_target(reel.cast.parts[row], thought)
             found[row, step] = None
             if thought is not None and target is not None:
                 (arrows,) = force_arrows(reel.cast, shot, row, thought, target, 1.0)
@@ -122,7 +122,7 @@ def test_a_byte_keeps_direction_and_strength() -> None:
     turns = np.linspace(-np.pi, np.pi, 49)
     vectors = np.stack([np.cos(turns), np.sin(turns)], axis=1) * np.linspace(0.1, 9.0, 49)[:, None]
     vectors[7], vectors[8] = 0.0, np.nan
-    codes = coded(vectors)
+    codes = encode_forces(vectors)
     assert codes[7] == codes[8] == 0 and codes[codes > 0].min() >= 1 and codes.max() <= DIRECTIONS * LEVELS
     off = 2.0 * np.pi * ((codes - 1) // LEVELS) / DIRECTIONS - turns
     assert np.abs(np.arctan2(np.sin(off), np.cos(off)))[codes > 0].max() <= np.pi / DIRECTIONS + 1e-9
@@ -137,10 +137,10 @@ def test_notes_of_nonsense_give_a_page_or_a_plain_error(league: str) -> None:
     for share in (0.02, 1.0):
         noise = random.integers(-32768, 32768, table.shape)
         replay.thoughts["thoughts"] = np.where(random.random(table.shape) < share, noise, table).astype(np.int16)
-        found = collect(replay, flags=OverlayFlags(field=True, robot="home_1"))
+        found = collect_page_data(replay, flags=OverlayFlags(field=True, robot="home_1"))
         assert found["fields"]["up"] * found["fields"]["across"] == len(grid(3.0, 2.0)[0])
     about = json.loads(replay.thoughts["thoughts_about"].tobytes())
     about["groups"] = [[name, 20, ["x"]] if name == "plan" else [name, *rest] for name, *rest in about["groups"]]
     replay.thoughts["thoughts_about"] = np.frombuffer(json.dumps(about).encode(), np.uint8)
     with pytest.raises(ValueError, match="the groups of its thoughts are damaged"):
-        collect(replay)
+        collect_page_data(replay)

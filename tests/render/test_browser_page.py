@@ -10,9 +10,9 @@ import pytest
 
 from soccer_env import Match, shows
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.shows.browser.page import as_script, write_page
-from soccer_env.thoughts.thought import Reader
-from soccer_env.train.evaluate.recording import shown_of_memory
+from soccer_env.shows.browser.page import script_json, write_page
+from soccer_env.thoughts.thought import NoteReader
+from soccer_env.train.evaluate.recording import shown_memory_fields
 from tests.render.chromium import Chromium, find_chromium
 
 CHROMIUM = find_chromium()
@@ -22,7 +22,7 @@ needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on the
 
 def recorded(league: str = "legged-2001", home: str = "sacks-2001", thinks: bool = True) -> Replay:
     match = Match(league, home=2, away=2, controllers={"home": home, "away": "chaser"}, minutes=2, seed=4)
-    recorder = Recorder(match, Thoughts(match, shown_of_memory()) if thinks else None)
+    recorder = Recorder(match, Thoughts(match, shown_memory_fields()) if thinks else None)
     for _ in range(20 * match.league.control_rate):
         match.step()
     return recorder.stop()
@@ -50,7 +50,7 @@ def test_names_from_a_file_are_text_and_the_page_names_nothing_outside_itself(pa
     text = page[1].read_text(encoding="utf-8")
     assert "window.evil" in text and "<script>window.evil" not in text and "<img" not in text
     assert len(re.findall("<script", text)) == len(re.findall("</script", text)) == 2
-    assert json.loads(as_script({"a": EVIL + "\u2028"}))["a"] == EVIL + "\u2028"
+    assert json.loads(script_json({"a": EVIL + "\u2028"}))["a"] == EVIL + "\u2028"
     assert re.findall(r"https?:|//\w+\.|url\(|@import|<link rel=\"stylesheet|src=\"", text) == []
     assert "default-src 'none'" in text
 
@@ -111,7 +111,7 @@ def test_a_page_knows_the_blobs_and_ways_that_were_noted(browser: Chromium, page
     assert notes is not None
     row = int(np.flatnonzero(notes.steps <= 150)[-1])
     found = browser.run("window.player.recording.thought(1, 150).more")
-    thought = Reader.of(notes).thought(notes.numbers[row], 1)
+    thought = NoteReader.of(notes).thought(notes.numbers[row], 1)
     for name, _, parts in notes.groups:
         assert [[one[part] for part in parts] for one in found[name]] == thought.groups[name].tolist(), name
 

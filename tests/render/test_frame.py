@@ -8,7 +8,7 @@ import pytest
 pytest.importorskip("pygame")
 
 from soccer_env.render import Picture, colours
-from tests.render.staged_frames import around, centre_of, make_records, near
+from tests.render.staged_frames import centre_of, coloured_pixels, make_records, points_around
 from tests.scenes.staging import LEAGUES
 
 
@@ -30,9 +30,11 @@ def test_the_ball_is_orange_where_the_record_says(league, place):
     ball["x"], ball["y"] = place
     frame = picture.draw(match, ball, robots)
     column, row = picture.pixel(*place)
-    assert near(frame, colours.BALL)[int(row), int(column)]
+    assert coloured_pixels(frame, colours.BALL)[int(row), int(column)]
     radius = picture.league.ball.radius
-    assert centre_of(picture, near(frame, colours.BALL), *place, 2 * radius) == pytest.approx(place, abs=0.2 * radius)
+    assert centre_of(picture, coloured_pixels(frame, colours.BALL), *place, 2 * radius) == pytest.approx(
+        place, abs=0.2 * radius
+    )
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -43,8 +45,8 @@ def test_robots_show_their_team_s_colour_at_their_places(league, width):
     frame = picture.draw(match, ball, robots)
     for robot in robots:
         place, reach = (robot["x"], robot["y"]), picture.league.body.reach
-        own = len(around(picture, near(frame, colours.TEAMS[robot["team"]]), *place, reach))
-        other = len(around(picture, near(frame, colours.TEAMS[1 - robot["team"]]), *place, reach))
+        own = len(points_around(picture, coloured_pixels(frame, colours.TEAMS[robot["team"]]), *place, reach))
+        other = len(points_around(picture, coloured_pixels(frame, colours.TEAMS[1 - robot["team"]]), *place, reach))
         area = pi * reach**2 * picture.view.scale**2
         assert own > 0.12 * area and other == 0  # its trunk, but for head and number
 
@@ -56,9 +58,11 @@ def test_paws_or_guide_lie_ahead_of_the_trunk(league, heading):
     match, ball, robots = make_records(1, 0)
     robots["x"], robots["y"], robots["heading"], ball["x"] = 0.5, 0.5, heading, -1.0
     frame = picture.draw(match, ball, robots)
-    arms = near(frame, colours.PAW, 8) if league == "legged-2001" else near(frame, colours.STEEL, 8)
+    arms = (
+        coloured_pixels(frame, colours.PAW, 8) if league == "legged-2001" else coloured_pixels(frame, colours.STEEL, 8)
+    )
     reach = picture.league.body.reach
-    trunk = centre_of(picture, near(frame, colours.TEAMS[0]), 0.5, 0.5, reach)
+    trunk = centre_of(picture, coloured_pixels(frame, colours.TEAMS[0]), 0.5, 0.5, reach)
     front = centre_of(picture, arms, 0.5, 0.5, 1.05 * reach)
     ahead = front - trunk
     assert hypot(*ahead) > 0.5 * reach
@@ -72,7 +76,7 @@ def test_a_head_turned_left_is_seen_on_the_left():
     sides = []
     for pan in (-1.5, 0.0, 1.5):
         robots["pan"], robots["x"], robots["y"] = pan, 0.0, 0.5
-        head = near(picture.draw(match, ball, robots), colours.TEAMS_PALE[0], 10)
+        head = coloured_pixels(picture.draw(match, ball, robots), colours.TEAMS_PALE[0], 10)
         sides.append(centre_of(picture, head, 0.0, 0.5, 0.2)[1] - 0.5)
     assert sides[0] < -0.02 < sides[1] < 0.02 < sides[2]
     assert sides[0] == pytest.approx(-sides[2], abs=0.005)
@@ -101,8 +105,10 @@ def test_a_mirrored_pose_gives_a_mirrored_picture(league):
     for side in (1.0, -1.0):
         robots["x"], robots["y"], robots["heading"], robots["pan"] = x, side * y, side * 0.6, side * 0.4
         frame = picture.draw(match, ball, robots)
-        trunk = near(frame, colours.TEAMS[0]) | near(frame, colours.WHITE, 60)  # with its number, which is not mirrored
-        points = around(picture, trunk, x, side * y, reach) * (1.0, side)
+        trunk = coloured_pixels(frame, colours.TEAMS[0]) | coloured_pixels(
+            frame, colours.WHITE, 60
+        )  # with its number, which is not mirrored
+        points = points_around(picture, trunk, x, side * y, reach) * (1.0, side)
         shapes.append({tuple(point) for point in np.round(points * picture.view.scale).astype(int).tolist()})
     assert len(shapes[0] & shapes[1]) > 0.85 * len(shapes[0] | shapes[1]) > 100
 
@@ -126,7 +132,10 @@ def test_goals_keep_their_colours_when_teams_change_ends():
     for direction in (1.0, -1.0):
         match["home_direction"] = direction
         frame = picture.draw(match, ball, robots)
-        assert near(frame, colours.GOALS[0])[left[1], left[0]] and near(frame, colours.GOALS[1])[right[1], right[0]]
+        assert (
+            coloured_pixels(frame, colours.GOALS[0])[left[1], left[0]]
+            and coloured_pixels(frame, colours.GOALS[1])[right[1], right[0]]
+        )
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -139,8 +148,8 @@ def test_the_direction_of_attack_changes_ends_with_the_teams(league):
         frame = picture.draw(match, ball, robots)[strip]
         half = picture.width // 2
         for team, side in ((left, frame[:, :half]), (right, frame[:, half:])):
-            assert near(side, colours.TEAMS_LIGHT[team]).any()
-            assert not near(side, colours.TEAMS_LIGHT[1 - team]).any()
+            assert coloured_pixels(side, colours.TEAMS_LIGHT[team]).any()
+            assert not coloured_pixels(side, colours.TEAMS_LIGHT[1 - team]).any()
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -152,7 +161,7 @@ def test_a_ring_marks_the_robot_that_has_the_ball(league):
     frame = picture.draw(match, ball, robots)
     reach = picture.league.body.reach
     for row, robot in enumerate(robots):
-        ring = around(picture, near(frame, colours.BALL, 40), robot["x"], robot["y"], 1.6 * reach)
+        ring = points_around(picture, coloured_pixels(frame, colours.BALL, 40), robot["x"], robot["y"], 1.6 * reach)
         distance = np.hypot(ring[:, 0] - robot["x"], ring[:, 1] - robot["y"])
         angles = np.arctan2(ring[:, 1] - robot["y"], ring[:, 0] - robot["x"])[distance > 1.25 * reach]
         assert (len(np.unique(np.round(angles))) == 7) == (row == 3)  # all round
@@ -166,7 +175,9 @@ def test_a_goalkeeper_wears_yellow():
         robots["y"][1::2] += 0.5
         frame = picture.draw(match, ball, robots)
         for robot in robots:
-            yellow = around(picture, near(frame, colours.KEEPER), robot["x"], robot["y"], picture.league.body.reach)
+            yellow = points_around(
+                picture, coloured_pixels(frame, colours.KEEPER), robot["x"], robot["y"], picture.league.body.reach
+            )
             assert (len(yellow) > 50) == bool(robot["keeper"])
 
 
@@ -175,9 +186,11 @@ def test_a_robot_that_is_off_stands_grey_beside_the_field():
     match, ball, robots = make_records()
     robots[1]["active"], robots[1]["penalty"], robots[1]["has_ball"] = 0, 12.0, 1
     frame = picture.draw(match, ball, robots)
-    assert not len(around(picture, near(frame, colours.TEAMS[0]), robots[1]["x"], robots[1]["y"], 0.15))
+    assert not len(
+        points_around(picture, coloured_pixels(frame, colours.TEAMS[0]), robots[1]["x"], robots[1]["y"], 0.15)
+    )
     corner = frame[-int(picture.view.margin) :, : picture.width // 4]
-    assert near(corner, colours.GREY).any() and near(corner, colours.TEAMS_LIGHT[0]).any()
+    assert coloured_pixels(corner, colours.GREY).any() and coloured_pixels(corner, colours.TEAMS_LIGHT[0]).any()
 
 
 def test_a_fallen_robot_is_marked():
@@ -186,7 +199,7 @@ def test_a_fallen_robot_is_marked():
     robots[0]["fallen"] = 2.0
     frame = picture.draw(match, ball, robots)
     for row, robot in enumerate(robots):
-        amber = around(picture, near(frame, colours.AMBER, 8), robot["x"], robot["y"], 0.3)
+        amber = points_around(picture, coloured_pixels(frame, colours.AMBER, 8), robot["x"], robot["y"], 0.3)
         assert (len(amber) > 100) == (row == 0)
 
 
@@ -197,7 +210,7 @@ def test_a_fast_ball_leaves_a_trail_behind_it():
     still = picture.draw(match, ball, robots)
     ball["vx"] = 4.0
     fast = picture.draw(match, ball, robots)
-    changed = around(picture, (still != fast).any(axis=2), 1.0, 2.0, 3.0)
+    changed = points_around(picture, (still != fast).any(axis=2), 1.0, 2.0, 3.0)
     assert len(changed) and changed[:, 0].max() <= 1.0 + 0.11 and -0.1 < changed[:, 0].min() < 0.3
 
 
@@ -207,13 +220,13 @@ def test_eleven_against_eleven_and_a_robot_far_outside_are_drawn(league):
     robots["y"] *= 0.2
     robots[3]["x"], robots[4]["y"], ball["x"] = 1e12, -1e300, -1e200
     frame = Picture(league).draw(match, ball, robots)
-    assert near(frame, colours.TEAMS[0]).any() and near(frame, colours.TEAMS[1]).any()
+    assert coloured_pixels(frame, colours.TEAMS[0]).any() and coloured_pixels(frame, colours.TEAMS[1]).any()
 
 
 def test_the_feet_of_boards_reach_into_the_pitch_but_not_into_the_mouth_of_a_goal():
     picture = Picture("legged-2001", 960)
     match, ball, robots = make_records(1, 1)
-    feet, pitch = near(picture.draw(match, ball, robots), colours.BOARD_FOOT, 4), picture.league.pitch
+    feet, pitch = coloured_pixels(picture.draw(match, ball, robots), colours.BOARD_FOOT, 4), picture.league.pitch
     ahead, aside, half = pitch.length / 2, pitch.width / 2, 0.5 * pitch.board_foot
 
     def shown(x: float, y: float) -> bool:
@@ -234,7 +247,7 @@ def test_a_leg_is_drawn_where_it_is_in_its_stroke():
     foremost = {}
     for phase in (0, 4):  # the left forepaw is at its hind end, then at its fore end
         robots["gait_phase"] = phase
-        paws = around(picture, near(picture.draw(match, ball, robots), colours.PAW, 8), 0.5, 0.5, 0.2)
+        paws = points_around(picture, coloured_pixels(picture.draw(match, ball, robots), colours.PAW, 8), 0.5, 0.5, 0.2)
         foremost[phase] = paws[paws[:, 1] > 0.5 + 0.05, 0].max(), paws[paws[:, 1] < 0.5 - 0.05, 0].max()
     left, right = np.subtract(foremost[4], foremost[0])
     assert left == pytest.approx(0.03, abs=0.006) and right == pytest.approx(-0.03, abs=0.006)

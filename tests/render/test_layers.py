@@ -15,19 +15,19 @@ from soccer_env import Match, shows
 from soccer_env.geometry import out_of_frame
 from soccer_env.leagues import find_league
 from soccer_env.render import Picture, colours
-from soccer_env.render.overlays.cast import Cast, Shot, cast_of, shot_of
-from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, flags_of
-from soccer_env.render.overlays.forces import force_arrows, grid, mind_of
-from soccer_env.render.overlays.layers import overlays_of, plan_of
-from soccer_env.render.overlays.onlooker import Onlooker, Reel
-from soccer_env.render.overlays.panels import Words
-from soccer_env.render.overlays.paths import JUMP, unbroken
-from soccer_env.render.overlays.roles import words_of
-from soccer_env.render.overlays.sight import to_board
+from soccer_env.render.overlays.cast import Cast, Snapshot, cast_of, take_snapshot
+from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, parse_flags
+from soccer_env.render.overlays.forces import force_arrows, grid, rebuild_inputs
+from soccer_env.render.overlays.layers import make_overlays, planned_path
+from soccer_env.render.overlays.onlooker import Onlooker, ReplaySnapshots
+from soccer_env.render.overlays.panels import TextPanel
+from soccer_env.render.overlays.paths import JUMP, path_since_jump
+from soccer_env.render.overlays.roles import activity_words
+from soccer_env.render.overlays.sight import ray_end
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.teams import explanation_of, shipped_team
-from soccer_env.thoughts.thought import Player, Reader, Thought, between, note_at
-from tests.render.staged_frames import near
+from soccer_env.thoughts.thought import NoteReader, Player, Thought, interpolate_notes, note_at
+from tests.render.staged_frames import coloured_pixels
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
@@ -41,9 +41,9 @@ def played(league: str, away: str = "chaser", steps: int = 90) -> tuple[Match, R
     return match, recorder.stop()
 
 
-def looked_at(match: Match) -> tuple[Cast, Shot]:
+def looked_at(match: Match) -> tuple[Cast, Snapshot]:
     thoughts = Thoughts(match)
-    return cast_of(match, Reader.of(thoughts)), shot_of(match, thoughts.look(match))
+    return cast_of(match, NoteReader.of(thoughts)), take_snapshot(match, thoughts.look(match))
 
 
 def thought_of(match: Match, r: int) -> Thought:
@@ -53,10 +53,10 @@ def thought_of(match: Match, r: int) -> Thought:
     return thought
 
 
-def said(flags: str, cast: Cast, shot: Shot, robot: str = "home_1") -> list[str]:
+def said(flags: str, cast: Cast, shot: Snapshot, robot: str = "home_1") -> list[str]:
     given = dict.fromkeys(flags.split(","), True)
-    overlays = overlays_of(flags_of({**given, "robot": robot}), cast, shot, [shot], 480)
-    return [line for one in overlays if isinstance(one, Words) for line in one.lines]
+    overlays = make_overlays(parse_flags({**given, "robot": robot}), cast, shot, [shot], 480)
+    return [line for one in overlays if isinstance(one, TextPanel) for line in one.lines]
 
 
 @pytest.mark.parametrize("league", TEAMS)
@@ -74,13 +74,13 @@ def test_a_note_is_read_as_what_the_robot_believes(league: str) -> None:
 @pytest.mark.parametrize("league", TEAMS)
 def test_a_replay_draws_what_the_match_drew(league: str, tmp_path: Path) -> None:
     match, replay = played(league)
-    reel = Reel(Replay.read(replay.write(tmp_path / "a.replay")))
+    reel = ReplaySnapshots(Replay.read(replay.write(tmp_path / "a.replay")))
     shots = list(reel.shots())
     cast, shot = looked_at(match)
     flags = OverlayFlags(**dict.fromkeys(FLAGS, True), robot="home_1")
     picture = Picture(league, 480)
     both = ((reel.cast, shots[-1]), (cast, shot))
-    layers = [overlays_of(flags, who, last, shots[:-1], 480) for who, last in both]
+    layers = [make_overlays(flags, who, last, shots[:-1], 480) for who, last in both]
     assert np.array_equal(*(picture.draw(*last[:3], overlays=given) for (_, last), given in zip(both, layers)))
     frame = shows.frame(replay, 90 / match.league.control_rate, width=480)
     assert np.array_equal(frame[200:], picture.draw(*shot[:3])[200:])
@@ -96,13 +96,13 @@ def test_the_field_pulls_to_the_goal_and_players_ahead_push_back() -> None:
     assert len(force_arrows(cast, shot, 1, thought, np.zeros(2), 1.0)[0].middles) == len(points) == 24 * 16
     here = np.array([[-0.5, 0.0], [0.5, 0.0], [0.0, 0.9]])
     alone = replace(thought, pose=(0.0, 0.0, 0.0), players=(), groups={})
-    free = part.explanation.forces(mind_of(alone, 1.0, cast.constants, part.settings), np.zeros(2), here)
+    free = part.explanation.forces(rebuild_inputs(alone, 1.0, cast.constants, part.settings), np.zeros(2), here)
     assert (free[:, 0] > 0.0).all() and free[:2, 1] == pytest.approx(0.0, abs=1e-9)
     assert free[2, 1] < -0.5  # off the near side wall
     facing = replace(alone, players=(Player(0.9, 0.0, False, 0.0),))
-    held = part.explanation.forces(mind_of(facing, 1.0, cast.constants, part.settings), np.zeros(2), here)
+    held = part.explanation.forces(rebuild_inputs(facing, 1.0, cast.constants, part.settings), np.zeros(2), here)
     assert held[1, 0] < free[1, 0] - 0.5 and held[0, 0] > held[1, 0]  # the nearer the more
-    away = part.explanation.forces(mind_of(facing, -1.0, cast.constants, part.settings), np.zeros(2), -here)
+    away = part.explanation.forces(rebuild_inputs(facing, -1.0, cast.constants, part.settings), np.zeros(2), -here)
     assert away[1, 0] > 0.0  # whoever attacks the other way does so too
 
 
@@ -110,12 +110,12 @@ def test_the_plan_is_the_teams_own_and_leads_from_the_robot_to_its_end() -> None
     match = Match("middle-size-2006", home=2, away=2, controllers={"home": "heinemann-2006", "away": "chaser"}, seed=5)
     for _ in range(150):
         match.step()
-        if len(plan_of(thought_of(match, 1))):
+        if len(planned_path(thought_of(match, 1))):
             break
     before = (match.squads[0].memory.tobytes(), match.robots["noise"].tobytes(), match.beliefs.tobytes())
     thought = thought_of(match, 1)
     assert before == (match.squads[0].memory.tobytes(), match.robots["noise"].tobytes(), match.beliefs.tobytes())
-    plan = plan_of(thought)
+    plan = planned_path(thought)
     assert np.hypot(*(plan[0] - thought.pose[:2])) < 2.6 * 0.1 + 0.02  # from where it will be, 0.1 s on, at 2.6 m/s
     steps = np.hypot(*np.diff(plan, axis=0).T)
     assert len(plan) == 10 and steps.max() < 1.5 * steps.mean() + 0.03  # evenly spaced along the path
@@ -127,11 +127,11 @@ def test_a_flag_without_data_says_so() -> None:
     assert said("path", *legged, robot="blue 1") == ["path: chaser plans no ways; travelled only"]
     assert said("infrared", *middle) == ["infrared: robots of middle-size-2006 have no ranger"]
     blind = Match(home=1, away=1, seed=1)
-    lines = said("belief,sight,field,path,roles,infrared", cast_of(blind, None), shot_of(blind), "home_0")
+    lines = said("belief,sight,field,path,roles,infrared", cast_of(blind, None), take_snapshot(blind), "home_0")
     assert [line.partition(":")[0] for line in lines] == ["field", "sight", "path", "infrared", "belief", "roles"]
     assert "field: a learner computes no forces" in lines and "belief: nobody here believes anything" in lines
     with pytest.raises(ValueError, match="robot must be one of home_0, away_0, or ball, got 'home_7'"):
-        said("belief", cast_of(blind, None), shot_of(blind), "home_7")
+        said("belief", cast_of(blind, None), take_snapshot(blind), "home_7")
 
 
 def test_a_replay_without_thoughts_says_so_and_names_load_nothing() -> None:
@@ -140,7 +140,7 @@ def test_a_replay_without_thoughts_says_so_and_names_load_nothing() -> None:
     match.step()
     replay = recorder.stop()
     replay.settings["teams"]["home_0"] = "os:getcwd"
-    reel = Reel(replay)
+    reel = ReplaySnapshots(replay)
     lacking = ["field: os:getcwd computes no forces", "belief: this replay keeps no thoughts: soccer record does"]
     assert said("belief,field", reel.cast, reel.first, "home_0") == lacking
     assert shipped_team("os:getcwd") is None and explanation_of(shipped_team("sacks-2001")) is not None
@@ -157,7 +157,7 @@ def test_notes_of_older_versions_still_read() -> None:
     changes = np.delete(replay.thoughts["thoughts"], np.s_[first : first + wide], axis=1)
     old = {"thoughts": changes, "thoughts_about": np.frombuffer((about[:start] + "}").encode(), np.uint8)}
     older = Replay(replay.settings, replay.start, replay.commands, replay.gazes, replay.hashes, replay.log, "", old)
-    reel = Reel(older)
+    reel = ReplaySnapshots(older)
     last = list(reel.shots())[-1]
     lacking = ["sight: no camera was played or noted", "path: no plans were noted"]
     assert said("belief,sight,path", reel.cast, last) == [*lacking, said("belief", reel.cast, last)[0]]
@@ -169,7 +169,7 @@ def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
     early, late = notes.numbers[3].copy(), notes.numbers[4].copy()
     early[0, :3], late[0, :3] = (1000, 0, 3100), (1200, -100, -3100)
     early[1, :2], late[1, :2] = (0, 0), (3000, 0)
-    middle = between(early, late, 0.5, notes.slots)
+    middle = interpolate_notes(early, late, 0.5, notes.slots)
     assert middle[0, :2].tolist() == [1100, -50] and abs(abs(int(middle[0, 2])) - 3142) < 3
     assert middle[1, :2].tolist() == [0, 0]
     assert note_at(notes, int(notes.steps[0]) - 1) is None
@@ -178,15 +178,15 @@ def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
 
 def test_a_way_is_cut_where_it_jumps_and_a_ray_ends_at_the_board() -> None:
     way = [(0.0, 0.0), (0.1, 0.0), (0.1 + 2 * JUMP, 0.0), (0.2 + 2 * JUMP, 0.0)]
-    assert unbroken(way) == way[2:]
-    x, y = to_board(find_league("legged-2001"), 0.3, 0.2, 0.7)
+    assert path_since_jump(way) == way[2:]
+    x, y = ray_end(find_league("legged-2001"), 0.3, 0.2, 0.7)
     ahead = out_of_frame(np.hypot(x - 0.3, y - 0.2), 0.0, np.cos(0.7), np.sin(0.7))
     assert max(abs(x) - 1.5, abs(y) - 1.0) == pytest.approx(0.0) and (x, y) == pytest.approx(np.add((0.3, 0.2), ahead))
 
 
 def test_recovery_is_told_in_words() -> None:
     def told(words: tuple[str, ...], numbers: dict[str, float], keeper: bool = False) -> tuple[str, bool]:
-        return words_of(words, numbers, keeper, False)
+        return activity_words(words, numbers, keeper, False)
 
     assert told(("back", "attacker"), {"tries": 2.0}) == ("back, attacker, try 2", True)
     assert told(("support", "supporter"), {}) == ("supporter", False)
@@ -199,10 +199,10 @@ def test_words_of_a_fallen_robot_do_not_cover_its_mark(league: str) -> None:
     cast, shot = looked_at(played(league)[0])
     robots, note = shot.robots.copy(), np.array(shot.note)
     robots["fallen"][1], robots["y"][1] = 2.0, 0.0
-    overlays = overlays_of(flags_of("roles"), cast, Shot(shot.match, shot.ball, robots, note), [], 640)
+    overlays = make_overlays(parse_flags("roles"), cast, Snapshot(shot.match, shot.ball, robots, note), [], 640)
     picture = Picture(league, 640)
     plain, worded = (picture.draw(*shot[:2], robots, overlays=given) for given in ([], overlays))
-    mark = near(plain, colours.AMBER, 8)
+    mark = coloured_pixels(plain, colours.AMBER, 8)
     assert mark.sum() > 300 and not (plain != worded).any(axis=2)[mark].any()
 
 
@@ -217,7 +217,7 @@ def test_words_of_a_fallen_robot_do_not_cover_its_mark(league: str) -> None:
 )
 def test_wrong_overlays_are_named(given: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        flags_of(given)
+        parse_flags(given)
 
 
 def test_an_env_draws_them_and_without_flags_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -243,9 +243,9 @@ def test_notes_without_groups_say_the_same_of_beliefs_and_memories(league: str) 
     brief, full = few.look(match), all_of.look(match)
     assert brief.shape[1] < full.shape[1]
     for r in range(len(match.agents)):
-        mine, theirs = Reader.of(few).thought(brief, r), Reader.of(all_of).thought(full, r)
+        mine, theirs = NoteReader.of(few).thought(brief, r), NoteReader.of(all_of).thought(full, r)
         assert replace(mine, groups={}) == replace(theirs, groups={}) and theirs.groups
-        assert Reader.of(few).memory(brief, r) == (theirs.words, theirs.numbers)
-        assert Reader.of(all_of).thinks(full)[r] == theirs.knows
-    assert not flags_of("belief,trail,roles").need_groups
-    assert all(flags_of(name).need_groups for name in ("sight", "field", "path", "infrared"))
+        assert NoteReader.of(few).memory(brief, r) == (theirs.words, theirs.numbers)
+        assert NoteReader.of(all_of).thinks(full)[r] == theirs.knows
+    assert not parse_flags("belief,trail,roles").need_groups
+    assert all(parse_flags(name).need_groups for name in ("sight", "field", "path", "infrared"))

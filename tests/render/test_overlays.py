@@ -12,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.render import Area, Arrows, Label, Picture, Points, Polyline, colours
 from soccer_env.render.captions import PHASES, clock_words, goal_team, half_words, phase_words, possession_words
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.render.staged_frames import around, centre_of, make_records, near
+from tests.render.staged_frames import centre_of, coloured_pixels, make_records, points_around
 
 
 def test_overlays_show_at_their_places_under_or_over_the_robots():
@@ -23,13 +23,19 @@ def test_overlays_show_at_their_places_under_or_over_the_robots():
     dots = Points([(2.0, 2.0), (-2.0, 2.0)], pink, radius=5.0)
     frame = picture.draw(match, ball, robots, overlays=[dots])
     for place in ((2.0, 2.0), (-2.0, 2.0)):
-        assert centre_of(picture, near(frame, pink), *place, 0.5) == pytest.approx(place, abs=0.02)
+        assert centre_of(picture, coloured_pixels(frame, pink), *place, 0.5) == pytest.approx(place, abs=0.02)
     beneath = Points([(1.96, 2.0)], pink, radius=5.0, under=True)
-    assert not near(picture.draw(match, ball, robots, overlays=[beneath]), pink).any()
+    assert not coloured_pixels(picture.draw(match, ball, robots, overlays=[beneath]), pink).any()
     path = Polyline([(0.0, -1.0), (4.0, -1.0)], pink)
-    assert len(around(picture, near(picture.draw(match, ball, robots, overlays=[path]), pink), 3.0, -1.0, 0.1))
+    assert len(
+        points_around(
+            picture, coloured_pixels(picture.draw(match, ball, robots, overlays=[path]), pink), 3.0, -1.0, 0.1
+        )
+    )
     arrow = Arrows([(0.0, 3.0)], [(1.0, 0.0)], pink, width=3.0)
-    tip = around(picture, near(picture.draw(match, ball, robots, overlays=[arrow]), pink), 0.5, 3.0, 1.0)
+    tip = points_around(
+        picture, coloured_pixels(picture.draw(match, ball, robots, overlays=[arrow]), pink), 0.5, 3.0, 1.0
+    )
     assert tip[:, 0].max() == pytest.approx(1.0, abs=0.03)
     assert np.ptp(tip[tip[:, 0] > 0.85, 1]) > 2 * np.ptp(tip[tip[:, 0] < 0.5, 1])
 
@@ -65,7 +71,7 @@ def test_an_area_tints_the_ground_it_covers_and_a_label_writes_beside_its_point(
     frame = picture.draw(match, ball, robots, overlays=[Label((1.5, 1.5), "here", pink, 20.0, (40.0, 0.0), "left")])
     rows, columns = np.nonzero((frame != plain).any(axis=2))
     assert column + 35 <= columns.min() < column + 45 and abs(rows.mean() - row) < 5
-    assert near(frame, pink).any()
+    assert coloured_pixels(frame, pink).any()
 
 
 def test_a_line_through_many_points_is_the_lines_between_them():

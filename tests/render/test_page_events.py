@@ -10,9 +10,9 @@ import pytest
 from soccer_env import Match, shows
 from soccer_env.match.staging import put_ball
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.shows.browser.events import Play, Storyteller
-from soccer_env.thoughts.thought import Reader
-from soccer_env.train.evaluate.recording import shown_of_memory
+from soccer_env.shows.browser.events import BallPlay, EventCollector
+from soccer_env.thoughts.thought import NoteReader
+from soccer_env.train.evaluate.recording import shown_memory_fields
 from tests.render.chromium import Chromium, find_chromium
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, stand
 from tests.statistics.staged_play import CASES, Scene
@@ -29,7 +29,7 @@ class Told(Scene):
 
     def begin(self) -> None:
         super().begin()
-        self.stories, self.step, self.kicked = Storyteller(self.match, TEAMS), 0, -1
+        self.stories, self.step, self.kicked = EventCollector(self.match, TEAMS), 0, -1
 
     def play(self, steps: int, idle: bool = False) -> None:
         if not hasattr(self, "stories"):
@@ -129,15 +129,15 @@ def test_a_dribble_a_push_and_a_scrum(team: int, half: int) -> None:
 @pytest.mark.parametrize("first", [0, 1])
 def test_of_two_who_touched_the_ball_the_later_one_made_the_goal(first: int) -> None:
     match = Match(LEGGED, home=2, away=1, seed=1)
-    stories = Storyteller(match, TEAMS)
-    stories._touches = {r: Play(r, 5 if r == first else 9, 0.0, 0.0) for r in (0, 1)}
+    stories = EventCollector(match, TEAMS)
+    stories._touches = {r: BallPlay(r, 5 if r == first else 9, 0.0, 0.0) for r in (0, 1)}
     assert stories._shot(0, first, 10, match.robots[0]).row == 1 - first
 
 
 def test_kicks_of_a_shoot_out_say_who_scores_and_the_score() -> None:
     match = Match(MIDDLE, home=3, away=3, seed=1, minutes=1.0, rules="league:shoot_out=True", placement="instant")
     match.matches["half"], match.matches["clock"] = 1, 30.0
-    stories, score = Storyteller(match, TEAMS), [0, 0]
+    stories, score = EventCollector(match, TEAMS), [0, 0]
 
     def step(number: int) -> None:
         before = match.robots[0].copy()
@@ -166,7 +166,7 @@ def with_a_goal(thinks: bool = True) -> Replay:
     """Return a replay of 14 s in which red scores once, by a kick."""
     teams = {"home": "heinemann-2006", "away": "random"}
     match = Match("middle-size-2006", home=5, away=5, controllers=teams, minutes=2.0, seed=2, pose="particles")
-    recorder = Recorder(match, Thoughts(match, shown_of_memory()) if thinks else None)
+    recorder = Recorder(match, Thoughts(match, shown_memory_fields()) if thinks else None)
     for _ in range(14 * match.league.control_rate):
         match.step()
     replay = recorder.stop()
@@ -198,7 +198,7 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
     assert after == notes.steps[notes.steps > event[0]][0], "what it thought of its place before is past"
     assert number(r"then\s+kick (\d+) %", words) == round(100 * event[5]["kick"]) > 0
     row = int(np.flatnonzero(notes.steps < event[5]["played"])[-1])
-    thought = Reader.of(notes).thought(notes.numbers[row], event[3])
+    thought = NoteReader.of(notes).thought(notes.numbers[row], event[3])
     match = next(match for step, match in enumerate(replay.play()) if step == notes.steps[row])
     assert thought.ball is not None
     ball, robot = match.balls[0], match.robots[0, event[3]]

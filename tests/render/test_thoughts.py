@@ -7,16 +7,16 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.clips import EVERY, Clips, exact
+from soccer_env.replay.clips import EVERY, Clips, exact_clip
 from soccer_env.thoughts.thoughts import SEES, TABLE, Notes
-from soccer_env.train.evaluate.recording import shown_of_memory
+from soccer_env.train.evaluate.recording import shown_memory_fields
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
 
 def recorded(league: str, steps: int = 60, thinks: bool = True, **settings: object) -> tuple[Match, Replay]:
     match = Match(league, controllers={"home": TEAMS[league], "away": "chaser"}, seed=5, **settings)
-    recorder = Recorder(match, Thoughts(match, shown_of_memory()) if thinks else None)
+    recorder = Recorder(match, Thoughts(match, shown_memory_fields()) if thinks else None)
     for _ in range(steps):
         match.step()
     return match, recorder.stop()
@@ -124,6 +124,6 @@ def test_a_clip_has_the_thoughts_of_its_part() -> None:
 
 def test_where_no_moment_will_do_a_clip_begins_with_the_recording() -> None:
     _, whole, _ = clipped("legged-2001", 4.0, ())
-    first, clip = exact(whole, [(16, whole.start)], 32)  # records of another moment
+    first, clip = exact_clip(whole, [(16, whole.start)], 32)  # records of another moment
     assert (first, len(clip)) == (0, 32) and clip.check() == 32
     assert EVERY <= BEFORE

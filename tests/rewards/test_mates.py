@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match, Rewards
 from soccer_env.leagues import find_league
 from soccer_env.rewards import NAMES, PRESETS
-from soccer_env.rewards.terms import at_ball, cover, crowding, foul, guard, shot, strength
+from soccer_env.rewards.terms import cover, crowding, foul, guard, nearest_robot_to_ball, shot, strength
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.staging import LEAGUES, put, put_ball, set_phase, stage, stand
 
@@ -73,7 +73,7 @@ def test_a_second_robot_at_the_ball_crowds_and_one_far_off_does_not() -> None:
     assert phi(crowding, scene({0: (0.3, 0.2)})) == 0.0
     assert phi(crowding, scene({0: (0.3, 0.2), 3: (0.5, 0.4)})) == 0.0, "an opponent is no mate"
     nobody = scene({})
-    assert at_ball(nobody.balls[0], nobody.robots[0], HOME) == -1 and phi(crowding, nobody) == 0.0
+    assert nearest_robot_to_ball(nobody.balls[0], nobody.robots[0], HOME) == -1 and phi(crowding, nobody) == 0.0
 
 
 def test_strength_counts_those_who_serve_a_penalty_and_who_is_whistled_pays_alone() -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Rewards
-from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_pay
+from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_reward_kernel
 from soccer_env.train.command.command_line import main
 from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import LEAGUES, endless, place, play, put, put_ball, scatter, set_phase, stage, stand
@@ -192,7 +192,7 @@ def test_weights_infos_presets_and_lists_follow_from_the_table(capsys: pytest.Ca
 def test_a_kernel_follows_from_any_table() -> None:
     """Rows in another order, another number of potentials: each is paid in its own column."""
     another = Term("another", "one more potential", TERMS[PROGRESS].function, "potential", 1.0)
-    pay = make_pay((TERMS[EFFORT], TERMS[PROGRESS], another, TERMS[GOAL]))
+    pay = make_reward_kernel((TERMS[EFFORT], TERMS[PROGRESS], another, TERMS[GOAL]))
     match = stage("legged-2001", home=1, away=1)
     match.robots["command"]["forward"] = 0.5
     match.events["goal"] = 1

@@ -22,11 +22,11 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics import head_camera as optics
-from soccer_env.perception.body import count_steps
+from soccer_env.perception.body import measure_odometry
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables
 from soccer_env.perception.omni.sense import sense_slice as sense_omni
-from soccer_env.perception.sensing import Sensing, SensorNumbers
-from soccer_env.random_numbers import normal, start_streams, uniform
+from soccer_env.perception.sensing import SensorArrays, SensorNumbers
+from soccer_env.random_numbers import draw_normal, draw_uniform, start_streams
 from soccer_env.records.beliefs import OWN_POSE
 from soccer_env.records.percepts import LANDMARKS, LEGGED_PERCEPT, NO_POSE, OMNI_PERCEPT, POSE_TOLD
 from soccer_env.records.world import World as TrueWorld
@@ -140,7 +140,7 @@ class World:
         else:
             rows = np.zeros(1, np.int64)
             world = TrueWorld(self.matches, self.balls, self.robots, np.zeros(self.count, EVENTS), self.events)
-            sensing, numbers = Sensing(self.percepts, self.states, self.pending), SensorNumbers(self.k, self.s, 0)
+            sensing, numbers = SensorArrays(self.percepts, self.states, self.pending), SensorNumbers(self.k, self.s, 0)
             sense_omni(world, sensing, numbers, np.zeros(self.count, bool), rows, 0, self.count)
             self.percepts["body"]["pose"] = NO_POSE
             self.truth["placed"] = 0
@@ -205,7 +205,7 @@ def see_from(robots, percepts, constants, sensors):
     k, s = constants[0], sensors[0]
     for i in range(robots.shape[0]):
         robot, percept = robots[i], percepts[i]
-        count_steps(robot, percept.body, k, s)
+        measure_odometry(robot, percept.body, k, s)
         percept.body.handedness = 1.0
         for which in range(LANDMARKS):
             x = (0.5 * k.pitch_length + s.landmark_radius) * (which // 2 - 1)
@@ -224,14 +224,14 @@ def see_box(robot, percept, blob, left_x, left_y, right_x, right_y, radius, low,
     u_left, v_high, first = pixel_of(robot, percept, left_x, left_y, high, radius, s)
     u_right, v_low, second = pixel_of(robot, percept, right_x, right_y, low, -radius, s)
     _, v_other, third = pixel_of(robot, percept, left_x, left_y, low, 0.0, s)
-    if not (first and second and third) or u_left <= u_right or uniform(robot.noise, CAMERA) < s.landmark_miss:
+    if not (first and second and third) or u_left <= u_right or draw_uniform(robot.noise, CAMERA) < s.landmark_miss:
         return
     width, height = 0.5 * optics.image_width(s), 0.5 * optics.image_height(s)
     v_low = min(v_low, v_other)
-    left = int(round(min(u_left + s.dither * normal(robot.noise, CAMERA), width)))
-    right = int(round(max(u_right + s.dither * normal(robot.noise, CAMERA), -width)))
-    top = int(round(min(v_high + s.dither * normal(robot.noise, CAMERA), height)))
-    bottom = int(round(max(v_low + s.dither * normal(robot.noise, CAMERA), -height)))
+    left = int(round(min(u_left + s.dither * draw_normal(robot.noise, CAMERA), width)))
+    right = int(round(max(u_right + s.dither * draw_normal(robot.noise, CAMERA), -width)))
+    top = int(round(min(v_high + s.dither * draw_normal(robot.noise, CAMERA), height)))
+    bottom = int(round(max(v_low + s.dither * draw_normal(robot.noise, CAMERA), -height)))
     if left > right and top > bottom:
         blob.left, blob.right, blob.high, blob.low = left, right, top, bottom
         blob.area = min((left - right) * (top - bottom), 32767)

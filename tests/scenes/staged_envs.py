@@ -40,12 +40,12 @@ def put_ball(env: Any, x: float, y: float = 0.0, vx: float = 0.0, vy: float = 0.
     match.rebuild()
 
 
-def standing(env: Any) -> dict[str, np.ndarray]:
+def standing_actions(env: Any) -> dict[str, np.ndarray]:
     """Return the actions of agents that all stand still."""
     return {agent: np.zeros(env.action_space(agent).shape, np.float32) for agent in env.agents}
 
 
-def about_to_score(after: int = 1, **settings: Any) -> soccer_v0.ParallelSoccer:
+def env_about_to_score(after: int = 1, **settings: Any) -> soccer_v0.ParallelSoccer:
     """Return an env, begun, in which home scores in a certain control step, and the rest stands still."""
     env = soccer_v0.parallel_env(home=2, away=2, rules="simple", **settings)
     env.reset(seed=1)
@@ -58,12 +58,12 @@ def about_to_score(after: int = 1, **settings: Any) -> soccer_v0.ParallelSoccer:
 # Envs of one learner
 
 
-def make(league: Any = "legged-2001", home: int = 2, away: int = 2, **settings: Any) -> SoloSoccer:
+def make_single_env(league: Any = "legged-2001", home: int = 2, away: int = 2, **settings: Any) -> SoloSoccer:
     """Return a single-agent env in which everybody else plays at random."""
     return SoloSoccer(league=league, home=home, away=away, **{**TEAMS, **settings})
 
 
-def make_many(
+def make_vector_env(
     num_envs: Any = 4, league: Any = "legged-2001", home: int = 2, away: int = 2, **settings: Any
 ) -> SoccerVectorEnv:
     """Return a vector env of the like."""

@@ -9,7 +9,17 @@ from soccer_env import Match
 from soccer_env.match.staging import constants_of as running_constants
 from soccer_env.match.staging import put, put_ball, send_off, set_phase
 from soccer_env.types import Phase
-from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, boarded, each_league, endless, icy, patient, steady  # noqa: F401
+from tests.scenes.leagues import (  # noqa: F401
+    LEAGUES,
+    LEGGED,
+    MIDDLE,
+    boarded,
+    each_league,
+    endless,
+    icy,
+    league_without_calls,
+    steady,
+)
 from tests.scenes.looking import deepest_overlaps, distance, energy, outline, speed  # noqa: F401
 
 WALK = ("forward", "left", "turn")
@@ -66,7 +76,7 @@ def stand(match: Match) -> np.ndarray:
     return np.zeros((match.count, match.robots.shape[1], 4))
 
 
-def asking(
+def robot_actions(
     match: Match, r: Any = 0, forward: Any = 0.0, left: Any = 0.0, turn: Any = 0.0, kick: Any = 0.0
 ) -> np.ndarray:
     """Return actions in which robot r (or several) asks for something and the others stand."""
@@ -86,7 +96,7 @@ def play(match: Match, seconds: float = 0.0, actions: Any = None, steps: int | N
         match.step(stand(match) if actions is None else actions)
 
 
-def each_step(match: Match, what: Callable[[], Any], seconds: float = 0.0, actions: Any = None,
+def record_each_step(match: Match, what: Callable[[], Any], seconds: float = 0.0, actions: Any = None,
               steps: int | None = None) -> np.ndarray:  # fmt: skip
     """Play as `play` does; return what is there to be seen after each control step (T, ...)."""
     found = []

@@ -8,32 +8,32 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, shows
-from soccer_env.belief.believing import believe_kernel
+from soccer_env.belief.believing import make_belief_kernel
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
-from soccer_env.data_out.collect import collect
+from soccer_env.data_out.collect import collect_match
 from soccer_env.data_out.table_files import write_tables
-from soccer_env.data_out.tables import tables_of
-from soccer_env.guards.ranges import Range, record
+from soccer_env.data_out.tables import match_tables
+from soccer_env.guards.ranges import Range, ranged_record
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.options import Options
-from soccer_env.leagues.robot_kind import CENTI, KINDS, POLAR, Noted, RobotKind, Seen, kind_of
-from soccer_env.observations import names_of
+from soccer_env.leagues.robot_kind import CENTI, KINDS, POLAR, NotedPercepts, PerceptSummary, RobotKind, kind_of
+from soccer_env.observations import entry_names
 from soccer_env.observations.entry import Entry
 from soccer_env.perception.body import POSE_ERROR
-from soccer_env.perception.sensing import sense_kernel
-from soccer_env.random_numbers import normal
+from soccer_env.perception.sensing import make_sensor_kernel
+from soccer_env.random_numbers import draw_normal
 from soccer_env.records.percepts import BODY_PERCEPT
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.thoughts.thought import Reader
+from soccer_env.thoughts.thought import NoteReader
 from soccer_env.types import HOME, RobotStream
 from tests.scenes.staging import play
 
 CAMERA = int(RobotStream.CAMERA)
 PERCEPT = np.dtype([("body", BODY_PERCEPT), ("ahead", "f4"), ("left", "f4")])  # [m] robot frame: the ball
 SENSOR_STATE = np.dtype([("pose_error", POSE_ERROR), ("unused", "f4")])
-MEMORY = record([("heard", "i8", Range(0, 1000))])  # frames in which the beacon was heard
+MEMORY = ranged_record([("heard", "i8", Range(0, 1000))])  # frames in which the beacon was heard
 
 
 @dataclass(frozen=True)
@@ -68,8 +68,8 @@ def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):
     robot = robots[r]
     cosine, sine = np.cos(robot.heading), np.sin(robot.heading)
     x, y = ball.x - robot.x, ball.y - robot.y
-    percept.ahead = cosine * x + sine * y + s.beacon_noise * normal(robot.noise, CAMERA)
-    percept.left = cosine * y - sine * x + match.handedness * s.beacon_noise * normal(robot.noise, CAMERA)
+    percept.ahead = cosine * x + sine * y + s.beacon_noise * draw_normal(robot.noise, CAMERA)
+    percept.left = cosine * y - sine * x + match.handedness * s.beacon_noise * draw_normal(robot.noise, CAMERA)
 
 
 @compiled
@@ -108,7 +108,7 @@ def observe_slice(percepts, beliefs, robots, out, constants, sensors, half_lengt
 
 BEACON = RobotKind(
     percept=PERCEPT, sensor_state=SENSOR_STATE, memory=MEMORY, message=np.dtype([("unused", "i8")]), particle=PARTICLE,
-    sense=sense_kernel(nothing, sense_robot), believe=believe_kernel(no_scratch, believe_robot, say_nothing),
+    sense=make_sensor_kernel(nothing, sense_robot), believe=make_belief_kernel(no_scratch, believe_robot, say_nothing),
     entries=entries, observe=observe_slice, tables=lambda league: np.zeros(1, np.dtype([("unused", "f8")])),
 )  # fmt: skip
 
@@ -153,7 +153,7 @@ def test_an_unknown_kind_of_sensors_is_refused_by_name() -> None:
     for kind, make in (
         ("'beacon'", lambda: replace(legged, sensors=BeaconSensors(), memory=BeaconMemory())),
         (".*", lambda: replace(legged, sensors=object())),
-        ("None", lambda: names_of(replace(legged, sensors=None), "percepts")),
+        ("None", lambda: entry_names(replace(legged, sensors=None), "percepts")),
     ):
         with pytest.raises(ValueError, match=f"unknown kind of sensors {kind}; known: legged, omni"):
             make()
@@ -172,14 +172,14 @@ def hear(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
     return {"beacon": CENTI * np.stack([bearing, distance], axis=-1)[:, None]}
 
 
-def heard(percepts: np.ndarray) -> Seen:
+def heard(percepts: np.ndarray) -> PerceptSummary:
     yes, none = np.ones(len(percepts), bool), np.zeros(len(percepts))
-    return Seen(yes, ~yes, ~yes, none, none, none)
+    return PerceptSummary(yes, ~yes, ~yes, none, none, none)
 
 
-@pytest.mark.parametrize("noted", [None, Noted((["beacon", 1, POLAR],), hear, heard)])
+@pytest.mark.parametrize("noted", [None, NotedPercepts((["beacon", 1, POLAR],), hear, heard)])
 def test_it_is_recorded_replayed_exported_and_drawn(
-    league: League, noted: Noted | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    league: League, noted: NotedPercepts | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(globals(), "BEACON", replace(BEACON, noted=noted))
     match = Match(league, home=2, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
@@ -190,7 +190,7 @@ def test_it_is_recorded_replayed_exported_and_drawn(
     replay = Replay.read(recorder.stop().write(tmp_path / "a.replay"))
     assert replay.check() == 100
     notes = replay.notes()
-    thought = Reader.of(notes).thought(notes.numbers[-1], 1)  # type: ignore[arg-type, union-attr]
+    thought = NoteReader.of(notes).thought(notes.numbers[-1], 1)  # type: ignore[arg-type, union-attr]
     plain, drawn = (shows.frame(replay, 2.0, robot="home_1", sight=sight) for sight in (False, True))
     if noted is None:
         assert thought.groups == {}
@@ -198,4 +198,6 @@ def test_it_is_recorded_replayed_exported_and_drawn(
         assert thought.groups["beacon"][0, 1] / CENTI == pytest.approx(np.hypot(x, y)[1], abs=0.15)
         assert (plain != drawn).any(axis=2).sum() > 100  # the ray to the ball
     assert shows.html(replay, tmp_path / "a.html", sight=True, robot="home_1").stat().st_size > 50_000
-    assert all(path.stat().st_size for path in write_tables([tables_of(collect(replay))], tmp_path / "a.csv").values())
+    assert all(
+        path.stat().st_size for path in write_tables([match_tables(collect_match(replay))], tmp_path / "a.csv").values()
+    )

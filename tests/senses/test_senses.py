@@ -8,7 +8,7 @@ import pytest
 
 import soccer_env
 from soccer_env import Match, baselines, belief, leagues, perception
-from tests.senses.staged_senses import LEAGUES, draws, sensing
+from tests.senses.staged_senses import LEAGUES, random_actions, sensing_matches
 
 HIDDEN = {"legged-2001": "scale", "middle-size-2006": "table"}  # what each camera remembers and does not deliver
 
@@ -24,8 +24,8 @@ def finite(records: np.ndarray) -> bool:
 @pytest.mark.parametrize("pose", ["percept", "particles"])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_belief_never_reads_the_truth(league: str, pose: str) -> None:
-    match, other = (sensing(league, pose=pose) for _ in range(2))
-    actions = draws(match, 60)
+    match, other = (sensing_matches(league, pose=pose) for _ in range(2))
+    actions = random_actions(match, 60)
     for step in range(60):
         match.step(actions[step])
         batch, senses = other.batch, other.batch.senses
@@ -62,8 +62,8 @@ def make_nonsense(records: np.ndarray) -> None:
 def test_what_sensors_remember_is_told_to_nobody(league: str) -> None:
     """The error of the noisy pose, the scale of sizes, the colour table: who knew one of them could take it out."""
     changing = {"light_drift": 0.5, "light_period": 10.0} if league == LEAGUES[1] else {}
-    match = sensing(league, sensors=changing)
-    for actions in draws(match, 40):
+    match = sensing_matches(league, sensors=changing)
+    for actions in random_actions(match, 40):
         match.step(actions)
     senses = match.batch.senses
     hidden = leaves(senses.sensor_states)
@@ -87,8 +87,8 @@ def leaves(records: np.ndarray, name: str = "") -> dict[str, np.ndarray]:
 def test_play_is_the_same_whatever_robots_sense(league: str) -> None:
     plays = []
     for settings in ({"observe": "truth"}, {"observe": "percepts"}, {"observe": "belief", "pose": "particles"}):
-        match = sensing(league, **settings)
-        for actions in draws(match, 100):
+        match = sensing_matches(league, **settings)
+        for actions in random_actions(match, 100):
             match.step(actions)
         plays.append(np.concatenate([match.robots[name].ravel() for name in ("x", "y", "heading", "vx", "omega")]))
         plays[-1] = np.append(plays[-1], match.balls["x"])
@@ -97,16 +97,16 @@ def test_play_is_the_same_whatever_robots_sense(league: str) -> None:
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_one_match_alone_senses_what_it_senses_among_many_and_an_episode_begins_with_nothing_remembered(league) -> None:
-    many = sensing(league, matches=8, pose="particles", threads=2)
-    alone = sensing(league, matches=1, pose="particles", seed=None, seeds=many.seeds[5:6])
-    for actions in draws(many, 150):
+    many = sensing_matches(league, matches=8, pose="particles", threads=2)
+    alone = sensing_matches(league, matches=1, pose="particles", seed=None, seeds=many.seeds[5:6])
+    for actions in random_actions(many, 150):
         many.step(actions)
         alone.step(actions[5:6])
     assert alone.state_hash(0) == many.state_hash(5)
     assert alone.percepts.tobytes() == many.percepts[5:6].tobytes()
     assert alone.observations.tobytes() == many.observations[5:6].tobytes()
-    used, fresh = sensing(league, pose="particles"), sensing(league, pose="particles", seed=42)
-    for actions in draws(used, 40):
+    used, fresh = sensing_matches(league, pose="particles"), sensing_matches(league, pose="particles", seed=42)
+    for actions in random_actions(used, 40):
         used.step(actions)
     used.reset(seed=42)
     assert used.state_hash() == fresh.state_hash(), "beliefs, memories, particles and messages are part of the state"
@@ -114,7 +114,7 @@ def test_one_match_alone_senses_what_it_senses_among_many_and_an_episode_begins_
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_crowd_in_one_place_or_one_bearing_breaks_nothing_nor_does_a_robot_that_sees_nothing_for_minutes(league):
-    match = sensing(league, matches=2, home=11, away=11, pose="particles")
+    match = sensing_matches(league, matches=2, home=11, away=11, pose="particles")
     match.robots["y"], match.robots["heading"][1], match.balls["x"], match.balls["y"] = 0.0, 0.0, 0.3, 0.0
     for x in (0.3, np.linspace(-1.0, 1.0, 22)):  # the ball inside all of them; then all in one bearing
         match.robots["x"] = x
@@ -123,8 +123,8 @@ def test_a_crowd_in_one_place_or_one_bearing_breaks_nothing_nor_does_a_robot_tha
             assert finite(match.beliefs) and finite(match.tracks) and finite(match.percepts)
     names = ("ball_miss", "player_miss") if league == LEAGUES[1] else ("ball_miss", "player_miss", "landmark_miss")
     blind = dict.fromkeys(names, 1.0) | ({"line_miss": 1.0, "goal_miss": 1.0} if league == LEAGUES[1] else {})
-    match = sensing(league, matches=1, home=1, away=1, pose="particles", sensors=blind, minutes=10.0)
-    for actions in draws(match, 3 * 60 * match.league.control_rate // 4):
+    match = sensing_matches(league, matches=1, home=1, away=1, pose="particles", sensors=blind, minutes=10.0)
+    for actions in random_actions(match, 3 * 60 * match.league.control_rate // 4):
         match.step(actions)
     assert finite(match.beliefs) and finite(match.tracks) and np.isfinite(match.observations).all()
     assert np.abs(match.observations).max() <= 1.0
@@ -134,8 +134,8 @@ def test_a_crowd_in_one_place_or_one_bearing_breaks_nothing_nor_does_a_robot_tha
 @pytest.mark.parametrize("league", LEAGUES)
 def test_observations_stay_in_their_box_at_every_team_size(league: str, observe: str) -> None:
     for home, away in ((1, 1), (2, 5), (11, 11)):
-        match = sensing(league, matches=2, home=home, away=away, observe=observe)
-        for actions in draws(match, 60):
+        match = sensing_matches(league, matches=2, home=home, away=away, observe=observe)
+        for actions in random_actions(match, 60):
             match.step(actions)
             assert np.abs(match.observations).max() <= 1.0
         assert match.observations.shape[2] == len(match.observation_names) == len(set(match.observation_names))
@@ -172,7 +172,7 @@ def test_each_team_has_its_own_senses_and_looking_at_beliefs_is_no_part_of_the_s
 def test_percepts_of_robots_with_ideal_senses_leave_their_beliefs_true(league: str) -> None:
     """One provider fills a robot's beliefs: learners may observe percepts beside a team that knows the truth."""
     match = Match(league, home=2, away=2, matches=2, seed=3, senses="ideal", observe="percepts", teammates="chaser")
-    for actions in draws(match, 30):
+    for actions in random_actions(match, 30):
         match.step(actions)
     assert match.percepts["body"]["frame"].min() > 0 and np.abs(match.observations).max() > 0.0
     true = np.hypot(match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"])

@@ -10,13 +10,13 @@ from soccer_env.match.saving import dump
 from tests.scenes import symmetry
 from tests.scenes.staging import play, scatter, set_phase
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions, swapped_rows, turned
-from tests.senses.staged_senses import LEAGUES, draws, look_again, sensing
+from tests.senses.staged_senses import LEAGUES, look_again, random_actions, sensing_matches
 
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_save_goes_on_with_the_same_senses(league: str) -> None:
-    match = sensing(league, pose="particles")
-    actions = draws(match, 80)
+    match = sensing_matches(league, pose="particles")
+    actions = random_actions(match, 80)
     for step in range(40):
         match.step(actions[step])
     saved = match.save()
@@ -45,7 +45,7 @@ def test_a_team_that_uses_its_sensors_alone_is_saved_alone() -> None:
 
 
 def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
-    match = sensing("legged-2001", matches=1)
+    match = sensing_matches("legged-2001", matches=1)
     memory = match.batch.senses.memories
     for name, value in (("count", 100), ("x", np.nan)):
         kept = memory["ball"][name].copy()
@@ -60,10 +60,10 @@ def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
 
 def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:
     """Return matches whose robots have just been told where they stand, at random, and their image."""
-    match = sensing(league, matches=6, pose=pose)
+    match = sensing_matches(league, matches=6, pose=pose)
     scatter(match, np.random.default_rng(seed))
     set_phase(match, 0)
-    image = sensing(league, matches=6, pose=pose)
+    image = sensing_matches(league, matches=6, pose=pose)
     changed(Records.of(match)).put_into(image)
     match.rebuild()
     for one in (match, image):
@@ -77,7 +77,7 @@ def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records]
 def test_mirrored_play_is_sensed_and_believed_mirrored(league: str, pose: str) -> None:
     match, image = scattered_pair(league, pose, mirrored, seed=1)
     lines = getattr(match.league.sensors, "lines", 0)
-    for actions in draws(match, 24, seed=3):
+    for actions in random_actions(match, 24, seed=3):
         compare_mirrored(match, image, lines)
         match.step(0.5 * actions)
         image.step(0.5 * mirrored_actions(actions))
@@ -102,7 +102,7 @@ def compare_mirrored(match: Match, image: Match, lines: int) -> None:
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_half_turn_with_the_teams_swapped_changes_nothing_that_is_sensed(league: str, pose: str) -> None:
     match, image = scattered_pair(league, pose, turned, seed=2)
-    for actions in draws(match, 24, seed=4):
+    for actions in random_actions(match, 24, seed=4):
         rows = calm(match)
         for name, tolerance in (("percepts", 1e-5), ("beliefs", 1e-6), ("tracks", 1e-6)):
             assert_same(swapped_rows(getattr(match, name))[rows], getattr(image, name)[rows], tolerance, name)

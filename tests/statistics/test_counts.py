@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.counting import count_calls, count_step, is_notable
-from soccer_env.statistics.figures import FIGURES, flat, length_of, numbers_of
+from soccer_env.statistics.figures import FIGURES, flatten_statistics, spell_quantile, statistics_by_name
 from soccer_env.statistics.players import count_player
 from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, FRESH, SHORTEST
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
@@ -106,11 +106,11 @@ def test_a_mirrored_match_has_the_same_statistics_and_a_turned_one_those_of_the_
         for what, (image, events, robot_events, places) in images.items():
             counted(image, events, robot_events, places, k, found[what])
         before = np.stack([match.robots["x"][0], match.robots["y"][0]], axis=-1)
-    as_it_is = numbers_of(found["as it is"], HOME)
+    as_it_is = statistics_by_name(found["as it is"], HOME)
     for key, values in as_it_is.items():
-        assert numbers_of(found["mirrored"], HOME)[key] == pytest.approx(values), key
-        assert numbers_of(found["turned"], AWAY)[key] == pytest.approx(values), key
-    real = numbers_of(match.statistics, HOME)
+        assert statistics_by_name(found["mirrored"], HOME)[key] == pytest.approx(values), key
+        assert statistics_by_name(found["turned"], AWAY)[key] == pytest.approx(values), key
+    real = statistics_by_name(match.statistics, HOME)
     assert all(real[key] == pytest.approx(as_it_is[key]) for key in real if key != "carried")
     assert min(real["touches_for"], real["touches_against"]) > 0
 
@@ -164,14 +164,14 @@ def test_lengths_of_spells_are_found_to_the_width_of_a_bin() -> None:
     places = np.minimum(BINS_PER_OCTAVE * np.log2(lengths / SHORTEST), BINS - 1).astype(int)
     counts = np.bincount(places, minlength=BINS)
     for share in (0.5, 0.9):
-        assert float(length_of(counts, share)) == pytest.approx(np.quantile(lengths, share), rel=0.13)
-    assert float(length_of(np.zeros(BINS, int), 0.5)) == 0.0
+        assert float(spell_quantile(counts, share)) == pytest.approx(np.quantile(lengths, share), rel=0.13)
+    assert float(spell_quantile(np.zeros(BINS, int), 0.5)) == 0.0
 
 
 def test_a_team_sees_its_own_numbers_as_for_and_its_opponents_as_against(played) -> None:
     match, _, _ = played
     record = match.statistics[0]
-    home, away = flat(record, HOME), flat(record, AWAY)
+    home, away = flatten_statistics(record, HOME), flatten_statistics(record, AWAY)
     for figure in FIGURES:
         if figure.team:
             assert home[f"{figure.name}_for"] == away[f"{figure.name}_against"]

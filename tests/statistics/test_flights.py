@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.statistics.flights import aim_of
+from soccer_env.statistics.flights import predict_aim
 from soccer_env.statistics.records import Aim, GoalKind
 from soccer_env.types import NO_TEAM
 from tests.scenes.staging import LEGGED, MIDDLE, boarded, each_league, put_ball, stage, stand, steady
@@ -94,7 +94,7 @@ def test_a_ball_goes_in_just_where_it_is_on_target(name):
     put_ball(match, x, y, v * np.cos(angle), v * np.sin(angle))
     for way in ("x", "y"):
         match.balls[f"roll_{way}"] = np.where(rolls, match.balls[f"v{way}"], 0.0)
-    aims = {scale: [aim_of(scaled(ball, scale), 1.0, k) for ball in match.balls] for scale in (0.99, 1.0, 1.01)}
+    aims = {scale: [predict_aim(scaled(ball, scale), 1.0, k) for ball in match.balls] for scale in (0.99, 1.0, 1.01)}
     wide = np.abs(y + (pitch.length / 2 - x) * np.tan(angle))
     sure = (np.array(aims[0.99]) == aims[1.01]) & (np.abs(wide - pitch.goal_width / 2) > 2.0 * league.ball.radius)
     match.rebuild()
@@ -127,7 +127,7 @@ def test_the_aim_is_the_same_for_both_directions_and_sides():
         aims = set()
         for sign_x, sign_y in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
             put_ball(match, sign_x * x, sign_y * y, sign_x * vx, sign_y * vy)
-            aims.add(aim_of(match.balls[0], float(sign_x), k))
+            aims.add(predict_aim(match.balls[0], float(sign_x), k))
         assert len(aims) == 1
         seen |= aims
     assert seen == set(Aim)

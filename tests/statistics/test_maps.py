@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
-from soccer_env.statistics.maps import BALL, added, maps_of
+from soccer_env.statistics.maps import BALL, maps_of_team, sum_maps
 from soccer_env.statistics.players import MAKES, STUCK, WANTS
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE, LOOK, SHOTS
 from soccer_env.types import AWAY, HOME, Phase
@@ -20,7 +20,7 @@ ROWS = (3, 3)
 
 def shots(steps: Steps, team: int = HOME) -> list[Any]:
     """Return the shots of a team."""
-    return maps_of(steps.tally[0], team, ROWS)["shots_for"]
+    return maps_of_team(steps.tally[0], team, ROWS)["shots_for"]
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
@@ -28,7 +28,7 @@ def test_a_shot_is_noted_where_the_ball_was_played(direction: float) -> None:
     steps = Steps(direction=direction)
     shoot(steps, x=1.0, y=direction * 0.1)
     assert shots(steps) == [[1, KICKER, "off_target", 1.0, 0.1]] and shots(steps, AWAY) == []
-    assert maps_of(steps.tally[0], AWAY, ROWS)["shots_against"] == shots(steps)
+    assert maps_of_team(steps.tally[0], AWAY, ROWS)["shots_against"] == shots(steps)
 
 
 @pytest.mark.parametrize(("y", "touches", "outcome"), [
@@ -82,7 +82,7 @@ def test_shots_beyond_the_first_64_are_counted_only_and_passes_noted_from_player
         steps.ball(0.5, 0.0)
         steps.count(touch=receiver)
         steps.count(restart=Phase.DROP_BALL)
-    found = maps_of(steps.tally[0], HOME, ROWS)
+    found = maps_of_team(steps.tally[0], HOME, ROWS)
     assert found["passes_for"] == [[0, 0, 0], [0, 0, 1], [0, 1, 0]]
     assert found["passes_against"] == [[0, 0, 0], [1, 0, 0], [0, 0, 0]]
     assert [steps.of(name) for name in ("passes", "interceptions")] == [[2, 1], [0, 1]]
@@ -130,7 +130,7 @@ def test_maps_and_counts_tell_the_same(played: Any) -> None:
     match = played[0]
     look = LOOK * match.league.dt
     for record in match.statistics:
-        mine, theirs = (maps_of(record, team, match.settings.rows) for team in (HOME, AWAY))
+        mine, theirs = (maps_of_team(record, team, match.settings.rows) for team in (HOME, AWAY))
         assert np.sum(mine["heat_ball"]) == pytest.approx(record["in_play"] / look, rel=0.05)
         assert mine["heat_ball"] == np.array(theirs["heat_ball"])[::-1, ::-1].tolist()
         for team, side in ((HOME, "for"), (AWAY, "against")):
@@ -142,7 +142,7 @@ def test_maps_and_counts_tell_the_same(played: Any) -> None:
             outcomes = [shot[2] for shot in mine[f"shots_{side}"]]
             assert len(outcomes) == record["shots"][team]
             assert outcomes.count("saved") == record["saves"][1 - team]
-    total = added([maps_of(record, HOME, match.settings.rows) for record in match.statistics])
+    total = sum_maps([maps_of_team(record, HOME, match.settings.rows) for record in match.statistics])
     assert np.sum(total["heat_ball"]) == match.statistics["maps"]["heat"][:, 2].sum()
     assert len(total["shots_for"]) == match.statistics["shots"][:, HOME].sum()
 

@@ -16,12 +16,12 @@ from soccer_env.train.evaluate.results import EVALUATION
 from soccer_env.train.files import LARGEST, append_lines, read_lines
 from soccer_env.train.papers.results import REPRODUCTION
 from soccer_env.train.ppo.run_folder import TRAINING
-from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
+from soccer_env.train.results_folder import SETTINGS, ResultsFolder, RunKind
 
 MADE = {"soccer_env": "1.0", "code": "abc"}
 ABOUT = {"command": "soccer evaluate --seed 3", "date": "2026-01-02", "commit": "1234567"}
 ASKED: dict[str, Any] = {"seed": 3, "minutes": 10.0, "players": (3, 3)}
-TOSSES = Kind("a toss", ("seed",), ("tosses.jsonl", "report.md"), lambda asked: [f"plots/{asked['seed']}-*.png"])
+TOSSES = RunKind("a toss", ("seed",), ("tosses.jsonl", "report.md"), lambda asked: [f"plots/{asked['seed']}-*.png"])
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def test_a_condition_that_came_later_was_at_its_default(tmp_path: Path) -> None:
         ResultsFolder(tmp_path, TOSSES, {**ASKED, "coin": "bent"}, MADE, ABOUT, defaults={"coin": "fair"})
 
 
-GROWING = Kind("a toss", ("seed",), ("tosses.jsonl", "report.md"), grows="tosses")
+GROWING = RunKind("a toss", ("seed",), ("tosses.jsonl", "report.md"), grows="tosses")
 
 
 def growing(path: Path, tosses: int, **changes: Any) -> ResultsFolder:
@@ -179,7 +179,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     ],
 )
 def test_files_of_others_are_never_touched(
-    tmp_path: Path, anew: bool, kind: Kind, files: dict[str, str], complaint: str
+    tmp_path: Path, anew: bool, kind: RunKind, files: dict[str, str], complaint: str
 ) -> None:
     """With --anew or without, in a folder with a paper, an editor's settings or somebody's own pictures."""
     (tmp_path / "plots").mkdir()
@@ -192,7 +192,7 @@ def test_files_of_others_are_never_touched(
 
 
 @pytest.mark.parametrize("owner", [EVALUATION, REPRODUCTION, TRAINING], ids=lambda kind: kind.what)
-def test_a_run_never_replaces_one_of_another_kind(tmp_path: Path, owner: Kind) -> None:
+def test_a_run_never_replaces_one_of_another_kind(tmp_path: Path, owner: RunKind) -> None:
     ResultsFolder(tmp_path, owner, dict.fromkeys(owner.marks, ""), {}, {}).close()
     before = (tmp_path / "settings.json").read_bytes()
     for kind in (EVALUATION, REPRODUCTION, TRAINING):

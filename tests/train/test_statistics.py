@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.statistics.figures import length_of
+from soccer_env.statistics.figures import spell_quantile
 from soccer_env.statistics.records import BINS
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
-from soccer_env.train.evaluate.statistics import named, totals
+from soccer_env.train.evaluate.statistics import statistics_by_name, totals
 from soccer_env.train.pages.tables.drills import half_width
-from soccer_env.train.papers.verdicts import counted, find, measured
+from soccer_env.train.papers.verdicts import counted, judge_criterion, measured
 from soccer_env.train.statistics import interquartile_mean, paired_bootstrap, required_matches, wilson_interval
 
 stats = pytest.importorskip("scipy.stats")
@@ -120,7 +120,7 @@ def drawn() -> Samples:
 
 
 def lines_of(found: Samples) -> list[dict[str, Any]]:
-    empty = dict.fromkeys([name for name, _ in named()], 0) | {"spell_lengths_against": [0] * BINS}
+    empty = dict.fromkeys([name for name, _ in statistics_by_name()], 0) | {"spell_lengths_against": [0] * BINS}
     return [
         {
             **empty, "shots_for": int(found["shots"][p, i]), "spell_lengths_for": found["spells"][p, i].tolist(),
@@ -159,14 +159,14 @@ def ratio(part: str, whole: str, scale: float) -> Callable[[Samples], float]:
 
 def of_claim(found: Samples) -> Reported:
     """Return the finding on a measured criterion at the level of a claim that is looked at five times."""
-    finding = find(measured("", ratio("still", "played", 1.0), above=0.0), found, 1.0 - (1.0 - LEVEL) / 5)
+    finding = judge_criterion(measured("", ratio("still", "played", 1.0), above=0.0), found, 1.0 - (1.0 - LEVEL) / 5)
     return finding.estimate, finding.low, finding.high
 
 
 def of_counts(found: Samples) -> Reported:
     """Return the finding on a share whose trials hang together in units."""
     hits, trials = in_units(found)
-    finding = find(counted("", "hits", "trials", at_least=0.0), {"hits": hits, "trials": trials})
+    finding = judge_criterion(counted("", "hits", "trials", at_least=0.0), {"hits": hits, "trials": trials})
     return finding.estimate, finding.low, finding.high
 
 
@@ -182,7 +182,7 @@ CASES: dict[str, tuple[Callable[[Samples], Reported], Callable[[Samples], float]
     "win rate": (evaluated("win_rate"), lambda x: (x["goals"] > 0).mean(), LEVEL),
     "shots a minute": (of_play("shots_for"), ratio("shots", "played", 60.0), LEVEL),
     "still": (of_play("still"), ratio("still", "in_play", 100.0), LEVEL),
-    "median spell": (of_play("spell_median_for"), lambda x: length_of(x["spells"].sum(axis=(0, 1)), 0.5), LEVEL),
+    "median spell": (of_play("spell_median_for"), lambda x: spell_quantile(x["spells"].sum(axis=(0, 1)), 0.5), LEVEL),
     "claim": (of_claim, ratio("still", "played", 1.0), 1.0 - (1.0 - LEVEL) / 5),
     "counted": (of_counts, lambda x: 100.0 * in_units(x)[0].mean() / 12.0, LEVEL),
 }

@@ -23,7 +23,7 @@ from typing import IO, TYPE_CHECKING, Any, cast
 import numpy as np
 
 from soccer_env.compiling.sources import ROOT as PACKAGE
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.bench.benchmark import machine
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
@@ -79,23 +79,23 @@ class Worker:
         return cast(dict[str, Any], json.loads(line))
 
 
-def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
+def compare_checkouts(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
     """Measure both checkouts and return the report that --out writes: machine, checkouts, rows and pairs."""
     assert settings.against is not None
-    checkouts = {HERE: checkout_of_this(), THERE: settings.against}
+    checkouts = {HERE: current_checkout(), THERE: settings.against}
     paths = {name: str(path) for name, path in checkouts.items()}
     pairs: Pairs = {}
     lacking: dict[str, str] = {}
     with Progress("bench", settings.rounds) as progress:
         for _ in range(settings.rounds):
             with ExitStack() as stack:
-                here, there = (stack.enter_context(started(checkouts[n], n, settings, script)) for n in checkouts)
-                names = chosen(here.rows, settings.rows)
+                here, there = (stack.enter_context(start_worker(checkouts[n], n, settings, script)) for n in checkouts)
+                names = select_rows(here.rows, settings.rows)
                 lacking |= {row: "only here" for row in names if row not in there.rows}
                 for row in names:
                     progress.note(row)
                     if row not in lacking:
-                        lacking |= measure(row, here, there, settings.repetitions, pairs)
+                        lacking |= time_row_pairs(row, here, there, settings.repetitions, pairs)
             progress.advance(1)
     rows = [ratio_of(name, times) for name, times in pairs.items() if name not in lacking]
     report = {
@@ -104,11 +104,11 @@ def run(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
     }  # fmt: skip
     if settings.out is not None:
         settings.out.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(settings.out, json.dumps(report, indent=2) + "\n")
+        write_atomically(settings.out, json.dumps(report, indent=2) + "\n")
     return report
 
 
-def chosen(rows: list[str], words: str) -> list[str]:
+def select_rows(rows: list[str], words: str) -> list[str]:
     """Return the rows whose names contain every word of `words`; ValueError if no name does."""
     matching = [row for row in rows if all(word in row for word in words.split())]
     if not matching:
@@ -116,7 +116,7 @@ def chosen(rows: list[str], words: str) -> list[str]:
     return matching
 
 
-def measure(row: str, here: Worker, there: Worker, repetitions: int, pairs: Pairs) -> dict[str, str]:
+def time_row_pairs(row: str, here: Worker, there: Worker, repetitions: int, pairs: Pairs) -> dict[str, str]:
     """Time a row in the order A B B A and add its pairs to `pairs`; return {row: reason} if a checkout lacks it."""
     firsts = {worker.name: worker.sample(row) for worker in (here, there)}  # untimed: it builds and compiles
     missing = [name for name, first in firsts.items() if first is None]
@@ -137,7 +137,7 @@ def ratio_of(name: str, pairs: list[tuple[float, float]]) -> Ratio:
     return Ratio(name, median(here), median(there), value, low, high)
 
 
-def checkout_of_this() -> Path:
+def current_checkout() -> Path:
     """Return the folder of the checkout that contains this code; ValueError for an installed package."""
     if not (PACKAGE.parent / "train").is_dir():
         raise ValueError("--against compares checkouts, and this soccer_env is installed outside of one")
@@ -145,7 +145,7 @@ def checkout_of_this() -> Path:
 
 
 @contextmanager
-def started(checkout: Path, name: str, settings: BenchSettings, script: Path) -> Iterator[Worker]:
+def start_worker(checkout: Path, name: str, settings: BenchSettings, script: Path) -> Iterator[Worker]:
     """Run the process of a checkout for the time of a `with`. It imports the checkout's code, not an installed one."""
     with tempfile.TemporaryDirectory() as folder:
         link_packages(checkout, Path(folder))

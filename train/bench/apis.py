@@ -103,10 +103,10 @@ def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> flo
         {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
     )
     match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"}, **senses)
-    return sum(array.nbytes for array in arrays_of(match)) / matches
+    return sum(array.nbytes for array in held_arrays(match)) / matches
 
 
-def arrays_of(root: object) -> list[np.ndarray]:
+def held_arrays(root: object) -> list[np.ndarray]:
     """Return every array, except views, that an object of this package or any of its parts holds; each array once."""
     waiting = [root]
     seen = set()
@@ -140,7 +140,7 @@ def wrapper_bytes(league: str, spaces: int = 16) -> float:
     return size / len(kept)
 
 
-def start_time(program: str, repetitions: int, cold: bool = False) -> float:
+def process_start_time(program: str, repetitions: int, cold: bool = False) -> float:
     """Return the median seconds of a Python process that runs a program; `cold`: with an empty cache each time."""
     return median(_run(program, cold) for _ in range(repetitions))
 
@@ -158,7 +158,7 @@ def _run(program: str, cold: bool) -> float:
     return spent
 
 
-def interleaved(loads: dict[str, Callable[[], float]], repetitions: int) -> dict[str, list[float]]:
+def interleave_samples(loads: dict[str, Callable[[], float]], repetitions: int) -> dict[str, list[float]]:
     """Return the samples of each load; loads take turns, so that a slow moment of the machine slows all alike."""
     samples: dict[str, list[float]] = {name: [] for name in loads}
     for repetition in range(repetitions):

@@ -13,25 +13,25 @@ from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.leagues import find_league
 from soccer_env.train.bench.apis import (
     START_TIMES,
     ApiLoad,
     BranchLoad,
     ResetLoad,
-    interleaved,
+    interleave_samples,
+    process_start_time,
     record_bytes,
-    start_time,
     wrapper_bytes,
 )
 from soccer_env.train.bench.loads import (
     CoreLoad,
     Load,
-    OwnFloor,
+    OwnPhysicsLoad,
     ParticlesLoad,
     PictureLoad,
-    ReferenceFloor,
+    ReferencePhysicsLoad,
     SensesLoad,
 )
 from soccer_env.train.bench.plans import PlanLoad, TeamLoad
@@ -77,18 +77,18 @@ class Row:
     met: bool | None = None  # None: no target
 
 
-def at_most(name: str, value: float, unit: str, limit: float, scale: float = 1.0) -> Row:
+def row_with_maximum(name: str, value: float, unit: str, limit: float, scale: float = 1.0) -> Row:
     """Return a row whose target is a value of at most `limit`; value and limit are shown multiplied by `scale`."""
     return Row(name, value, f"{value * scale:.3g} {unit}".strip(), f"<= {limit * scale:g}", value <= limit)
 
 
-def at_least(name: str, value: float, unit: str, limit: float) -> Row:
+def row_with_minimum(name: str, value: float, unit: str, limit: float) -> Row:
     """Return a row whose target is a value of at least `limit`."""
     shown = f"{value:,.0f} {unit}" if value >= 100 else f"{value:.3g} {unit}"
     return Row(name, value, shown.strip(), f">= {limit:,g}", value >= limit)
 
 
-def run(settings: BenchSettings) -> dict[str, Any]:
+def run_benchmark(settings: BenchSettings) -> dict[str, Any]:
     """Measure everything and return the report that --out writes: machine, rows and samples."""
     report: dict[str, Any] = {"machine": machine(), "settings": {**asdict(settings), "out": str(settings.out or "")}}
     rows: list[Row] = []
@@ -111,7 +111,7 @@ def run(settings: BenchSettings) -> dict[str, Any]:
     report |= {"rows": [asdict(row) for row in rows], "samples": samples}
     if settings.out is not None:
         settings.out.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(settings.out, json.dumps(report, indent=2) + "\n")
+        write_atomically(settings.out, json.dumps(report, indent=2) + "\n")
     return report
 
 
@@ -121,24 +121,24 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
     seed = settings.seed
     steps = settings.steps
     loads: dict[str, Load] = {
-        "reference": ReferenceFloor(matches, seed),
-        "random floor": OwnFloor(league, None, matches, 1, seed),
+        "reference": ReferencePhysicsLoad(matches, seed),
+        "random floor": OwnPhysicsLoad(league, None, matches, 1, seed),
         "random": CoreLoad(league, None, matches, 1, seed),
         "random, 2 threads": CoreLoad(league, None, matches, 2, seed),
         "senses": SensesLoad(league, None, matches, 1, seed),
         "particles": ParticlesLoad(league, None, matches, 1, seed),
-        "chaser floor": OwnFloor(league, "chaser", matches, 1, seed),
+        "chaser floor": OwnPhysicsLoad(league, "chaser", matches, 1, seed),
         "chaser": CoreLoad(league, "chaser", matches, 1, seed),
         "chaser, 2 threads": CoreLoad(league, "chaser", matches, 2, seed),
     }
-    return interleaved({name: partial(load.sample, steps) for name, load in loads.items()}, settings.repetitions)
+    return interleave_samples({name: partial(load.sample, steps) for name, load in loads.items()}, settings.repetitions)
 
 
 def measure_apis(league: str, settings: BenchSettings) -> Samples:
     """Return the samples [s] of a step and of a reset of the PettingZoo API, and of a branch of a match."""
     step, reset = ApiLoad(league, settings.seed), ResetLoad(league, settings.seed)
     belief, branch = ApiLoad(league, settings.seed, observe="belief"), BranchLoad(league, settings.seed)
-    return interleaved(
+    return interleave_samples(
         {
             "step": partial(step.sample, 1000),
             "belief": partial(belief.sample, 1000),
@@ -160,12 +160,16 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
     rate = find_league(league).control_rate
     for name in ("reference", "random floor", "chaser floor"):
         yield Row(f"{league}: bare physics, {name}", median(samples[name]), f"{1e6 * median(samples[name]):.2f} us")
-    yield at_most(f"{league}: random over its own scene", ratio(samples, "random", "random floor"), "", OWN_RATIO)
+    yield row_with_maximum(
+        f"{league}: random over its own scene", ratio(samples, "random", "random floor"), "", OWN_RATIO
+    )
     limit = REFERENCE_RATIO[league]
-    yield at_most(f"{league}: random over the reference", ratio(samples, "random", "reference"), "", limit)
-    yield at_most(f"{league}: sensors and beliefs over the truth", ratio(samples, "senses", "random"), "", SENSES_RATIO)
+    yield row_with_maximum(f"{league}: random over the reference", ratio(samples, "random", "reference"), "", limit)
+    yield row_with_maximum(
+        f"{league}: sensors and beliefs over the truth", ratio(samples, "senses", "random"), "", SENSES_RATIO
+    )
     cost = ratio(samples, "particles", "senses")
-    yield at_most(f"{league}: particle filters over a given pose", cost, "", PARTICLES_RATIO)
+    yield row_with_maximum(f"{league}: particle filters over a given pose", cost, "", PARTICLES_RATIO)
     for load in ("senses", "particles"):
         speed = 1 / median(samples[load])
         yield Row(f"{league}: {load}", speed, f"{speed:,.0f} match steps/s ({speed / rate:,.0f} simulated s/s)")
@@ -173,28 +177,28 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
         speed, double = 1 / median(samples[load]), 1 / median(samples[f"{load}, 2 threads"])
         unit = f"match steps/s ({speed / rate:,.0f} simulated s/s)"
         if load == "chaser":
-            yield at_least(f"{league}: chaser against chaser", speed, unit, CHASER_SPEED[league])
+            yield row_with_minimum(f"{league}: chaser against chaser", speed, unit, CHASER_SPEED[league])
             own = ratio(samples, "chaser", "chaser floor")
             yield Row(f"{league}: chaser over its own scene", own, f"{own:.3g}")
         else:
             yield Row(f"{league}: random", speed, f"{speed:,.0f} {unit}")
         gain = ratio(samples, load, f"{load}, 2 threads")
         unit = f"({double:,.0f} match steps/s)"
-        yield at_least(f"{league}: {load}, two threads over one", gain, unit, THREADS_RATIO)
+        yield row_with_minimum(f"{league}: {load}, two threads over one", gain, unit, THREADS_RATIO)
 
 
 def api_rows(league: str, samples: Samples) -> Iterator[Row]:
     """Yield the PettingZoo API's speed and the memory of a match in one league."""
-    yield at_least(f"{league}: parallel_env.step", 1 / median(samples["step"]), "steps/s", API_SPEED)
+    yield row_with_minimum(f"{league}: parallel_env.step", 1 / median(samples["step"]), "steps/s", API_SPEED)
     belief = 1 / median(samples["belief"])
-    yield at_least(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_API_SPEED)
-    yield at_most(f"{league}: parallel_env.reset", median(samples["reset"]), "ms", RESET_TIME, 1e3)
+    yield row_with_minimum(f"{league}: parallel_env.step, observe belief", belief, "steps/s", BELIEF_API_SPEED)
+    yield row_with_maximum(f"{league}: parallel_env.reset", median(samples["reset"]), "ms", RESET_TIME, 1e3)
     for load, name in (("branch", "a branch of a sensing match"), ("branches", "the same, into 64 matches at once")):
-        yield at_most(f"{league}: {name}", median(samples[load]), "ms", BRANCH_TIME, 1e3)
+        yield row_with_maximum(f"{league}: {name}", median(samples[load]), "ms", BRANCH_TIME, 1e3)
     name = f"{league}: memory of a match outside Chipmunk"
-    yield at_most(name, record_bytes(league), "KiB", RECORD_BYTES, 1 / 1024)
+    yield row_with_maximum(name, record_bytes(league), "KiB", RECORD_BYTES, 1 / 1024)
     for pose, limit in SENSES_BYTES.items():
-        yield at_most(f"{name}, sensing ({pose})", record_bytes(league, pose), "KiB", limit, 1 / 1024)
+        yield row_with_maximum(f"{name}, sensing ({pose})", record_bytes(league, pose), "KiB", limit, 1 / 1024)
     wrappers = wrapper_bytes(league)
     yield Row(f"{league}: pymunk's Python objects of a match", wrappers, f"{wrappers / 1024:.3g} KiB")
 
@@ -203,10 +207,10 @@ def plan_rows(settings: BenchSettings) -> Iterator[Row]:
     """Yield the times of the middle-size planner."""
     passes, plans = PlanLoad(settings.seed).sample(200 if settings.quick else 1000)
     where = "over 5 m past nine obstacles"
-    yield at_most(f"planner: one backward pass {where}", median(passes), "us", PASS_TIME, 1e6)
-    yield at_most(f"planner: one plan {where}", median(plans), "us", PLAN_TIME, 1e6)
+    yield row_with_maximum(f"planner: one backward pass {where}", median(passes), "us", PASS_TIME, 1e6)
+    yield row_with_maximum(f"planner: one plan {where}", median(plans), "us", PLAN_TIME, 1e6)
     slowest = sorted(plans)[round(0.99 * (len(plans) - 1))]
-    yield at_most(f"planner: one plan {where}, 99 % are faster", slowest, "us", PLAN_TIME_99, 1e6)
+    yield row_with_maximum(f"planner: one plan {where}, 99 % are faster", slowest, "us", PLAN_TIME_99, 1e6)
 
 
 def team_rows(settings: BenchSettings) -> Iterator[Row]:
@@ -214,9 +218,9 @@ def team_rows(settings: BenchSettings) -> Iterator[Row]:
     load = TeamLoad(settings.seed)
     tries = 3 if settings.quick else 9
     decision = median(load.decide(20) for _ in range(tries))
-    yield at_most("heinemann-2006: a robot's decision", decision, "us", TEAM_TIME, 1e6)
+    yield row_with_maximum("heinemann-2006: a robot's decision", decision, "us", TEAM_TIME, 1e6)
     speed = 1 / median(load.run(25) for _ in range(tries))
-    yield at_least("heinemann-2006: 5 v 5 by sensors and particles", speed, "match steps/s", TEAM_SPEED)
+    yield row_with_minimum("heinemann-2006: 5 v 5 by sensors and particles", speed, "match steps/s", TEAM_SPEED)
 
 
 def picture_rows(settings: BenchSettings) -> Iterator[Row]:
@@ -228,18 +232,18 @@ def picture_rows(settings: BenchSettings) -> Iterator[Row]:
         except ImportError:
             return
         plain = median(load.sample(frames, False))
-        yield at_most(f"{league}: a picture, 960 px wide", plain, "ms", PICTURE_TIME, 1e3)
+        yield row_with_maximum(f"{league}: a picture, 960 px wide", plain, "ms", PICTURE_TIME, 1e3)
         over = median(load.sample(frames, True))
-        yield at_most(f"{league}: the same with belief, trail and roles", over, "ms", PICTURE_TIME, 1e3)
+        yield row_with_maximum(f"{league}: the same with belief, trail and roles", over, "ms", PICTURE_TIME, 1e3)
 
 
 def start_rows(settings: BenchSettings) -> Iterator[Row]:
     """Yield the start-up times."""
     for name, program in START_TIMES.items():
-        yield at_most(name, start_time(program, 3 if settings.quick else 7), "s", START_LIMITS[name])
+        yield row_with_maximum(name, process_start_time(program, 3 if settings.quick else 7), "s", START_LIMITS[name])
     if not settings.quick:
-        cold = start_time(START_TIMES["start of an evaluation"], 1, cold=True)
-        yield at_most("the same with an empty cache", cold, "s", COLD_LIMIT)
+        cold = process_start_time(START_TIMES["start of an evaluation"], 1, cold=True)
+        yield row_with_maximum("the same with an empty cache", cold, "s", COLD_LIMIT)
 
 
 def machine() -> dict[str, str]:

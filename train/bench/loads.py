@@ -17,9 +17,9 @@ from soccer_env.physics.engine.reference import (
     REFERENCE_DISCS,
     REFERENCE_DT,
     REFERENCE_SUBSTEPS,
-    bare_slice,
     read_slice,
     reference_space,
+    step_bare_slice,
     write_slice,
 )
 from soccer_env.physics.engine.space_batch import SpaceBatch
@@ -105,12 +105,12 @@ class BareMatch(Match):
         links = self.batch.physics.links
         write_slice(links, first, last)
         start = perf_counter()
-        bare_slice(links, substeps, dt, first, last)
+        step_bare_slice(links, substeps, dt, first, last)
         self.bare += perf_counter() - start
         read_slice(links, first, last)
 
 
-class OwnFloor(CoreLoad):
+class OwnPhysicsLoad(CoreLoad):
     """Time cpSpaceStep alone, in the league's own Spaces, with the play and the substeps of the core."""
 
     kind = BareMatch
@@ -123,7 +123,7 @@ class OwnFloor(CoreLoad):
         return (self.match.bare - before) / (steps * self.match.count)
 
 
-class ReferenceFloor:
+class ReferencePhysicsLoad:
     """Time cpSpaceStep alone in a fixed scene, the same for every league: 6 discs, a ball, 7 wall segments."""
 
     def __init__(self, matches: int, seed: int) -> None:
@@ -144,7 +144,7 @@ class ReferenceFloor:
             write_slice(self.batch.links, 0, matches)
             start = perf_counter()
             for _ in range(REFERENCE_STEPS):
-                bare_slice(self.batch.links, self.substeps, REFERENCE_DT, 0, matches)
+                step_bare_slice(self.batch.links, self.substeps, REFERENCE_DT, 0, matches)
             spent += perf_counter() - start
         return spent / (rounds * REFERENCE_STEPS * matches)
 

@@ -59,9 +59,9 @@ class PlanLoad:
         return passes, plans
 
     def _pass(self, places: tuple[float, float, float, float], others: np.ndarray) -> float:
-        begin(*places, *self.parts)
+        initialise_plan(*places, *self.parts)
         start = perf_counter()
-        walk_back(others, *self.parts)
+        run_backward_pass(others, *self.parts)
         return perf_counter() - start
 
     def _plan(self, places: tuple[float, float, float, float], others: np.ndarray) -> float:
@@ -105,13 +105,13 @@ class TeamLoad:
 
 
 @compiled
-def begin(x, y, to_x, to_y, settings, scratch, plans):
+def initialise_plan(x, y, to_x, to_y, settings, scratch, plans):
     """Initialise the plan in `plans[0]`, from (x, y) to (to_x, to_y)."""
     begin_plan(x, y, to_x, to_y, 1, settings[0], scratch[0], plans[0])
 
 
 @compiled
-def walk_back(others, settings, scratch, plans):
+def run_backward_pass(others, settings, scratch, plans):
     """Run one backward pass of the planner, with T the time of the straight line."""
     plan_pass(plans[0].least_time, others, settings[0], scratch[0], plans[0])
 

@@ -30,7 +30,7 @@ Sampler = Callable[[], float]  # returns the seconds of one step
 Makers = Mapping[str, Callable[[int, int], Sampler]]  # from how many matches and steps
 
 
-def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int) -> Sampler:
+def core_timer(league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int) -> Sampler:
     """Return a function that times the batched core [s per match step]: random actions, or a team against itself."""
     from soccer_env import Match
 
@@ -57,7 +57,7 @@ def of_core(league: str, team: str | None, settings: Mapping[str, Any], matches:
     return sample
 
 
-def of_saves(league: str, matches: int, steps: int) -> Sampler:
+def save_timer(league: str, matches: int, steps: int) -> Sampler:
     """Return a function that times a save and a load of a running match with sensors [s for both, per match]."""
     from soccer_env import Match
 
@@ -72,7 +72,7 @@ def of_saves(league: str, matches: int, steps: int) -> Sampler:
     return sample
 
 
-def of_branches(league: str, matches: int, steps: int) -> Sampler:
+def branch_timer(league: str, matches: int, steps: int) -> Sampler:
     """Return a function that times a branch of a running match with sensors into one of 64 matches [s]."""
     from soccer_env import Match
 
@@ -90,7 +90,7 @@ def of_branches(league: str, matches: int, steps: int) -> Sampler:
     return sample
 
 
-def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
+def api_timer(league: str, resets: bool, matches: int, steps: int) -> Sampler:
     """Return a function that times `parallel_env.step`, or a reset after a step of play [s each]."""
     from soccer_env import soccer_v0
 
@@ -126,7 +126,7 @@ def of_api(league: str, resets: bool, matches: int, steps: int) -> Sampler:
     return sample_resets if resets else sample_steps
 
 
-def of_import(matches: int, steps: int) -> Sampler:
+def import_timer(matches: int, steps: int) -> Sampler:
     """Return a function that times `import soccer_env` in a new process [s]."""
 
     def sample() -> float:
@@ -149,19 +149,19 @@ def children_time() -> float:
 
 
 ROWS: Makers = {
-    "import soccer_env": of_import,
+    "import soccer_env": import_timer,
     **{
         f"{league}: {name}": maker
         for league in LEAGUES
         for name, maker in {
-            "random, ideal": partial(of_core, league, None, IDEAL),
-            "random, observe belief": partial(of_core, league, None, SENSING),
-            "chaser v chaser, ideal": partial(of_core, league, "chaser", IDEAL),
-            "chaser v chaser, sensors": partial(of_core, league, "chaser", {"senses": "sensors"}),
-            "save and load": partial(of_saves, league),
-            "branch": partial(of_branches, league),
-            "parallel_env.step": partial(of_api, league, False),
-            "parallel_env.reset": partial(of_api, league, True),
+            "random, ideal": partial(core_timer, league, None, IDEAL),
+            "random, observe belief": partial(core_timer, league, None, SENSING),
+            "chaser v chaser, ideal": partial(core_timer, league, "chaser", IDEAL),
+            "chaser v chaser, sensors": partial(core_timer, league, "chaser", {"senses": "sensors"}),
+            "save and load": partial(save_timer, league),
+            "branch": partial(branch_timer, league),
+            "parallel_env.step": partial(api_timer, league, False),
+            "parallel_env.reset": partial(api_timer, league, True),
         }.items()
     },
 }

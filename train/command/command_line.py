@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from soccer_env.guards.names import unknown
 from soccer_env.train.command.exit_codes import BELOW, STOPPED, WRONG
-from soccer_env.train.command.interrupts import swallowed_interrupts_again
+from soccer_env.train.command.interrupts import repeat_swallowed_interrupts
 from soccer_env.train.command.match_commands import recheck_sample, run_export, run_record, run_replay, run_watch
-from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, taken_out
+from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, take_out_flag
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -57,10 +57,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"soccer_env {__version__}")
         return 0
     if name.partition("=")[0] in COMPLETION:
-        return guarded(run_completion, words)
+        return run_guarded(run_completion, words)
     if name not in COMMANDS:
         return complain(unknown("command", name, COMMANDS))
-    return guarded(COMMANDS[name], rest)
+    return run_guarded(COMMANDS[name], rest)
 
 
 def help_text() -> str:
@@ -77,10 +77,10 @@ def help_text() -> str:
     )
 
 
-def guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
+def run_guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
     """Run a command and return its exit code; report a user's mistake in one line on stderr."""
     try:
-        with swallowed_interrupts_again():
+        with repeat_swallowed_interrupts():
             return command(words)
     except KeyboardInterrupt:
         print("stopped; finished matches are kept in --out, if it was given", file=sys.stderr)
@@ -145,32 +145,32 @@ def run_evaluate(words: list[str]) -> int:
     settings = read_settings(EvaluateSettings, words, "evaluate")
     if settings.recheck is not None:
         return recheck_sample(settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")})
-    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.command.compiling_beside import compile_step_beside
     from soccer_env.train.evaluate.evaluation import evaluate
     from soccer_env.train.evaluate.report import screen_tables
 
-    with step_compiled_beside():
+    with compile_step_beside():
         result = evaluate(settings)
     if settings.json:
         print_json(result.as_dict())
     else:
         for table in screen_tables(result):
             console().print(table)
-        say_written(settings.out, "result.json", "report.md", "report.html", "match.png")
-        say_kept(settings.out)
+        print_written_files(settings.out, "result.json", "report.md", "report.html", "match.png")
+        print_kept_replays(settings.out)
     if settings.at_least is not None and result.points.mean < settings.at_least:
         print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
         return BELOW
     return 0
 
 
-def say_written(folder: Path | None, *names: str) -> None:
+def print_written_files(folder: Path | None, *names: str) -> None:
     """Print the paths of the files in `names` that exist in a folder."""
     if folder is not None:
         print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
 
 
-def say_kept(folder: Path | None) -> None:
+def print_kept_replays(folder: Path | None) -> None:
     """Print the number and size of the replays that a folder keeps."""
     from soccer_env.train.evaluate.replays import kept_in
     from soccer_env.train.evaluate.replays.page_section import summary
@@ -206,7 +206,7 @@ def run_bench(words: list[str]) -> int:
     from soccer_env.train.bench import against, benchmark
 
     chosen = benchmark if settings.against is None else against
-    report = chosen.run(settings)
+    report = (benchmark.run_benchmark if settings.against is None else against.compare_checkouts)(settings)
     if settings.json:
         print_json(report)
     else:
@@ -227,7 +227,7 @@ def run_reproduce(words: list[str]) -> int:
         print_json([result.as_dict() for result in results])
         return 0
     console().print(*screen_parts(results, in_full=not settings.all), sep="\n")
-    say_written(settings.out, "report.md", "report.html", "results.json")
+    print_written_files(settings.out, "report.md", "report.html", "results.json")
     return 0
 
 
@@ -238,13 +238,13 @@ def run_train(words: list[str]) -> int:
     from soccer_env.train.ppo.settings import TrainSettings
     from soccer_env.train.ppo.toml_file import settings_of
 
-    config, rest = taken_out(words, "--config")
+    config, rest = take_out_flag(words, "--config")
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
-    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.command.compiling_beside import compile_step_beside
 
     train, reports = training_parts()
     try:
-        with step_compiled_beside():
+        with compile_step_beside():
             result = train(settings)
     except KeyboardInterrupt:
         command = "the same command without --anew" if settings.anew else "the same command"
@@ -256,9 +256,9 @@ def run_train(words: list[str]) -> int:
         advice = f"once this is fixed, the same command continues the run in {settings.out}"
         raise ValueError(f"{error}; {advice}") from error
     console().print(reports.screen_table(result))
-    print(reports.best_line(result))
-    say_written(settings.out, "best.safetensors", "learning_curve.png", "report.html")
-    say_kept(settings.out)
+    print(reports.best_evaluation_sentence(result))
+    print_written_files(settings.out, "best.safetensors", "learning_curve.png", "report.html")
+    print_kept_replays(settings.out)
     return 0
 
 

@@ -13,14 +13,14 @@ from contextlib import contextmanager
 import numpy as np
 
 from soccer_env.compiled import config
-from soccer_env.compiling.cache import is_kept
+from soccer_env.compiling.cache import is_cached
 from soccer_env.match.step import step_slice
 
 
 @contextmanager
-def step_compiled_beside() -> Iterator[None]:
+def compile_step_beside() -> Iterator[None]:
     """Run the second process during a `with` block, if the cache lacks the code for a step of a match."""
-    if config.DISABLE_JIT or not sys.executable or cores() < 2 or is_kept(step_slice):
+    if config.DISABLE_JIT or not sys.executable or cores() < 2 or is_cached(step_slice):
         yield
         return
     silent = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}

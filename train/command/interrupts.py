@@ -11,7 +11,7 @@ AGAIN = 0.05  # [s] after which a swallowed Ctrl-C is sent again
 
 
 @contextlib.contextmanager
-def swallowed_interrupts_again() -> Iterator[None]:
+def repeat_swallowed_interrupts() -> Iterator[None]:
     """Repeat Ctrl-C if Python swallows the interrupt: destructors and callbacks of weak references cannot raise."""
     timers: list[threading.Timer] = []
     usual = sys.unraisablehook

@@ -15,7 +15,7 @@ LEFT_OUT = "unset"  # the default that the help shows
 
 
 @REGISTRY.primitive_rule
-def without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | None:
+def parser_without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | None:
     """Return the parser for a type such as `float | None`: that of float, None shown as unset; None for other types."""
     kinds = tuple(kind for kind in get_args(info.type) if kind is not type(None))
     if len(kinds) == len(get_args(info.type)):

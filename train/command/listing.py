@@ -108,11 +108,11 @@ def leagues() -> Iterator[Table]:
 
 def teams() -> Iterator[Table]:
     """Yield the table of teams, with the families of leagues that each team can play in."""
-    from soccer_env.teams import NAMES, make_team, registered
-    from soccer_env.teams.explaining import what_it_is
+    from soccer_env.teams import NAMES, make_team, registered_teams
+    from soccer_env.teams.explaining import team_description
 
     rows = []
-    for name, where in registered().items():
+    for name, where in registered_teams().items():
         if name not in NAMES:  # to describe it would import, and so run, its package
             rows.append((name, "", "from an installed package, which is imported when the team is used", where))
             continue
@@ -120,7 +120,7 @@ def teams() -> Iterator[Table]:
             played = ", ".join(getattr(make_team(name), "families", ())) or "all"
         except (ImportError, AttributeError) as error:
             played = f"cannot be loaded: {error}"
-        rows.append((name, played, what_it_is(where), where))
+        rows.append((name, played, team_description(where), where))
     title = "Teams: NAME, NAME@0.5 for half its strength, NAME:switch=value,... (see `soccer list settings`)"
     yield Table(title, ("name", "family", "what it is", "made by"), rows)
 
@@ -174,24 +174,24 @@ def observations(league: str, observe: str) -> Iterator[Table]:
     """Yield the table of the numbers in one robot's observation."""
     from soccer_env.leagues import find_league
     from soccer_env.observations import layout
-    from soccer_env.observations.scales import in_numbers
+    from soccer_env.observations.scales import scale_in_numbers
 
     named = find_league(league)
     entries = layout(named, observe)
     title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
     rows = [
-        (f"{index}", x.name, x.meaning, x.scale, in_numbers(x, named), frame_of(x), changed_by_mirror(x))
+        (f"{index}", x.name, x.meaning, x.scale, scale_in_numbers(x, named), frame_of(x), mirror_effect(x))
         for index, x in enumerate(entries)
     ]
     yield Table(title, ("", "name", "meaning", "of", "1 is", "frame", "mirror changes"), rows)
 
 
 def frame_of(entry: Entry) -> str:
-    """Return the frame and axis of an entry, for a table."""
+    """Return the frame of coordinates and the axis of an entry of the observations, for a table."""
     return "" if entry.frame in (None, "none") else f"{entry.frame} {entry.axis}".strip()
 
 
-def changed_by_mirror(entry: Entry) -> str:
+def mirror_effect(entry: Entry) -> str:
     """Return the effect of a left-right mirror on an entry, for a table: a change of sign or of place, or nothing."""
     return {1: "", -1: "sign", None: "place"}[entry.mirror]
 
@@ -210,20 +210,20 @@ def sensors(league: str) -> Iterator[Table]:
 def rules(league: str) -> Iterator[Table]:
     """Yield the table of the rules of a league, with the value of each rule in each rule set."""
     from soccer_env.leagues import find_league
-    from soccer_env.leagues.options import notes_of
+    from soccer_env.leagues.options import field_comments
     from soccer_env.leagues.rules import SETS, Rules, rule_set
 
     sets = [rule_set(find_league(league).rules, name) for name in SETS]
-    notes = notes_of(Rules)
+    notes = field_comments(Rules)
     rows = [
-        (item.name, *(in_set(getattr(rules, item.name)) for rules in sets), notes.get(item.name, ""))
+        (item.name, *(rule_in_words(getattr(rules, item.name)) for rules in sets), notes.get(item.name, ""))
         for item in fields(Rules)
         if item.name != "name"
     ]
     yield Table(f"Rules of {league}; changed by rules=SET:rule=value,...", ("rule", *SETS, "unit and meaning"), rows)
 
 
-def in_set(value: bool | float) -> str:
+def rule_in_words(value: bool | float) -> str:
     """Return the value of a rule in words, for a table."""
     from soccer_env.leagues.rules import NEVER
 

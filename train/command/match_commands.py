@@ -22,10 +22,10 @@ def run_record(words: list[str]) -> int:
 
     settings = read_settings(RecordSettings, words, "record")
     from soccer_env.leagues import find_league
-    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.command.compiling_beside import compile_step_beside
     from soccer_env.train.evaluate.recording import record_with_outcome
 
-    with step_compiled_beside():
+    with compile_step_beside():
         replay, outcome = record_with_outcome(settings)
     minutes = len(replay) / find_league(settings.league).control_rate / 60.0
     rate = settings.out.stat().st_size / 1e3 / max(minutes, 1e-9)
@@ -40,9 +40,9 @@ def run_replay(words: list[str]) -> int:
     from soccer_env.train.evaluate.play_settings import ReplaySettings
 
     settings = read_settings(ReplaySettings, words, "replay")
-    from soccer_env.train.evaluate.recording import play_again
+    from soccer_env.train.evaluate.recording import check_replay
 
-    print(f"{settings.file}: {play_again(settings.file)} control steps agree")
+    print(f"{settings.file}: {check_replay(settings.file)} control steps agree")
     return 0
 
 
@@ -58,7 +58,7 @@ def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
             seed=settings.seed if "seed" in said else None,
             threads=settings.threads,
             where={name: getattr(settings, name) for name in ("home", "away", "league", "scene") if name in said},
-            tell=None if settings.json else say_pair,
+            tell=None if settings.json else print_pair,
         )
     except KeyboardInterrupt:
         print("stopped; no file was changed", file=sys.stderr)
@@ -66,11 +66,11 @@ def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
     if settings.json:
         print(json.dumps(result.as_dict(), indent=2))
     else:
-        say_checked(result)
+        print_recheck_result(result)
     return 0 if result.agrees else BELOW
 
 
-def say_pair(pair: int, differences: list[Difference]) -> None:
+def print_pair(pair: int, differences: list[Difference]) -> None:
     """Print the result of a replayed pair."""
     print(f"pair {pair}, matches {2 * pair} and {2 * pair + 1}: {'differs' if differences else 'agrees'}")
     for difference in differences[:SHOWN]:
@@ -80,7 +80,7 @@ def say_pair(pair: int, differences: list[Difference]) -> None:
     sys.stdout.flush()
 
 
-def say_checked(result: RecheckResult) -> None:
+def print_recheck_result(result: RecheckResult) -> None:
     """Print the result of all replayed pairs, and the command that draws the same sample again."""
     played, differing = len(result.pairs), len(result.differing)
     drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
@@ -112,9 +112,9 @@ def run_watch(words: list[str]) -> int:
     from soccer_env.train.command.watching.settings import WatchSettings
 
     settings = read_settings(WatchSettings, words, "watch")
-    from soccer_env.train.command.compiling_beside import step_compiled_beside
+    from soccer_env.train.command.compiling_beside import compile_step_beside
     from soccer_env.train.command.watching.watching import watch
 
-    with step_compiled_beside():
+    with compile_step_beside():
         watch(settings)
     return 0

@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, Union
 
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 from soccer_env.guards.names import unknown
 
 T = TypeVar("T")
@@ -40,19 +40,19 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
     from soccer_env.train.command.left_out import REGISTRY
 
     def refuse(event: Any) -> None:
-        raise ValueError(f"{in_words(event, kind, words, default is not None)} (see soccer {name} --help)")
+        raise ValueError(f"{describe_error(event, kind, words, default is not None)} (see soccer {name} --help)")
 
     more: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)} if default is None else {"default": default}
     read: Any = partial(tyro.cli, kind, args=["--help"], prog=f"soccer {name}", registry=REGISTRY, **more)
     if {"-h", "--help"} & {*words}:
-        print(first_options(printed(read), getattr(kind, "BASIC", ""), name))
+        print(cut_help_text(capture_printed_text(read), getattr(kind, "BASIC", ""), name))
         raise SystemExit(0)
     with _errors.on_parse_error(refuse):
         settings: T = read(args=["--help"] if ALL_OPTIONS in words else words)
         return settings
 
 
-def printed(show: Callable[[], Any]) -> str:
+def capture_printed_text(show: Callable[[], Any]) -> str:
     """Return the text that `show` prints before it exits with SystemExit."""
     content = io.BytesIO()
     text = io.TextIOWrapper(content, encoding=getattr(sys.stdout, "encoding", None) or "utf-8")  # decides on boxes
@@ -62,7 +62,7 @@ def printed(show: Callable[[], Any]) -> str:
     return content.getvalue().decode(text.encoding).rstrip("\n")
 
 
-def first_options(text: str, last: str, name: str) -> str:
+def cut_help_text(text: str, last: str, name: str) -> str:
     """Cut the help text of a command after the option `last` and add the number of further options; "": no cut."""
     lines = text.splitlines()
     options = [at for at, line in enumerate(lines) if re.match("[│ ] -", line)]
@@ -73,33 +73,33 @@ def first_options(text: str, last: str, name: str) -> str:
     return "\n".join([*lines[: options[at]], lines[-1], more])
 
 
-def in_words(event: Any, kind: type, words: list[str], pairs: bool) -> str:
+def describe_error(event: Any, kind: type, words: list[str], pairs: bool) -> str:
     """Return the message for tyro's record of an error; for an unknown kind of record, the name of the kind."""
     record = type(event).__name__
     if record == "UnrecognizedArgs":
-        return unknown_word(event.tokens[0], kind, pairs)
+        return unknown_word_message(event.tokens[0], kind, pairs)
     if record == "MissingArgs":
-        missing = [name_of(item.arg) for item in event.missing_arguments]
+        missing = [argument_name(item.arg) for item in event.missing_arguments]
         return f"{', '.join(missing)} must be given"
     argument = getattr(event, "argument", None)
-    flag = "" if argument is None else name_of(argument)
+    flag = "" if argument is None else argument_name(argument)
     if record == "InvalidChoice":
         return unknown(flag, event.value, event.choices)
     if record == "BadValue":
         return f"{flag} needs a value" if event.offending_value is None else f"{flag} takes no value"
     if record == "InstantiationFailure":
-        return wrong_value(flag, kind, words) or f"{flag}: {event.message}".removeprefix(": ")
+        return wrong_value_message(flag, kind, words) or f"{flag}: {event.message}".removeprefix(": ")
     return f"the words of this command cannot be read ({record})"
 
 
-def name_of(argument: Any) -> str:
+def argument_name(argument: Any) -> str:
     """Return the name by which the help shows an argument: its longest flag, or for a positional argument its name."""
     flags: tuple[str, ...] = argument.lowered.name_or_flags
     name = max(flags, key=len, default="")
     return name if name.startswith("-") else str(argument.field.intern_name).upper()
 
 
-def unknown_word(word: str, kind: type, pairs: bool) -> str:
+def unknown_word_message(word: str, kind: type, pairs: bool) -> str:
     """Return the error message for a word that belongs to no option."""
     flags = flags_of(kind, pairs)
     if word.startswith("-"):
@@ -118,7 +118,7 @@ def flags_of(kind: Any, pairs: bool) -> list[str]:
     return flags
 
 
-def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
+def wrong_value_message(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
     """Return the message of the ValueError that the settings raise for the value of a flag, "" if they accept it."""
     at = [index for index, word in enumerate(words) if word.partition("=")[0] == flag]
     if not flag or not at:
@@ -126,15 +126,17 @@ def wrong_value(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
     value = words[at[-1]].partition("=")[2] or "".join(words[at[-1] + 1 : at[-1] + 2])
     name = flag.removeprefix("--").replace("-", "_")
     try:
-        kind(**{**required(kind), name: value})
+        kind(**{**required_placeholders(kind), name: value})
     except ValueError as error:
-        return f"{error}".replace(name, flag, 1) if f"{error}".startswith(name) else f"{flag} {brief(value)}: {error}"
+        return (
+            f"{error}".replace(name, flag, 1) if f"{error}".startswith(name) else f"{flag} {short_repr(value)}: {error}"
+        )
     except TypeError:  # settings that cannot be made from one value alone
         pass
     return ""
 
 
-def required(kind: Any) -> dict[str, Path]:
+def required_placeholders(kind: Any) -> dict[str, Path]:
     """Return a placeholder for each required field of a settings dataclass: an empty path, as all of them are paths."""
     defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
     return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
@@ -163,16 +165,16 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     script = io.StringIO()
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
         tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config, registry=REGISTRY)
-    text = on_one_line(script.getvalue())
-    return ready_to_source(text) if shell == "zsh" else text
+    text = flatten_descriptions(script.getvalue())
+    return make_sourceable(text) if shell == "zsh" else text
 
 
-def ready_to_source(script: str) -> str:
+def make_sourceable(script: str) -> str:
     """Change tyro's zsh script so that it can also be sourced: unchanged it works only as a file of $fpath."""
     return re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, script, flags=re.MULTILINE)
 
 
-def on_one_line(script: str) -> str:
+def flatten_descriptions(script: str) -> str:
     """Put each description in a completion script on one line, because shells take each line for a completion."""
     lines = script.splitlines()
     for at, line in enumerate(lines):
@@ -181,7 +183,7 @@ def on_one_line(script: str) -> str:
     return "\n".join(lines)
 
 
-def taken_out(words: list[str], flag: str) -> tuple[str, list[str]]:
+def take_out_flag(words: list[str], flag: str) -> tuple[str, list[str]]:
     """Return the value of a flag ("" if it is absent) and the remaining words; ValueError if the value is missing."""
     for at, word in enumerate(words):
         if word.startswith(flag + "="):

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env import Match, make_team
-from soccer_env.compiling.cache import COMPILED, folders
+from soccer_env.compiling.cache import COMPILED, cache_folders
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.scenes import SCENES
 from soccer_env.teams import NAMES
@@ -53,9 +53,9 @@ class WarmUpSettings(CommandSettings):
 
 
 def warm_up(settings: WarmUpSettings) -> str:
-    """Play every part of `parts_of` once; return a summary of the compiled functions."""
+    """Play every part of `warm_up_parts` once; return a summary of the compiled functions."""
     started, before = time.monotonic(), COMPILED.functions
-    parts = list(parts_of(settings))
+    parts = list(warm_up_parts(settings))
     with Progress("soccer_env: compiling", len(parts)) as progress:
         for name, part in parts:
             progress.note(name)
@@ -63,10 +63,10 @@ def warm_up(settings: WarmUpSettings) -> str:
             progress.advance(1)
     count, seconds = COMPILED.functions - before, time.monotonic() - started
     summary = f"{count} functions compiled in {seconds:.0f} s" if count else "nothing was left to compile"
-    return f"{summary}; the cache is in {folders()[0]}"
+    return f"{summary}; the cache is in {cache_folders()[0]}"
 
 
-def parts_of(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
+def warm_up_parts(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
     """Yield name and work of each part that compiles code of its own."""
     for league in BASE_LEAGUES if settings.league == "all" else (settings.league,):
         for way in WAYS:

@@ -12,17 +12,17 @@ from threading import Event
 import numpy as np
 
 from soccer_env.agents.policy import Policy
-from soccer_env.agents.trained_with import differences
+from soccer_env.agents.trained_with import training_differences
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.random_numbers import seeds_for
 from soccer_env.scenes import find_scene
-from soccer_env.statistics.maps import maps_of
-from soccer_env.teams import CompiledTeam, ObservingTeam, Team, in_module, make_team, registered
+from soccer_env.statistics.maps import maps_of_team
+from soccer_env.teams import CompiledTeam, ObservingTeam, Team, is_module_team, make_team, registered_teams
 from soccer_env.teams.function_teams import FunctionTeam
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings
-from soccer_env.train.evaluate.statistics import line_of_statistics
+from soccer_env.train.evaluate.statistics import match_statistics
 
 BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
 REPORT_EVERY = 50  # steps between two updates of the progress bar
@@ -62,9 +62,9 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
     return Contest(conditions, league, *(find_team(name, teams) for name in (conditions.home, conditions.away)))
 
 
-def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
+def check_training_conditions(contest: Contest, settings: EvaluateSettings) -> None:
     """Raise ValueError for a policy that was trained with other senses or pose, unless the settings choose them."""
-    for side, policy, setting, trained, here in trained_otherwise(contest):
+    for side, policy, setting, trained, here in differing_settings(contest):
         if getattr(settings, setting) is None:
             flag = f"--{setting}"
             so = "" if policy.observe == "truth" else f", {flag} {here} tests it so"
@@ -74,11 +74,11 @@ def check_trained(contest: Contest, settings: EvaluateSettings) -> None:
             )
 
 
-def trained_otherwise(contest: Contest) -> Iterator[tuple[str, Policy, str, str, str]]:
+def differing_settings(contest: Contest) -> Iterator[tuple[str, Policy, str, str, str]]:
     """Yield side, policy, setting, value in training, value here for each setting that differs from the training."""
     conditions = contest.conditions
     for side, team, senses in zip(SIDES, (contest.first, contest.second), conditions.senses, strict=True):
-        for difference in differences(team, senses, conditions.pose):
+        for difference in training_differences(team, senses, conditions.pose):
             yield side, *difference
 
 
@@ -89,8 +89,8 @@ def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
     try:
         made = make_team(name)
     except ModuleNotFoundError as error:
-        raise ValueError(f"team {name!r} cannot be loaded ({error}); known: {', '.join(registered())}") from error
-    own = isinstance(made, (ObservingTeam, FunctionTeam)) or in_module(name)
+        raise ValueError(f"team {name!r} cannot be loaded ({error}); known: {', '.join(registered_teams())}") from error
+    own = isinstance(made, (ObservingTeam, FunctionTeam)) or is_module_team(name)
     return made if own else name  # read a policy once: its file may change meanwhile
 
 
@@ -145,7 +145,7 @@ def play(
     advance: Callable[[float], None], stopped: Event,
 ) -> list[MatchLine]:  # fmt: skip
     """Play a batch to the end, or until `stopped` is set; `advance` gets the number of control steps of all matches."""
-    side = side_of(batch[0])
+    side = first_team_side(batch[0])
     match = contest.start(side, [seeds[number // 2] for number in batch], threads)
     lines: dict[int, MatchLine] = {}
     steps = 0
@@ -164,7 +164,7 @@ def play(
     return [lines[m] for m in sorted(lines)]
 
 
-def side_of(number: int) -> str:
+def first_team_side(number: int) -> str:
     """Return the side on which the first team plays match `number`."""
     return SIDES[number % 2]
 
@@ -178,12 +178,12 @@ def line_of_match(match: Match, m: int, number: int, settings: str) -> MatchLine
         match=number,
         pair=number // 2,
         seed=int(match.seeds[m]),
-        side=side_of(number),
+        side=first_team_side(number),
         goals_for=scored[ours],
         goals_against=scored[1 - ours],
         steps=int(record["step"]),
         state=match.state_hash(m),
         settings=settings,
-        statistics=line_of_statistics(match.statistics[m], ours),
-        maps=maps_of(match.statistics[m], ours, match.settings.rows),
+        statistics=match_statistics(match.statistics[m], ours),
+        maps=maps_of_team(match.statistics[m], ours, match.settings.rows),
     )

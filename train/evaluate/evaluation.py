@@ -17,9 +17,15 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
-from soccer_env.scenes import names_in
+from soccer_env.scenes import scene_names
 from soccer_env.teams import Team
-from soccer_env.train.evaluate.contest import Contest, check_trained, contest_of, play_matches, trained_otherwise
+from soccer_env.train.evaluate.contest import (
+    Contest,
+    check_training_conditions,
+    contest_of,
+    differing_settings,
+    play_matches,
+)
 from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.page import page_of
 from soccer_env.train.evaluate.replays import Keep, keep_replays
@@ -27,7 +33,7 @@ from soccer_env.train.evaluate.report import markdown
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import check_told_apart, made_now, made_with, of_modules
+from soccer_env.train.provenance import check_team_hashes, date_and_commit, made_with, module_hashes
 from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.types import NO_TEAM
 
@@ -49,15 +55,15 @@ def evaluate(
         raise ValueError("recheck is a flag of the command; in Python recheck(folder) of soccer_env.train.evaluate")
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams or {})
-    check_trained(contest, settings)
+    check_training_conditions(contest, settings)
     made = {
         **made_with(league, contest.first, contest.second),
-        **of_modules([settings.league, *names_in(settings.scene)]),
+        **module_hashes([settings.league, *scene_names(settings.scene)]),
     }
     contest.start("home", [0])  # raises an error before the folder is made if the contest cannot be played
     if settings.out is not None:
-        check_told_apart(made)
-    about = {"command": command_of(settings), **made_now()}
+        check_team_hashes(made)
+    about = {"command": command_of(settings), **date_and_commit()}
     folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
     lines = play_missing(contest, folder, settings.threads)
     result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=training_notes(contest))
@@ -74,7 +80,7 @@ def evaluate(
 def training_notes(contest: Contest) -> dict[str, str]:
     """Return, by name of policy, the settings of its training that differ from this contest, in words."""
     notes: dict[str, str] = {}
-    for _, policy, setting, trained, _ in trained_otherwise(contest):
+    for _, policy, setting, trained, _ in differing_settings(contest):
         notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))
     return notes
 

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Iterator
 from dataclasses import fields, replace
 from pathlib import Path
 
-from soccer_env.data_out.collect import Collected, collect
+from soccer_env.data_out.collect import MatchRecording, collect_match
 from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import FILES, write_standard
-from soccer_env.data_out.table_files import paths_of, require, write_tables
-from soccer_env.data_out.tables import tables_of
+from soccer_env.data_out.table_files import require_writer, table_paths, write_tables
+from soccer_env.data_out.tables import match_tables
 from soccer_env.render import save_png
-from soccer_env.render.overlays.flags import OverlayFlags, part_of_flags
+from soccer_env.render.overlays.flags import OverlayFlags, select_flags
 from soccer_env.replay import Replay
 from soccer_env.shows import frame
 from soccer_env.shows.browser import write_page
@@ -36,7 +36,9 @@ def export(settings: ExportSettings) -> str:
         advice = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS else ""
         raise ValueError(f"{must}, got {str(settings.target)!r}{advice}")
     if kind in DATA:
-        check_target(settings.target.with_suffix(".tmp"))  # only the folder above: `check_free` checks NAME.cdf itself
+        check_target(
+            settings.target.with_suffix(".tmp")
+        )  # only the folder above: `check_targets_free` checks NAME.cdf itself
         targets = export_data(settings)
         total = sum(size_of(path) for path in targets)
         return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
@@ -53,7 +55,7 @@ def export_each(settings: ExportSettings) -> str:
     sources = replays_of(settings.file)
     targets = targets_of(settings.target, sources)
     check_target(targets[0])
-    check_free(targets, settings.anew)
+    check_targets_free(targets, settings.anew)
     for source, target in zip(sources.values(), targets, strict=True):
         export_one(replace(settings, file=source, out=target), settings.target.suffix.lower())
     total = sum(target.stat().st_size for target in targets)
@@ -68,7 +70,7 @@ def export_one(settings: ExportSettings, kind: str) -> str:
     rate = replay.make_match().league.control_rate  # this checks its settings, too
     if kind == ".html":
         with Progress(settings.target.name, len(replay)) as bar:
-            write_page(replay, settings.target, settings.anew, bar.advance, part_of_flags(settings))
+            write_page(replay, settings.target, settings.anew, bar.advance, select_flags(settings))
     elif kind == ".png":
         return write_picture(replay, settings)
     else:
@@ -100,19 +102,19 @@ def export_data(settings: ExportSettings) -> list[Path]:
     ValueError for a target that exists (unless `anew`), for a folder without replays, for a file that is no replay.
     """
     kind = settings.target.suffix.lower()
-    require(kind)
+    require_writer(kind)
     sources = replays_of(settings.file)
     if kind in TABLES:
-        targets = list(paths_of(settings.target).values())
+        targets = list(table_paths(settings.target).values())
     elif settings.file.is_dir():
         targets = targets_of(settings.target, sources)
     else:
         targets = [settings.target]
-    check_free(targets, settings.anew)
+    check_targets_free(targets, settings.anew)
     with Progress(settings.target.name, len(sources)) as bar:
-        matches = collected(sources, bar)
+        matches = collect_matches(sources, bar)
         if kind in TABLES:
-            write_tables((tables_of(match) for match in matches), settings.target)
+            write_tables((match_tables(match) for match in matches), settings.target)
         else:
             for match, target in zip(matches, targets, strict=True):
                 (write_sportec if kind == ".xml" else write_standard)(match, target)
@@ -140,14 +142,14 @@ def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
     return list(targets)
 
 
-def collected(sources: dict[str, Path], bar: Progress) -> Iterator[Collected]:
+def collect_matches(sources: dict[str, Path], bar: Progress) -> Iterator[MatchRecording]:
     """Yield the events and frames of each match; each match is played only when the iterator reaches it."""
     for name, path in sources.items():
-        yield collect(Replay.read(path), name)
+        yield collect_match(Replay.read(path), name)
         bar.advance(1)
 
 
-def check_free(targets: list[Path], anew: bool) -> None:
+def check_targets_free(targets: list[Path], anew: bool) -> None:
     """Raise ValueError for a target that exists already; with `anew` only for one of another kind."""
     for target in targets:
         folder = target.suffix.lower() == ".cdf"

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.whole_files import read_plain, write_whole
-from soccer_env.match.settings import plain
+from soccer_env.guards.whole_files import read_regular_file, write_atomically
+from soccer_env.match.settings import to_plain_types
 from soccer_env.replay import Replay
-from soccer_env.statistics.maps import maps_of
+from soccer_env.statistics.maps import maps_of_team
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE
 from soccer_env.train.report import can_draw
 from soccer_env.train.report.pitch_maps import MARKS, Maps, draw_maps
@@ -26,32 +26,32 @@ def export_maps(source: Path, out: Path) -> Path:
     """Draw the maps of a result.json or replay; ValueError for a file without maps, ImportError without matplotlib."""
     if not can_draw():
         raise ImportError('maps need matplotlib: pip install "soccer_env[plot]"')
-    maps = of_result(source) if source.suffix.lower() == ".json" else of_replay(source)
-    write_whole(out, draw_maps(maps, out.suffix.lower()[1:]))
+    maps = maps_from_result(source) if source.suffix.lower() == ".json" else maps_from_replay(source)
+    write_atomically(out, draw_maps(maps, out.suffix.lower()[1:]))
     return out
 
 
-def of_replay(path: Path) -> Maps:
+def maps_from_replay(path: Path) -> Maps:
     """Return the maps of the first match of a replay, from home's side."""
     replay = Replay.read(path)
     for match in replay.play():
         last = match
-    maps = maps_of(last.statistics[0], HOME, last.settings.rows)
-    return checked(maps | {"pitch": plain(last.league.pitch)}, replay.teams)
+    maps = maps_of_team(last.statistics[0], HOME, last.settings.rows)
+    return check_maps(maps | {"pitch": to_plain_types(last.league.pitch)}, replay.teams)
 
 
-def of_result(path: Path) -> Maps:
+def maps_from_result(path: Path) -> Maps:
     """Return the maps of an evaluation from its result.json; ValueError for a file without maps."""
     try:
-        record = json.loads(read_plain(path, LARGEST))
-        return checked(record["maps"], (str(record["home"])[:80], str(record["away"])[:80]))
+        record = json.loads(read_regular_file(path, LARGEST))
+        return check_maps(record["maps"], (str(record["home"])[:80], str(record["away"])[:80]))
     except FileNotFoundError:
         raise
     except Exception as error:  # an untrusted file: anything can be missing or of the wrong type
         raise ValueError(f"{path} is not a result.json with maps: {error!r}"[:300]) from error
 
 
-def checked(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
+def check_maps(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
     """Check the shapes and numbers of maps from a file and return them as Maps; ValueError if they cannot be drawn."""
     heat = {name: array_of(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
     players, passes, shots = {}, {}, {}

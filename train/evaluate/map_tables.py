@@ -21,12 +21,12 @@ def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
     ball = np.array(maps["heat_ball"])
     layers = [(ball, ball[::-1, ::-1]), tuple(np.array(maps[f"heat_{side}"]) for side in SIDES)]
     for what, (first, second) in zip(("ball", "robots"), layers, strict=True):
-        shares = zip(THIRDS, thirds(first), thirds(second), strict=True)
+        shares = zip(THIRDS, share_by_third(first), share_by_third(second), strict=True)
         rows += [(f"{what} {where}", f"{one:.0f} %", f"{other:.0f} %") for where, one, other in shares]
     return rows
 
 
-def thirds(heat: np.ndarray) -> list[float]:
+def share_by_third(heat: np.ndarray) -> list[float]:
     """Return the share [%] of a heat map (16, 24) in each third of the pitch, from the own goal on."""
     total = max(int(heat.sum()), 1)
     return [100.0 * float(part.sum()) / total for part in np.split(heat, 3, axis=1)]

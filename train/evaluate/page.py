@@ -2,11 +2,17 @@
 
 from collections.abc import Callable, Iterator, Sequence
 
-from soccer_env.train.evaluate.map_pictures import checked
+from soccer_env.train.evaluate.map_pictures import check_maps
 from soccer_env.train.evaluate.map_tables import map_rows, pass_rows
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.evaluate.replays.page_section import add_replays
-from soccer_env.train.evaluate.report import PAIRS_SHOWN, conditions_rows, needed, rows, sentence
+from soccer_env.train.evaluate.report import (
+    PAIRS_SHOWN,
+    conditions_rows,
+    needed_matches_sentence,
+    rows,
+    verdict_sentence,
+)
 from soccer_env.train.evaluate.results import EvaluationResult, pair_means
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_bars, draw_curves
@@ -22,10 +28,12 @@ def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept
     """Return the page; `about`: command, date and commit of the evaluation's start."""
     conditions = result.conditions
     page = ReportPage(f"{conditions.home} against {conditions.away}", f"soccer evaluate, {conditions.league}")
-    page.say(sentence(result), strong=True)
+    page.say(verdict_sentence(result), strong=True)
     page.section("Result")
     page.table(("", "value", "95 % interval"), rows(result))
-    page.say(f"Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs. {needed(result)}")
+    page.say(
+        f"Results are {conditions.home}'s; intervals are 95 % bootstraps over pairs. {needed_matches_sentence(result)}"
+    )
     add_figures(page, result)
     add_replays(page, kept)
     head = ("", conditions.home, conditions.away)
@@ -62,7 +70,7 @@ def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, s
         return
     page.section("Where it happened")
     if can_draw() and "pitch" in result.maps:
-        maps = checked(result.maps, (result.conditions.home, result.conditions.away))
+        maps = check_maps(result.maps, (result.conditions.home, result.conditions.away))
         for draw, caption in MAPS:
             page.figure(draw(maps, form="svg"), caption)
     page.table(head, map_rows(result.maps))

@@ -16,13 +16,13 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.checking import brief, whole_number
+from soccer_env.guards.checking import check_whole_number, short_repr
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team
 from soccer_env.train.evaluate.contest import Contest, play_batches
 from soccer_env.train.evaluate.line_checks import check_line
 from soccer_env.train.evaluate.results import MatchLine, summarise
-from soccer_env.train.evaluate.same_contest import Stored, read_folder, same_contest
+from soccer_env.train.evaluate.same_contest import StoredEvaluation, read_folder, rebuild_contest
 from soccer_env.train.evaluate.settings import ALL, PAIRS, Conditions
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import settings_hash
@@ -92,13 +92,13 @@ def recheck(
     without a finished pair, and for a contest that cannot be rebuilt.
     """
     stored = read_folder(Path(folder))
-    contest, made_otherwise = same_contest(stored, where, league, teams)
+    contest, made_otherwise = rebuild_contest(stored, where, league, teams)
     seed = secrets.randbits(32) if seed is None else seed
     drawn = sample(stored.pairs, pairs, seed)
     if not drawn:
         raise ValueError(f"{folder} has no finished pair yet")
     differing = compare(stored, contest, drawn, threads, tell or (lambda pair, differences: None))
-    follows = None if made_otherwise else unlike_result(stored, contest)
+    follows = None if made_otherwise else result_differences(stored, contest)
     return RecheckResult(
         folder=str(folder), asked=stored.conditions["matches"] // 2, finished=len(stored.pairs), seed=seed,
         pairs=tuple(drawn), differences=tuple(differing), result=follows, made_otherwise=tuple(made_otherwise),
@@ -107,13 +107,15 @@ def recheck(
 
 def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
     """Return `count` random pairs, sorted; all pairs if there are fewer."""
-    if count == ALL or whole_number("pairs", count, 1) >= len(pairs):
+    if count == ALL or check_whole_number("pairs", count, 1) >= len(pairs):
         return list(pairs)
     drawn = np.random.default_rng(seed).choice(np.array(pairs), int(count), replace=False)
     return sorted(drawn.tolist())
 
 
-def compare(stored: Stored, contest: Contest, pairs: Sequence[int], threads: int, tell: Tell) -> list[Difference]:
+def compare(
+    stored: StoredEvaluation, contest: Contest, pairs: Sequence[int], threads: int, tell: Tell
+) -> list[Difference]:
     """Play pairs again; return the differences, by match number. `tell` gets each pair after both its matches."""
     differing: dict[int, list[Difference]] = {}
     steps = sum(max(0, stored.lines[number]["steps"]) for pair in pairs for number in (2 * pair, 2 * pair + 1))
@@ -136,7 +138,7 @@ def compare(stored: Stored, contest: Contest, pairs: Sequence[int], threads: int
     return [difference for number in sorted(differing) for difference in differing[number]]
 
 
-def unlike_result(stored: Stored, contest: Contest) -> tuple[str, ...] | None:
+def result_differences(stored: StoredEvaluation, contest: Contest) -> tuple[str, ...] | None:
     """Return the fields of a folder's result.json that do not follow from its lines; None if there is no such file.
 
     While an evaluation grows, its folder holds the result of the smaller one.
@@ -146,7 +148,7 @@ def unlike_result(stored: Stored, contest: Contest) -> tuple[str, ...] | None:
         return None
     matches = there.get("matches")
     if not isinstance(matches, int) or matches not in stored.sizes:
-        return (f"its matches, {brief(matches)},",)
+        return (f"its matches, {short_repr(matches)},",)
     missing = matches - sum(number < matches for number in stored.lines)
     if missing:
         return (f"all of it, as {missing} of its {matches} matches have no line,",)
@@ -162,7 +164,7 @@ def unlike_result(stored: Stored, contest: Contest) -> tuple[str, ...] | None:
     result = summarise(conditions, stored.made_with, lines, contest.league.pitch).as_dict()
     again = json.loads(json.dumps(result))
     names = dict.fromkeys([*there, *again])
-    return tuple(brief(name) for name in names if json.dumps(there.get(name)) != json.dumps(again.get(name)))
+    return tuple(short_repr(name) for name in names if json.dumps(there.get(name)) != json.dumps(again.get(name)))
 
 
 def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference]:
@@ -170,13 +172,13 @@ def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference
     both = [dict(leaves(record)) for record in (there, json.loads(json.dumps(again)))]
     fields: dict[tuple[Any, ...], list[tuple[tuple[Any, ...], str, str]]] = {}
     for place in dict.fromkeys([*both[0], *both[1]]):
-        before, now = (text_of(record[place]) if place in record else NOTHING for record in both)
+        before, now = (exact_text(record[place]) if place in record else NOTHING for record in both)
         if before != now:
             fields.setdefault(place[:DEEP], []).append((place, before, now))
     result = []
     for places in fields.values():
         place, before, now = places[0]
-        name = ".".join(map(name_of, place))
+        name = ".".join(map(printable_key, place))
         result.append(Difference(again["pair"], again["match"], name, before, now, len(places) - 1))
     return result
 
@@ -190,11 +192,11 @@ def leaves(value: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any,
         yield place, value
 
 
-def text_of(value: Any) -> str:
+def exact_text(value: Any) -> str:
     """Return a value as text; two texts are equal only if the values are equal bit for bit."""
-    return brief(value) if isinstance(value, str) and len(value) < 60 else json.dumps(value)[:200]
+    return short_repr(value) if isinstance(value, str) and len(value) < 60 else json.dumps(value)[:200]
 
 
-def name_of(key: Any) -> str:
+def printable_key(key: Any) -> str:
     """Return a key in printable form."""
-    return key if isinstance(key, str) and key.isidentifier() else brief(key)
+    return key if isinstance(key, str) and key.isidentifier() else short_repr(key)

@@ -18,7 +18,7 @@ OUTCOMES = {1: "success", -1: "failure", 0: "out of time"}  # of a drill
 NOTE_EVERY = 50  # control steps between two updates of the progress bar
 
 
-def start(settings: PlaySettings) -> tuple[Match, Cast]:
+def start_match(settings: PlaySettings) -> tuple[Match, Cast]:
     """Return the match of the settings at its start, and its cast; ValueError for settings that the scene forbids."""
     scene, league = find_scene(settings.scene), find_league(settings.league)
     is_drill = scene.success != "none"
@@ -47,8 +47,8 @@ def record(settings: RecordSettings) -> Replay:
 def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
     """Record a match; return the replay and the outcome of a drill: success, failure, out of time; "" for a match."""
     check_target(settings.out)
-    match, cast = start(settings)
-    recorder = Recorder(match, Thoughts(match, shown_of_memory()))
+    match, cast = start_match(settings)
+    recorder = Recorder(match, Thoughts(match, shown_memory_fields()))
     with Progress(" against ".join(cast.names), match.settings.episode_limit or 0) as bar:
         while not (match.terminated | match.truncated).all():
             match.step()
@@ -61,7 +61,7 @@ def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
     return replay, outcome
 
 
-def shown_of_memory() -> dict[str, tuple[str, ...]]:
+def shown_memory_fields() -> dict[str, tuple[str, ...]]:
     """Return the fields of teams' memories that a recording keeps for display, each with the words for its values."""
     from soccer_env.baselines.heinemann_2006.memory import ROLES
     from soccer_env.baselines.sacks_2001.memory import BEHAVIOURS
@@ -83,7 +83,7 @@ def check_target(path: Path) -> None:
         raise ValueError(f"--out {path}: nothing can be written in its folder")
 
 
-def play_again(path: Path) -> int:
+def check_replay(path: Path) -> int:
     """Play a replay file again and return its number of steps; ValueError names the first step that differs."""
     replay = Replay.read(path)
     with Progress(path.name, len(replay)) as bar:

@@ -27,7 +27,7 @@ VERDICTS = {
 }
 
 
-def sentence(result: EvaluationResult, shown: Callable[[str], str] = str) -> str:
+def verdict_sentence(result: EvaluationResult, shown: Callable[[str], str] = str) -> str:
     """Return the verdict as a sentence; `shown` formats the teams' names."""
     text = VERDICTS.get(result.verdict, "There is {verdict}.")
     home, away = shown(result.conditions.home), shown(result.conditions.away)
@@ -69,17 +69,17 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     home, away = escaped(result.conditions.home), escaped(result.conditions.away)
     lines = [
         f"# {home} against {away}",
-        f"{sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
+        f"{verdict_sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
         table(("", "value", "95 % interval"), rows(result)),
-        needed(result),
+        needed_matches_sentence(result),
         *play_tables(result),
         "## Conditions",
         table(("", ""), [(escaped(name), escaped(value)) for name, value in conditions_rows(result, about)]),
         "This command plays what is missing and writes this report again:",
-        fenced(about.get("command", "")),
+        code_block(about.get("command", "")),
         "## Matches",
         f"Score of {home} first, as home and as away.",
-        *pairs(result),
+        *pairs_table(result),
     ]
     return "\n\n".join(line for line in lines if line) + "\n"
 
@@ -101,7 +101,7 @@ def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tup
     ]
 
 
-def needed(result: EvaluationResult) -> str:
+def needed_matches_sentence(result: EvaluationResult) -> str:
     """Return a sentence with the number of matches that an interval of +- HALF_WIDTH needs."""
     if result.matches_needed is None:
         return ""
@@ -122,11 +122,11 @@ def play_tables(result: EvaluationResult) -> list[str]:
         table(head, play_rows(result.statistics)),
         "How goals fell:",
         table(head, goal_rows(result.statistics)),
-        *map_parts(result, head),
+        *map_tables_markdown(result, head),
     ]
 
 
-def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
+def map_tables_markdown(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
     """Return the tables of maps in Markdown; nothing if lines have no maps."""
     if not result.maps:
         return []
@@ -139,7 +139,7 @@ def map_parts(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
     ]
 
 
-def pairs(result: EvaluationResult) -> list[str]:
+def pairs_table(result: EvaluationResult) -> list[str]:
     """Return the table of the first PAIRS_SHOWN pairs in Markdown, with the number of pairs left out."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
@@ -158,7 +158,7 @@ def escaped(text: str) -> str:
     return re.sub(r"([\\`*\[\]<>&#~]|\b_|_\b)", r"\\\1", " ".join(text.split()))
 
 
-def fenced(command: str) -> str:
+def code_block(command: str) -> str:
     """Return a command as a code block, whose fence is longer than any in the command."""
     fence = "`" * max(3, 1 + max(map(len, re.findall("`+", command)), default=0))
     return f"{fence}bash\n{command}\n{fence}"
@@ -170,7 +170,7 @@ def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in ruled)
 
 
-def plain(value: float, digits: int) -> str:
+def plain_number(value: float, digits: int) -> str:
     """Return a number in `digits` significant digits without an exponent; larger numbers as integers."""
     if abs(value) >= 10**digits or not isfinite(value):
         return f"{value:.0f}"
@@ -201,7 +201,9 @@ def screen_table(result: EvaluationResult) -> Table:
     drawn = Table(
         title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
         f"{conditions.minutes:g} min",
-        caption=" ".join([sentence(result), *(f"{name} was trained with {setting}." for name, setting in trained)]),
+        caption=" ".join(
+            [verdict_sentence(result), *(f"{name} was trained with {setting}." for name, setting in trained)]
+        ),
     )
     drawn.add_column("")
     drawn.add_column("value", justify="right")

@@ -5,11 +5,11 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from soccer_env.leagues.league import Pitch
-from soccer_env.match.settings import plain
-from soccer_env.statistics.maps import added
+from soccer_env.match.settings import to_plain_types
+from soccer_env.statistics.maps import sum_maps
 from soccer_env.train.evaluate.settings import Conditions
 from soccer_env.train.evaluate.statistics import Total, totals
-from soccer_env.train.results_folder import Kind
+from soccer_env.train.results_folder import RunKind
 from soccer_env.train.statistics import paired_bootstrap, required_matches
 
 CLEAR_POINTS = 0.95  # [1] share of the points for "beats clearly"
@@ -20,7 +20,7 @@ LEFT_OUT = ("settings", "statistics", "maps")  # fields of a line that result.js
 FILES = (MATCHES, "result.json", "report.md", "report.html", "match.png")
 REPLAYS, KEPT = "replays", "kept.json"  # the folder of kept replays, and the list in it
 KEPT_FILES = [f"{REPLAYS}/*-match-[0-9]*-seed-[0-9]*.{kind}" for kind in ("replay", "html")] + [f"{REPLAYS}/{KEPT}"]
-EVALUATION = Kind("an evaluation", ("home", "away", "scene"), FILES, lambda _: KEPT_FILES, grows="matches")
+EVALUATION = RunKind("an evaluation", ("home", "away", "scene"), FILES, lambda _: KEPT_FILES, grows="matches")
 HALF_WIDTH = 0.25  # [goals a match] half width of the interval for which the number of matches is estimated
 
 
@@ -109,18 +109,18 @@ def summarise(
         win_rate=Estimate(*paired_bootstrap(pair_means(ordered, lambda line: float(line.points == 1.0)))),
         points=points,
         matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
-        verdict=MIRRORED if is_mirrored(conditions) else judge(difference, points, len(differences)),
+        verdict=MIRRORED if is_self_play(conditions) else judge(difference, points, len(differences)),
         statistics=totals([line.statistics for line in ordered]),
-        maps=maps_on(pitch, [line.maps for line in ordered]),
+        maps=sum_maps_on_pitch(pitch, [line.maps for line in ordered]),
         lines=ordered,
     )
 
 
-def maps_on(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
+def sum_maps_on_pitch(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
     """Return the sum of the maps of all matches, with the dimensions of `pitch`; {} if a match has no maps."""
     if not all(maps):
         return {}
-    return added(maps) | ({} if pitch is None else {"pitch": plain(pitch)})
+    return sum_maps(maps) | ({} if pitch is None else {"pitch": to_plain_types(pitch)})
 
 
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:
@@ -128,7 +128,7 @@ def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) 
     return [(value(first) + value(second)) / 2 for first, second in zip(lines[::2], lines[1::2], strict=True)]
 
 
-def is_mirrored(conditions: Conditions) -> bool:
+def is_self_play(conditions: Conditions) -> bool:
     """Tell whether a team plays itself under equal conditions: both matches of a pair are then identical."""
     sizes, senses = conditions.players, conditions.senses
     return conditions.home == conditions.away and sizes[0] == sizes[1] and senses[0] == senses[1]

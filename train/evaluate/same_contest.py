@@ -6,17 +6,17 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 from soccer_env.guards.names import MODULE_PATH
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.leagues.league import League
-from soccer_env.scenes import names_in
-from soccer_env.teams import Team, in_module
+from soccer_env.scenes import scene_names
+from soccer_env.teams import Team, is_module_team
 from soccer_env.train.evaluate.contest import Contest, contest_of
 from soccer_env.train.evaluate.results import EVALUATION, MATCHES, MatchLine
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
 from soccer_env.train.files import read_bounded, records_in
-from soccer_env.train.provenance import LIBRARIES, made_with, of_modules, settings_hash
+from soccer_env.train.provenance import LIBRARIES, made_with, module_hashes, settings_hash
 from soccer_env.train.results_folder import GROWN, PARTS, SETTINGS, check_kinds, settings_before
 
 VERSIONS = (*LIBRARIES, "code")  # entries of `made_with` that may differ: the difference is reported
@@ -26,7 +26,7 @@ MOST = 10_000_000  # matches
 
 
 @dataclass(frozen=True)
-class Stored:
+class StoredEvaluation:
     """An evaluation, as read from its folder."""
 
     path: Path
@@ -42,7 +42,7 @@ class Stored:
         return sorted(number // 2 for number in self.lines if number % 2 == 0 and number + 1 in self.lines)
 
 
-def read_folder(path: Path) -> Stored:
+def read_folder(path: Path) -> StoredEvaluation:
     """Return the evaluation in a folder; ValueError if the folder holds none, or a damaged one."""
     if not path.is_dir():
         raise ValueError(f"{path} is no folder" if path.exists() else f"there is no folder {path}")
@@ -53,14 +53,14 @@ def read_folder(path: Path) -> Stored:
     conditions, made_with, about = (before[part] for part in PARTS)
     matches = conditions.get("matches")
     if not isinstance(matches, int) or isinstance(matches, bool) or not 2 <= matches <= MOST or matches % 2:
-        raise ValueError(f"{path / SETTINGS}: matches must be an even number of 2 to {MOST}, got {brief(matches)}")
+        raise ValueError(f"{path / SETTINGS}: matches must be an even number of 2 to {MOST}, got {short_repr(matches)}")
     if not all(isinstance(value, str) for value in made_with.values()):
-        raise ValueError(f"{path / SETTINGS}: what it was made with must be texts, got {brief(made_with)}")
+        raise ValueError(f"{path / SETTINGS}: what it was made with must be texts, got {short_repr(made_with)}")
     earlier = [size for size in about.get(GROWN) or () if isinstance(size, int) and not isinstance(size, bool)]
     sizes = (matches, *earlier)
     mine = {settings_hash({**conditions, "matches": size}, made_with) for size in sizes}
     lines = read_matches(path / MATCHES, matches, mine, conditions, made_with)
-    return Stored(path, conditions, made_with, sizes, lines, result)
+    return StoredEvaluation(path, conditions, made_with, sizes, lines, result)
 
 
 def read_matches(
@@ -75,7 +75,7 @@ def read_matches(
     lines: dict[int, dict[str, Any]] = {}
     for record in records_in(path, read_bounded(path))[0] if path.exists() else ():
         if sorted(record) != names:
-            raise ValueError(f"{path}: a line has the fields {', '.join(names)}, got {brief(sorted(record))}")
+            raise ValueError(f"{path}: a line has the fields {', '.join(names)}, got {short_repr(sorted(record))}")
         check_kinds(path, record, MatchLine)
         number = record["match"]
         if not 0 <= number < matches:
@@ -99,8 +99,8 @@ def read_result(path: Path) -> dict[str, Any] | None:
     return contents if isinstance(contents, dict) else {}
 
 
-def same_contest(
-    stored: Stored, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
+def rebuild_contest(
+    stored: StoredEvaluation, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
 ) -> tuple[Contest, list[str]]:
     """Rebuild the contest of a folder; return it, and in words each version that differs from the present one.
 
@@ -114,37 +114,38 @@ def same_contest(
         contest = contest_of(conditions, own, teams)
         contest.start("home", [0]).close()
     except (ValueError, OSError, ImportError) as error:
-        both = ", ".join(brief(values[side]) for side in ("home", "away"))
+        both = ", ".join(short_repr(values[side]) for side in ("home", "away"))
         raise ValueError(
             f"the contest of {stored.path} cannot be made again: {error}. Its teams were {both}: --home and --away say "
             "where a file is now; a team or league object is given in Python, recheck(folder, teams={name: team})"
         ) from error
-    modules = [where.get("league", ""), *names_in(conditions.scene)]
-    return contest, differences_of(stored, {**made_with(own, contest.first, contest.second), **of_modules(modules)})
+    modules = [where.get("league", ""), *scene_names(conditions.scene)]
+    return contest, differences_of(stored, {**made_with(own, contest.first, contest.second), **module_hashes(modules)})
 
 
 def conditions_in(
-    stored: Stored, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
+    stored: StoredEvaluation, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
 ) -> dict[str, Any]:
     """Return the conditions of a folder, updated by `where`; ValueError for code that only the folder names."""
     known, theirs = {field.name for field in fields(Conditions)}, stored.conditions
     if set(theirs) != known:
         raise ValueError(
-            f"{stored.path / SETTINGS} must name the conditions {', '.join(sorted(known))}, got {brief(sorted(theirs))}"
-            f": it is damaged, or made by another version ({brief(stored.made_with.get('soccer_env', 'unknown'))})"
+            f"{stored.path / SETTINGS} must name the conditions {', '.join(sorted(known))}, got "
+            f"{short_repr(sorted(theirs))}: it is damaged, or made by another version "
+            f"({short_repr(stored.made_with.get('soccer_env', 'unknown'))})"
         )
     conditions = dict(theirs)
     for name in ("home", "away", "scene", "league"):
         said, there = where.get(name, ""), theirs[name]
         if not isinstance(there, str):
-            raise ValueError(f"{stored.path / SETTINGS}: {name} must be a name, got {brief(there)}")
+            raise ValueError(f"{stored.path / SETTINGS}: {name} must be a name, got {short_repr(there)}")
         given = there in teams if name in ("home", "away") else name == "league" and league is not None
-        named = [there, *names_in(there)] if name == "scene" else [there]  # several with shares, each may be code
-        names_code = in_module(there) if name in ("home", "away") else any(map(MODULE_PATH.fullmatch, named))
+        named = [there, *scene_names(there)] if name == "scene" else [there]  # several with shares, each may be code
+        names_code = is_module_team(there) if name in ("home", "away") else any(map(MODULE_PATH.fullmatch, named))
         if names_code and not said and not given:
             raise ValueError(
-                f"the {name} of {stored.path} is code, {brief(there)}, that is not run because a folder names it; if "
-                f"you trust it: --{name} {there}"
+                f"the {name} of {stored.path} is code, {short_repr(there)}, that is not run because a folder names it; "
+                f"if you trust it: --{name} {there}"
             )
         conditions[name] = said or there
     return conditions
@@ -155,18 +156,20 @@ def league_of(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
     name = conditions["league"]
     if not where.get("league") and name not in LEAGUES:
         raise ValueError(
-            f"league {brief(name)} is none of this package's: --league MODULE:NAME, or recheck(folder, league=...) "
-            "in Python, says what it is"
+            f"league {short_repr(name)} is none of this package's: --league MODULE:NAME, or recheck(folder, "
+            "league=...) in Python, says what it is"
         )
     return find_league(name)
 
 
-def check_conditions(stored: Stored, conditions: dict[str, Any], league: League) -> None:
+def check_conditions(stored: StoredEvaluation, conditions: dict[str, Any], league: League) -> None:
     """Raise ValueError unless there are settings of `evaluate` from which exactly these conditions follow."""
     where = stored.path / SETTINGS
     players, senses = conditions["players"], conditions["senses"]
     if not all(isinstance(both, list) and len(both) == 2 for both in (players, senses)):
-        raise ValueError(f"{where}: players and senses must be two each, got {brief(players)} and {brief(senses)}")
+        raise ValueError(
+            f"{where}: players and senses must be two each, got {short_repr(players)} and {short_repr(senses)}"
+        )
     words = {**conditions, "players": f"{players[0]}v{players[1]}", "senses": f"home={senses[0]},away={senses[1]}"}
     try:
         settings = EvaluateSettings(**words)
@@ -174,21 +177,26 @@ def check_conditions(stored: Stored, conditions: dict[str, Any], league: League)
         raise ValueError(f"{where}: {error}") from error
     conditions["league"] = league.name
     if league.name != stored.conditions["league"]:
-        raise ValueError(f"{where}: the league was {brief(stored.conditions['league'])}, got {brief(league.name)}")
+        raise ValueError(
+            f"{where}: the league was {short_repr(stored.conditions['league'])}, got {short_repr(league.name)}"
+        )
     meant = {**asdict(conditions_of(settings, league)), "players": list(players), "senses": list(senses)}
     for name, value in conditions.items():
         if meant[name] != value or type(meant[name]) is not type(value):
-            raise ValueError(f"{where}: {name} must be {brief(meant[name])}, got {brief(value)}")
+            raise ValueError(f"{where}: {name} must be {short_repr(meant[name])}, got {short_repr(value)}")
 
 
-def differences_of(stored: Stored, now: dict[str, str]) -> list[str]:
+def differences_of(stored: StoredEvaluation, now: dict[str, str]) -> list[str]:
     """List the versions and hashes that differ from a folder's, in words; ValueError for another team or league.
 
     If the package's code differs, another team cannot be told from a new version: this is reported as a difference.
     """
     names = dict.fromkeys([*stored.made_with, *now])
     other = [name for name in names if stored.made_with.get(name) != now.get(name)]
-    words = {name: f"{name} {brief(stored.made_with.get(name))} there, {brief(now.get(name))} now" for name in other}
+    words = {
+        name: f"{name} {short_repr(stored.made_with.get(name))} there, {short_repr(now.get(name))} now"
+        for name in other
+    }
     players = [words[name] for name in other if name not in VERSIONS]
     if players and not any(name in CODE for name in other):
         raise ValueError(f"{stored.path} was not made with this ({'; '.join(players)}): what played there is another")

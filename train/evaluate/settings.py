@@ -13,7 +13,7 @@ from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import Placement, Pose
 from soccer_env.train.evaluate.replays.choice import Keep
-from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_with, split_players, split_senses
+from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_line, split_players, split_senses
 
 FULL = "full"  # minutes: the league's own length of a match
 ALL, PAIRS = "all", 5  # values of --pairs: every finished pair; the default
@@ -103,7 +103,7 @@ class EvaluateSettings(CommandSettings):
         other = [field.name for field in fields(self) if getattr(self, field.name) != field.default]
         if self.recheck is not None and not set(other) <= set(RECHECKED):
             raise ValueError(f"{next(name for name in other if name not in RECHECKED)} does not go with recheck")
-        if (Keep(self.keep).each or self.keep_pages) and self.out is None:
+        if (Keep(self.keep).kinds_in_order or self.keep_pages) and self.out is None:
             raise ValueError("replays are kept in a folder: give out as well")
         split_senses(SENSING if self.senses is None else self.senses)
 
@@ -139,7 +139,7 @@ class Conditions:
 
 def command_of(settings: EvaluateSettings) -> str:
     """Return the command line of `soccer evaluate` with these settings."""
-    return command_with("evaluate", settings, always=("league", "home", "away", "matches", "seed"))
+    return command_line("evaluate", settings, always=("league", "home", "away", "matches", "seed"))
 
 
 def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:

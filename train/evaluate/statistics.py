@@ -20,8 +20,8 @@ from soccer_env.statistics.figures import (
     SHARE,
     SIDES,
     Statistic,
-    flat,
-    length_of,
+    flatten_statistics,
+    spell_quantile,
 )
 from soccer_env.statistics.records import GoalKind
 from soccer_env.train.statistics import ratio_bootstrap
@@ -40,12 +40,12 @@ class Total:
     unit: str
 
 
-def line_of_statistics(record: Any, team: int) -> dict[str, Any]:
+def match_statistics(record: Any, team: int) -> dict[str, Any]:
     """Return the statistics for a match's line, from `team`'s side, and histograms of both teams' spell lengths."""
     lengths = {
         f"{LENGTHS}_{side}": record[LENGTHS][of].tolist() for side, of in zip(SIDES, (team, 1 - team), strict=True)
     }
-    return flat(record, team) | lengths
+    return flatten_statistics(record, team) | lengths
 
 
 def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
@@ -53,28 +53,28 @@ def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
     if not lines or not all(lines):
         return {}
     result: dict[str, Total] = {}
-    rated = [(name, figure) for name, figure in named() if figure.kind in (RATE, SHARE)]
-    parts = in_pairs([[line[name] for name, _ in rated] for line in lines])
-    wholes = in_pairs([[line[whole_of(name, figure)] for name, figure in rated] for line in lines])
+    rated = [(name, figure) for name, figure in statistics_by_name() if figure.kind in (RATE, SHARE)]
+    parts = sum_in_pairs([[line[name] for name, _ in rated] for line in lines])
+    wholes = sum_in_pairs([[line[divisor_name(name, figure)] for name, figure in rated] for line in lines])
     ratios = np.stack(ratio_bootstrap(parts, wholes), axis=-1)  # value, low, high
     for (name, figure), total, ratio in zip(rated, parts.sum(axis=0), ratios, strict=True):
-        value, low, high = (finite((100.0 if figure.kind == SHARE else 60.0) * x) for x in ratio)
+        value, low, high = (finite_or_none((100.0 if figure.kind == SHARE else 60.0) * x) for x in ratio)
         result[name] = Total(float(total), value, low, high, unit_of(figure))
-    for name, figure in named():
+    for name, figure in statistics_by_name():
         if figure.kind == MOST:
             most = max(line[name] for line in lines)
             result[name] = Total(most, most, None, None, figure.unit)
         elif figure.kind == LENGTH:
             result[name] = spell_length(lines, name, figure)
-    return {name: result[name] for name, _ in named()}
+    return {name: result[name] for name, _ in statistics_by_name()}
 
 
-def named() -> list[tuple[str, Statistic]]:
+def statistics_by_name() -> list[tuple[str, Statistic]]:
     """Return the names under which a line holds statistics ("kicks_for"), each with its Statistic."""
     return [(f"{x.name}_{side}" if x.team else x.name, x) for x in FIGURES for side in (SIDES if x.team else SIDES[:1])]
 
 
-def whole_of(name: str, figure: Statistic) -> str:
+def divisor_name(name: str, figure: Statistic) -> str:
     """Return the name, in a line, of the quantity that a statistic is divided by."""
     whole = next(x for x in FIGURES if x.name == figure.whole)
     return f"{figure.whole}_{name.rpartition('_')[2]}" if whole.team else figure.whole
@@ -85,7 +85,7 @@ def unit_of(figure: Statistic) -> str:
     return UNITS.get((figure.kind, figure.unit), figure.unit)
 
 
-def in_pairs(rows: list[list[float]]) -> np.ndarray:
+def sum_in_pairs(rows: list[list[float]]) -> np.ndarray:
     """Return the rows of matches summed over the two matches of each pair; an odd last row stays alone."""
     numbers = np.array(rows, np.float64)
     return np.add.reduceat(numbers, np.arange(0, len(numbers), 2), axis=0)
@@ -93,15 +93,15 @@ def in_pairs(rows: list[list[float]]) -> np.ndarray:
 
 def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) -> Total:
     """Return a quantile of the lengths of all spells in all matches, with its interval by resampling pairs."""
-    counts = in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
+    counts = sum_in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
     weights = np.random.default_rng(0).multinomial(len(counts), [1.0 / len(counts)] * len(counts), size=1000)
     share = PERCENTS[figure.name]
-    value = float(length_of(counts.sum(axis=0), share))
-    low, high = np.percentile(length_of(weights @ counts, share), [2.5, 97.5])
+    value = float(spell_quantile(counts.sum(axis=0), share))
+    low, high = np.percentile(spell_quantile(weights @ counts, share), [2.5, 97.5])
     return Total(value, value, float(low), float(high), figure.unit)
 
 
-def finite(number: float) -> float | None:
+def finite_or_none(number: float) -> float | None:
     """Return a number, or None for infinity and NaN, which JSON lacks."""
     return float(number) if isfinite(number) else None
 
@@ -140,11 +140,11 @@ def play_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
     rows = []
     for name, words in TELLING:
         if name in totals:
-            rows.append((words, in_words(totals[name]), ""))
+            rows.append((words, total_in_words(totals[name]), ""))
         elif name == "fouls":
             rows.append((words, whistles(totals, "for"), whistles(totals, "against")))
         else:
-            rows.append((words, in_words(totals[f"{name}_for"]), in_words(totals[f"{name}_against"])))
+            rows.append((words, total_in_words(totals[f"{name}_for"]), total_in_words(totals[f"{name}_against"])))
     return rows
 
 
@@ -161,7 +161,7 @@ def whistles(totals: dict[str, Total], side: str) -> str:
     return f"{sum(rates):.2g}/min"
 
 
-def in_words(total: Total) -> str:
+def total_in_words(total: Total) -> str:
     """Return a statistic in words, with unit and interval; "-" without a value."""
     if total.value is None:
         return "-"

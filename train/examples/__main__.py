@@ -15,11 +15,11 @@ PAGES = sorted({file.stem for file in FOLDER.glob("*.py")} - {"__init__", "__mai
 
 def needs(name: str) -> str:
     """Return the packages that an example needs, as arguments of pip."""
-    line = re.search(r"^Needs: (.+)$", text_of(name), re.MULTILINE)
+    line = re.search(r"^Needs: (.+)$", example_docstring(name), re.MULTILINE)
     return line[1] if line else ""
 
 
-def text_of(name: str) -> str:
+def example_docstring(name: str) -> str:
     """Return the docstring of an example."""
     return ast.get_docstring(ast.parse((FOLDER / f"{name}.py").read_text(encoding="utf-8"))) or ""
 
@@ -28,7 +28,7 @@ def help_text() -> str:
     """Return the usage, and the first line and packages of each example."""
     lines = ["usage: python -m soccer_env.train.examples NAME [--steps 10000] [OPTIONS]", ""]
     for name in PAGES:
-        lines += [f"  {name:18}{text_of(name).splitlines()[0]}", f"  {'':18}needs: {needs(name)}"]
+        lines += [f"  {name:18}{example_docstring(name).splitlines()[0]}", f"  {'':18}needs: {needs(name)}"]
     return "\n".join([*lines, "", "`NAME --help` explains the options of one, once what it needs is installed."])
 
 

@@ -17,7 +17,7 @@ from soccer_env import soccer_v0
 from soccer_env.train.examples.empty_goal import EMPTY_GOAL, share_scored
 
 
-def make() -> soccer_v0.ParallelSoccer:
+def make_env() -> soccer_v0.ParallelSoccer:
     """Return the env of one process."""
     return soccer_v0.parallel_env(**EMPTY_GOAL, home=2, infos="none")
 
@@ -27,7 +27,7 @@ def main(steps: int = 60_000, copies: int = 2, batch: int = 2_000, seed: int = 1
     torch.manual_seed(seed)
     np.random.seed(seed)
     torch.set_num_threads(1)
-    env = make()
+    env = make_env()
     spaces: list[list[Any]] = [
         [of(agent) for agent in env.possible_agents] for of in (env.observation_space, env.action_space)
     ]
@@ -36,7 +36,7 @@ def main(steps: int = 60_000, copies: int = 2, batch: int = 2_000, seed: int = 1
         *spaces, agent_ids=env.possible_agents, lr=1e-3, batch_size=500, learn_step=batch, update_epochs=10,
         ent_coef=0.0, net_config={"latent_dim": 64, "encoder_config": layers, "head_config": layers},
     )  # fmt: skip
-    envs = AsyncPettingZooVecEnv([make] * copies)
+    envs = AsyncPettingZooVecEnv([make_env] * copies)
     train_multi_agent_on_policy(
         envs, "empty-goal", "IPPO", [learner], max_steps=steps, evo_steps=steps, eval_steps=1, verbose=False
     )

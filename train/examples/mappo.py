@@ -15,7 +15,7 @@ from soccer_env import Match, Rewards
 from soccer_env.train.examples.ppo_cleanrl import advantages
 
 
-def begin(seed: int) -> Match:
+def begin_matches(seed: int) -> Match:
     """Return the matches of home's learners."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
@@ -27,7 +27,7 @@ def begin(seed: int) -> Match:
 
 def main(steps: int = 400_000, seed: int = 1, gamma: float = 0.99, decay: float = 0.95, clip: float = 0.2) -> float:
     """Learn for `steps` decisions of robots; return the goal difference a minute in the last quarter of matches."""
-    match = begin(seed)
+    match = begin_matches(seed)
     sizes = (len(match.observation_names), 4), (len(match.state_names), 1)
     actor, critic = (Sequential(Linear(n, 64), Tanh(), Linear(64, 64), Tanh(), Linear(64, out)) for n, out in sizes)
     log_std = Parameter(torch.full((4,), -0.5))

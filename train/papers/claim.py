@@ -85,7 +85,7 @@ class Figure:
 
 
 @dataclass(frozen=True)
-class Without:
+class Ablation:
     """An ingredient that makes a claim hold by construction, and the measurement with this ingredient removed."""
 
     ingredient: str
@@ -118,7 +118,7 @@ class Claim:
     quick: int = 1
     seconds: float = 3.0  # [s] of one batch on one core, compiled: --minutes derives the number of batches from it
     ingredients: tuple[str, ...] = ()  # settings and models that the result depends on
-    without: Without | None = None  # by construction
+    without: Ablation | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = no_figures
     note: str | Callable[[Samples], str] = ""  # for readers of the result
     pose: Literal["", "percept", "particles"] = ""  # the localisation that the claim is about; "": the run's --pose
@@ -130,7 +130,7 @@ class Claim:
         return PAPERS.get(self.id[0], "both leagues")
 
 
-def joined(batches: Sequence[Samples]) -> Samples:
+def join_batches(batches: Sequence[Samples]) -> Samples:
     """Concatenate the sample arrays of several batches, name by name."""
     return {name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]}
 

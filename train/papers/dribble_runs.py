@@ -14,7 +14,7 @@ from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import begin, put, put_ball, stage
+from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage
 from soccer_env.train.papers.verdicts import Samples
 
 NO_SHOTS = {"shoots": False}  # a team that keeps dribbling instead of shooting
@@ -27,7 +27,7 @@ COUNTED = 1.0  # [m] over which the ball should be kept
 
 
 @dataclass
-class Way:
+class DribbleRecord:
     """The history of a run, arrays (T, M): one dribbler, robot 0, and the ball."""
 
     x: np.ndarray  # [m] field frame
@@ -46,7 +46,9 @@ class Way:
         return np.hypot(np.diff(self.x, axis=0, prepend=self.x[:1]), np.diff(self.y, axis=0, prepend=self.y[:1]))
 
 
-def dribblers(batch: Batch, league: League, matches: int, others: int, settings: dict[str, Any], **more: Any) -> Match:
+def set_up_dribblers(
+    batch: Batch, league: League, matches: int, others: int, settings: dict[str, Any], **more: Any
+) -> Match:
     """Set up matches in which sacks-2001 with `settings` plays robot 0, and `others` opponents stand still."""
     team = make_team("sacks-2001", **settings)
     sides = {"home": team, "away": more.pop("away_team", "still")}
@@ -62,7 +64,7 @@ def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0
 
 def begin_dribbling(match: Match) -> None:
     """Begin the scene: the robots know their places, and robot 0's player already dribbles."""
-    begin(match, placed=True)
+    begin_scene(match, placed=True)
     start_dribbling(match)
 
 
@@ -75,7 +77,7 @@ def start_dribbling(match: Match) -> None:
         memory["had_ball"] = memory["role_clock"] = 0.0
 
 
-def run(match: Match, seconds: float, actions: np.ndarray | None = None, moved: Any = None) -> Way:
+def record_dribble(match: Match, seconds: float, actions: np.ndarray | None = None, moved: Any = None) -> DribbleRecord:
     """Play for `seconds` and record robot 0's path; `moved(step)` may move other robots before each step."""
     begin_dribbling(match)
     rows: list[tuple[np.ndarray, ...]] = []
@@ -83,12 +85,12 @@ def run(match: Match, seconds: float, actions: np.ndarray | None = None, moved: 
         if moved is not None:
             moved(step)
         match.step(actions)
-        rows.append(note(match))
+        rows.append(read_step(match))
     match.close()
-    return Way(*(np.array(column) for column in zip(*rows, strict=True)))
+    return DribbleRecord(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
-def note(match: Match) -> tuple[np.ndarray, ...]:
+def read_step(match: Match) -> tuple[np.ndarray, ...]:
     """Return the fields of Way for the current step."""
     robot, ball = match.robots[:, 0], match.balls
     away = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"])
@@ -99,7 +101,7 @@ def note(match: Match) -> tuple[np.ndarray, ...]:
     return tuple(np.array(value) for value in (*fields, ball["x"], ball["y"], scored))
 
 
-def losses(way: Way) -> Samples:
+def losses(way: DribbleRecord) -> Samples:
     """Count in each run (M,) the metres dribbled and the balls lost, and whether the first metre kept the ball.
 
     A ball is lost when it was between the paws of a dribbling robot and is then LOST away; the robot can lose it again

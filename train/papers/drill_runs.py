@@ -17,7 +17,7 @@ from soccer_env.scenes.judging import LOST, LOST_TIME, PAST
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.dribble_runs import NO_SHOTS, start_dribbling
-from soccer_env.train.papers.staging import LEGGED, make, wrapped
+from soccer_env.train.papers.staging import LEGGED, make_matches, wrap_angle
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import HOME
 
@@ -43,7 +43,7 @@ def start_drill(
         sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
     if opponents is not None:
         sides = {"home": sides["home"], "away": opponents}
-    match = make(
+    match = make_matches(
         batch, LEGGED, rules or named.rules, matches=matches, home=1, away=len(named.opponents), scene=named,
         senses=senses, controllers=sides,
     )  # fmt: skip
@@ -78,7 +78,7 @@ class Contacts:
         touching = np.array([touch for _, _, touch in self.trail]).any(axis=0)
         full = len(self.trail) > self.step
         made = np.hypot(robot["x"] - x, robot["y"] - y) if full else np.inf
-        turned = np.abs(wrapped(others["heading"] - self.headings)).max(axis=1) > TURNED
+        turned = np.abs(wrap_angle(others["heading"] - self.headings)).max(axis=1) > TURNED
         self.hindered |= running & touching & (turned | (made < HELD * STEP))
 
 
@@ -89,7 +89,7 @@ def contacts_of(match: Match) -> Contacts:
 
 
 @dataclass
-class Ends:
+class RunEnds:
     """How the runs of a drill end; arrays (M,)."""
 
     past: np.ndarray  # bool: beyond everybody with the ball, or in the goal
@@ -121,7 +121,7 @@ def play_drill(
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
     (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))
-    ends = Ends(past, lost, away, seconds, nearest=np.full(matches, np.inf))
+    ends = RunEnds(past, lost, away, seconds, nearest=np.full(matches, np.inf))
     contacts = contacts_of(match)
     for _ in range(round(LONGEST * match.league.control_rate)):
         running = ~(ends.past | ends.lost)

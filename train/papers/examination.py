@@ -11,7 +11,7 @@ open, it ends at a third of the cap, where three seeds together have as many sam
 from collections.abc import Callable
 from typing import NamedTuple
 
-from soccer_env.train.papers.claim import LEAGUE, Batch, Claim, as_plain, joined, none_or_float
+from soccer_env.train.papers.claim import LEAGUE, Batch, Claim, as_plain, join_batches, none_or_float
 from soccer_env.train.papers.results import ClaimResult, as_record
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.papers.verdicts import (
@@ -22,8 +22,8 @@ from soccer_env.train.papers.verdicts import (
     Finding,
     Samples,
     combine,
-    deciding,
-    find,
+    deciding_finding,
+    judge_criterion,
 )
 from soccer_env.train.statistics import CONFIDENCE
 
@@ -38,7 +38,7 @@ def examine(
 
     `advance` is called with the seconds of finished work, in total the seconds of `cap` batches of each seed.
     """
-    looks = looks_at(cap, claim.least)
+    looks = examination_points(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
     taken: list[list[Samples]] = [[] for _ in settings.seeds]
     findings: list[Finding] = []
@@ -48,9 +48,9 @@ def examine(
             batches.append(claim.measure(batch_of(claim, settings, seed, index)))
             advance(claim.seconds)
         if index + 1 in looks:
-            findings = find_all(claim, all_of(taken), confidence)
-            alone = [find_all(claim, joined(batches), confidence) for batches in taken]
-            if is_enough(findings, alone, (index + 1) / cap):
+            findings = judge_criteria(claim, join_all_samples(taken), confidence)
+            alone = [judge_criteria(claim, join_batches(batches), confidence) for batches in taken]
+            if is_decided(findings, alone, (index + 1) / cap):
                 break
     count = len(taken[0])
     advance((cap - count) * claim.seconds * len(taken))
@@ -58,12 +58,12 @@ def examine(
     if claim.without is not None:
         indices = ((seed, index) for seed in settings.seeds for index in range(count))
         off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
-        without = find_all(claim, joined(off), confidence)
-    found = Found(findings, without, alone, cap / count)
-    return result_of(claim, settings, all_of(taken), found, settings_hash)
+        without = judge_criteria(claim, join_batches(off), confidence)
+    found = ClaimFindings(findings, without, alone, cap / count)
+    return result_of(claim, settings, join_all_samples(taken), found, settings_hash)
 
 
-def is_enough(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
+def is_decided(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
     """Tell whether all seeds decide a claim, and each seed alone does too or the share ENOUGH of the cap is taken."""
     if combine(findings) in (UNDECIDED, CONTEXT):
         return False
@@ -80,22 +80,22 @@ def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
     return tuple(settings.rules if rules == LEAGUE else rules for rules in claim.rules)
 
 
-def find_all(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
+def judge_criteria(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
     """Compare samples with each criterion of a claim and return the findings."""
-    return [find(criterion, samples, confidence) for criterion in claim.criteria]
+    return [judge_criterion(criterion, samples, confidence) for criterion in claim.criteria]
 
 
-def all_of(taken: list[list[Samples]]) -> Samples:
+def join_all_samples(taken: list[list[Samples]]) -> Samples:
     """Concatenate the samples of all seeds and batches."""
-    return joined([batch for batches in taken for batch in batches])
+    return join_batches([batch for batches in taken for batch in batches])
 
 
-def looks_at(cap: int, least: int = 1) -> list[int]:
+def examination_points(cap: int, least: int = 1) -> list[int]:
     """Return the numbers of batches after which a claim is tested: `least` times 1, 2, 4 and so on, and the cap."""
     return [*(least * 2**i for i in range(cap.bit_length()) if least * 2**i < cap), cap]
 
 
-class Found(NamedTuple):
+class ClaimFindings(NamedTuple):
     """The findings about the criteria of a claim, and the share of the cap."""
 
     findings: list[Finding]  # of the samples of all seeds
@@ -105,10 +105,10 @@ class Found(NamedTuple):
 
 
 def result_of(
-    claim: Claim, settings: ReproduceSettings, samples: Samples, found: Found, settings_hash: str
+    claim: Claim, settings: ReproduceSettings, samples: Samples, found: ClaimFindings, settings_hash: str
 ) -> ClaimResult:
     """Return the result of a claim from its samples and findings."""
-    verdict, main = combine(found.findings), deciding(found.findings)
+    verdict, main = combine(found.findings), deciding_finding(found.findings)
     if claim.without is not None and verdict == REPRODUCED:
         verdict = BY_CONSTRUCTION
     units = len(next(iter(samples.values()))) if samples else 0

@@ -5,7 +5,15 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from math import inf
 
-from soccer_env.train.papers.report import COLUMNS, EXPLANATION, finding_rows, poses_of, row, rules_of, with_interval
+from soccer_env.train.papers.report import (
+    COLUMNS,
+    EXPLANATION,
+    estimate_with_interval,
+    finding_rows,
+    poses_sentence,
+    row,
+    rules_sentence,
+)
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.verdicts import VERDICTS
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_intervals
@@ -24,7 +32,7 @@ def page_of(results: Sequence[ClaimResult], folder: ResultsFolder) -> str:
     total = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict])
     page.say(f"{len(results)} claims: {total}.", strong=True)
     quick = any(result.quick for result in results)
-    page.say(f"{'Few samples were taken: verdicts are marked (quick). ' if quick else ''}{poses_of(results)}")
+    page.say(f"{'Few samples were taken: verdicts are marked (quick). ' if quick else ''}{poses_sentence(results)}")
     page.section("Verdicts")
     page.table(COLUMNS, [row(result) for result in results], sorts=True)
     for line in EXPLANATION.splitlines():
@@ -66,16 +74,16 @@ def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
             if (least or most) and finding["estimate"] is not None:
                 low, high = finding["low"], finding["high"]  # None: open
                 yield Row(
-                    f"{result.id} {finding['criterion']}", with_interval(finding), finding["estimate"],
+                    f"{result.id} {finding['criterion']}", estimate_with_interval(finding), finding["estimate"],
                     -inf if low is None else low, inf if high is None else high, *(least or [-inf]), *(most or [inf]),
                 )  # fmt: skip
 
 
 def add_claim(page: ReportPage, result: ClaimResult) -> None:
     """Add the section of one claim's result to the page."""
-    page.heading(f"{result.id}: {result.marked}")
+    page.heading(f"{result.id}: {result.marked_verdict}")
     page.say(f"{result.statement} [{result.paper}{', ' if result.section else ''}{result.section}]")
-    page.say(f"Measured: {result.method} n = {result.n}. Own pose: {result.pose}. {rules_of(result)}")
+    page.say(f"Measured: {result.method} n = {result.n}. Own pose: {result.pose}. {rules_sentence(result)}")
     if result.findings:
         page.table(FINDINGS, finding_rows(result.findings, result.n))
     if result.ingredients:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.match.staging import PATIENT
-from soccer_env.train.evaluate.report import plain, table
+from soccer_env.train.evaluate.report import plain_number, table
 from soccer_env.train.papers.results import ClaimResult, rules_in_words
 from soccer_env.train.papers.verdicts import CONTEXT, UNDECIDED, VERDICTS
 from soccer_env.train.results_folder import ResultsFolder
@@ -45,7 +45,7 @@ def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[
     quick = ' Few samples were taken: verdicts are marked "(quick)".' if any(result.quick for result in results) else ""
     lines = [
         "# Claims of the papers, measured",
-        f"{len(results)} claims: {total}.{quick} {poses_of(results)}",
+        f"{len(results)} claims: {total}.{quick} {poses_sentence(results)}",
         table(COLUMNS, [row(result) for result in results]),
         EXPLANATION,
         trouble and trouble[0].upper() + trouble[1:] + ". The same data stand here as tables.",
@@ -58,7 +58,7 @@ def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[
     return "\n\n".join(line for line in lines if line) + "\n"
 
 
-def poses_of(results: Sequence[ClaimResult]) -> str:
+def poses_sentence(results: Sequence[ClaimResult]) -> str:
     """Return a sentence on how robots localised: in most claims, and in the exceptions."""
     ids = {pose: [result.id for result in results if result.pose == pose] for pose in POSES}
     most, *rest = sorted(POSES, key=lambda pose: -len(ids[pose]))
@@ -66,7 +66,7 @@ def poses_of(results: Sequence[ClaimResult]) -> str:
     return f"Own pose: {'; '.join([most, *others])}."
 
 
-def rules_of(result: ClaimResult) -> str:
+def rules_sentence(result: ClaimResult) -> str:
     """Return a sentence on the rules of a claim's matches, and on whether --rules can change them."""
     played = [name for name in result.rules if name != PATIENT]
     if played:
@@ -77,9 +77,11 @@ def rules_of(result: ClaimResult) -> str:
 
 def row(result: ClaimResult) -> tuple[str, ...]:
     """Return the row of a claim for the summary table."""
-    shown = next((with_interval(found) for found in result.findings if found["criterion"] == result.criterion), "")
+    shown = next(
+        (estimate_with_interval(found) for found in result.findings if found["criterion"] == result.criterion), ""
+    )
     rules, n = rules_in_words(result.rules), units_of(result.n_used, result.n)
-    return result.id, result.statement, rules, result.marked, result.alone, shown, n
+    return result.id, result.statement, rules, result.marked_verdict, result.alone, shown, n
 
 
 def units_of(used: int | None, units: int) -> str:
@@ -94,18 +96,18 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
         if plots
         else [figure_table(figure) for figure in result.figures]
     )
-    return "\n\n".join([words_of(result), *figures, f"`{result.command}`"])
+    return "\n\n".join([claim_result_markdown(result), *figures, f"`{result.command}`"])
 
 
-def words_of(result: ClaimResult) -> str:
+def claim_result_markdown(result: ClaimResult) -> str:
     """Return the result of one claim as Markdown: every criterion, the ingredients, the note."""
     n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
     seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
     source = f"{result.paper}, {result.section}" if result.section else result.paper
     parts = [
-        f"## {result.id}: {result.marked}",
+        f"## {result.id}: {result.marked_verdict}",
         f"{result.statement} [{source}]",
-        f"Measured: {result.method} {n}. Own pose: {result.pose}. {rules_of(result)}",
+        f"Measured: {result.method} {n}. Own pose: {result.pose}. {rules_sentence(result)}",
         f"Each seed alone: {seeds}.",
         findings_table(result.findings, result.n),
         f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
@@ -126,7 +128,7 @@ def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[s
     """Return one row of the findings table for each criterion of a claim."""
     verdicts = ["reported" if found["verdict"] == CONTEXT else found["verdict"] for found in findings]
     return [
-        (found["criterion"], found["asked"], with_interval(found), units_of(found["n"], units), verdict)
+        (found["criterion"], found["asked"], estimate_with_interval(found), units_of(found["n"], units), verdict)
         for found, verdict in zip(findings, verdicts, strict=True)
     ]
 
@@ -142,7 +144,7 @@ def figure_table(figure: dict[str, Any]) -> str:
     return f"{figure['title']} ({figure['y_label']})\n\n{table(head, cells)}"
 
 
-def with_interval(found: dict[str, Any]) -> str:
+def estimate_with_interval(found: dict[str, Any]) -> str:
     """Return an estimate with interval and unit as text; without the interval if exact, unchanged if stored as text."""
     if "shown" in found:
         return str(found["shown"])
@@ -156,7 +158,7 @@ def with_interval(found: dict[str, Any]) -> str:
 
 def number(value: float | None) -> str:
     """Format a number with a few digits; None, an open side of an interval, as a question mark."""
-    return "?" if value is None else plain(value, DIGITS)
+    return "?" if value is None else plain_number(value, DIGITS)
 
 
 def screen_parts(results: Sequence[ClaimResult], in_full: bool) -> Iterator[Table | Markdown]:
@@ -164,14 +166,14 @@ def screen_parts(results: Sequence[ClaimResult], in_full: bool) -> Iterator[Tabl
     from rich.markdown import Markdown
 
     yield screen_table(results)
-    yield from (Markdown(words_of(result)) for result in results if in_full)
+    yield from (Markdown(claim_result_markdown(result)) for result in results if in_full)
 
 
 def screen_table(results: Sequence[ClaimResult]) -> Table:
     """Return the verdicts as a table for the terminal."""
     from rich.table import Table
 
-    title = f"Claims of the papers, measured. {poses_of(results)} Staged: under {PATIENT}."
+    title = f"Claims of the papers, measured. {poses_sentence(results)} Staged: under {PATIENT}."
     drawn = Table(title=title, title_justify="left")
     for column in COLUMNS:
         drawn.add_column(column, overflow="fold")

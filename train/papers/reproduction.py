@@ -19,7 +19,7 @@ from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.papers.stored import stored_results
 from soccer_env.train.papers.workers import examine_in_processes
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import LIBRARIES, digest, made_now, module_hash, version_of
+from soccer_env.train.provenance import LIBRARIES, date_and_commit, digest, module_hash, version_of
 from soccer_env.train.report import MISSING, can_draw, draw_curves
 from soccer_env.train.results_folder import ResultsFolder
 
@@ -39,7 +39,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
         "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
         "rules": settings.rules, "seeds": list(settings.seeds),
     }  # fmt: skip
-    about = {"command": command_of(settings), **made_now()}
+    about = {"command": command_of(settings), **date_and_commit()}
     folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)
     done = measure_missing(claims, settings, folder, ours)
     results = [done[claim.id] for claim in claims]

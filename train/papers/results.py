@@ -8,7 +8,7 @@ from typing import Any
 from soccer_env.match.staging import PATIENT
 from soccer_env.train.papers.claim import none_or_float
 from soccer_env.train.papers.verdicts import NOT, REPRODUCED, Finding
-from soccer_env.train.results_folder import Kind
+from soccer_env.train.results_folder import RunKind
 
 
 @dataclass(frozen=True)
@@ -43,13 +43,13 @@ class ClaimResult:
     settings: str  # hash of the conditions and of what the run was made with
 
     @property
-    def marked(self) -> str:
+    def marked_verdict(self) -> str:
         """Return the verdict, marked "(quick)" if it comes from few samples."""
         return f"{self.verdict} (quick)" if self.quick else self.verdict
 
     @property
     def alone(self) -> str:
-        """Return the verdicts of single seeds as letters: "r r u", or "r r n, they disagree"."""
+        """Return each seed's verdict by its letter (reproduced, undecided, not): "r r u", or "r r n, they disagree"."""
         return seeds_in_letters(self.by_seed)
 
     def as_dict(self) -> dict[str, Any]:
@@ -59,7 +59,7 @@ class ClaimResult:
             if name not in ("figures", "settings"):
                 record[name] = value
             if name == "verdict":
-                record["shown"] = self.marked
+                record["shown"] = self.marked_verdict
         return record
 
 
@@ -90,6 +90,6 @@ def plots_of(conditions: dict[str, Any]) -> list[str]:
 
 
 CLAIMS = "claims.jsonl"  # of a folder: a line for each claim that has been measured
-REPRODUCTION = Kind(
+REPRODUCTION = RunKind(
     "a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md", "report.html"), plots_of
 )

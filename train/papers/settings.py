@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 
 import tyro
 
-from soccer_env.guards.checking import Range, refuse, whole_number
+from soccer_env.guards.checking import Range, check_whole_number, raise_not_allowed
 from soccer_env.train.written_settings import CommandSettings
 
 
@@ -63,9 +63,9 @@ class ReproduceSettings(CommandSettings):
         object.__setattr__(self, "claims", tuple(self.claims))
         object.__setattr__(self, "seeds", tuple(self.seeds))
         for seed in self.seeds:
-            whole_number("seeds", seed, low=0)
+            check_whole_number("seeds", seed, low=0)
         if not self.seeds or len(set(self.seeds)) < len(self.seeds):
-            refuse("seeds", "whole numbers, at least one and each once", self.seeds)
+            raise_not_allowed("seeds", "whole numbers, at least one and each once", self.seeds)
         if bool(self.claims) == self.all:
             raise ValueError("give the ids of claims, or --all; `soccer list claims` names them")
         if self.quick and self.minutes is not None:

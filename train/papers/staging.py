@@ -11,7 +11,7 @@ The field is empty until `put` brings robots on; the referee calls only goals an
     stage      scenes of our own          drill     a drill of the package as it is judged
     kick_off   whole matches, under the rules of play that the claim states
 
-All matches of claims are made here (`make`), which refuses rules that the claim does not state.
+All matches of claims are made here (`make_matches`), which refuses rules that the claim does not state.
 """
 
 from collections.abc import Iterable, Iterator
@@ -22,7 +22,7 @@ import numpy as np
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.match.staging import PATIENT, send_off, set_phase
-from soccer_env.match.staging import begin as begin
+from soccer_env.match.staging import begin_scene as begin_scene
 from soccer_env.match.staging import put as put
 from soccer_env.match.staging import put_ball as put_ball
 from soccer_env.scenes import find_scene
@@ -32,7 +32,7 @@ from soccer_env.types import Phase
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
 
 
-def make(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:
+def make_matches(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:
     """Make matches with the batch's seeds and threads; ValueError for rules that the claim does not state."""
     if rules not in batch.rules:
         raise ValueError(f"claim {batch.claim} states the rules {batch.rules}, its matches are made with {rules!r}")
@@ -49,7 +49,7 @@ def stage(
     `settings` of a Match: sensors={...}, memory={...}; the batch sets the pose. All variants share the batch's seeds.
     """
     settings = {"observe": "belief", "senses": "sensors", **settings}
-    match = make(batch, league, rules, matches=matches, home=home, away=away, **settings)
+    match = make_matches(batch, league, rules, matches=matches, home=home, away=away, **settings)
     set_phase(match, Phase.PLAY)
     send_off(match, range(home + away))
     return match
@@ -63,12 +63,12 @@ def kick_off(
     The matches use the batch's rules of play, unless `rules` are given.
     """
     settings = {"senses": "sensors", "controllers": {"home": team, "away": team}, **settings}
-    return make(batch, LEGGED, rules or batch.play_rules, matches=matches, **settings)
+    return make_matches(batch, LEGGED, rules or batch.play_rules, matches=matches, **settings)
 
 
-def drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
+def stage_drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
     """Return matches of a legged drill, one robot of a team against one that stands, under the drill's own rules."""
-    return make(
+    return make_matches(
         batch, LEGGED, find_scene(scene).rules, matches=matches, home=1, away=1, keeper=0, scene=scene,
         episode="drill", controllers={"home": team, "away": "still"},
     )  # fmt: skip
@@ -85,39 +85,39 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
 
     Actions (M, R, 4 or 7) may be changed between steps.
     """
-    numbers = standing(match) if actions is None and match.learns.any() else actions
+    numbers = standing_actions(match) if actions is None and match.learns.any() else actions
     for step in range(round(seconds * match.league.control_rate)):
         match.step(numbers)
         yield step
 
 
-def standing(match: Match) -> np.ndarray:
+def standing_actions(match: Match) -> np.ndarray:
     """Return actions by which robots stand and heads move by themselves: (M, R, 4), with actions="full" (M, R, 7)."""
     actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
     actions[..., 4:5] = -1.0
     return actions
 
 
-def ahead_of(match: Match, r: int, distance: Any, bearing: Any) -> tuple[np.ndarray, np.ndarray]:
+def point_ahead(match: Match, r: int, distance: Any, bearing: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the point (x, y) [m, field frame] at a distance and bearing from robot r."""
     robot = match.robots[:, r]
     angle = robot["heading"] + bearing
     return robot["x"] + distance * np.cos(angle), robot["y"] + distance * np.sin(angle)
 
 
-def ball_from(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+def distance_to_ball(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
     """Return the true distance [m] and bearing [rad] of the ball from robot r (M,)."""
-    return from_robot(match, r, match.balls["x"], match.balls["y"])
+    return distance_to_point(match, r, match.balls["x"], match.balls["y"])
 
 
-def from_robot(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray, np.ndarray]:
+def distance_to_point(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the true distance [m] and bearing [rad] of a point from robot r (M,)."""
     robot = match.robots[:, r]
     dx, dy = x - robot["x"], y - robot["y"]
-    return np.hypot(dx, dy), wrapped(np.arctan2(dy, dx) - robot["heading"])
+    return np.hypot(dx, dy), wrap_angle(np.arctan2(dy, dx) - robot["heading"])
 
 
-def wrapped(angle: np.ndarray) -> np.ndarray:
+def wrap_angle(angle: np.ndarray) -> np.ndarray:
     """Wrap angles [rad] to [-pi, pi)."""
     turned: np.ndarray = (angle + np.pi) % (2.0 * np.pi) - np.pi
     return turned

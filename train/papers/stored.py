@@ -38,10 +38,10 @@ def stored_results(names: Iterable[str]) -> list[ClaimResult]:
     for claim in claims:
         if claim.id not in rows:
             raise ValueError(f"no result of {claim.id} is stored; measure it without --stored")
-    return [as_result(claim, rows[claim.id]) for claim in claims]
+    return [restore_result(claim, rows[claim.id]) for claim in claims]
 
 
-def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
+def restore_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
     """Convert a stored result to a ClaimResult, without figures and with numbers as text."""
     about = row["about"]
     measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
@@ -55,15 +55,15 @@ def as_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
         cap=row["n"],
         ingredients=list(claim.ingredients),
         note=f"{note}\n\n{measured}".strip(),
-        findings=[with_bounds(claim, row, found) for found in row["findings"]],
+        findings=[add_bounds(claim, row, found) for found in row["findings"]],
         without=claim.without.ingredient if claim.without else "",
-        without_findings=[with_bounds(claim, row, found) for found in row["without_findings"]],
+        without_findings=[add_bounds(claim, row, found) for found in row["without_findings"]],
         figures=[],
         settings="",
     )
 
 
-def with_bounds(claim: Claim, row: Mapping[str, Any], finding: Mapping[str, Any]) -> dict[str, Any]:
+def add_bounds(claim: Claim, row: Mapping[str, Any], finding: Mapping[str, Any]) -> dict[str, Any]:
     """Add the bounds of its criterion to a stored finding, and the number of its units if known."""
     bounds = next((one.asked for one in claim.criteria if one.text == finding["criterion"]), "")
     units = row["n_used"] if finding["criterion"] == row["criterion"] else None

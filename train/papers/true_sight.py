@@ -7,7 +7,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import sensors_of
 from soccer_env.optics.head_camera import share_of_tilt
-from soccer_env.train.papers.staging import from_robot, play, standing
+from soccer_env.train.papers.staging import distance_to_point, play, standing_actions
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
@@ -41,7 +41,7 @@ def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
     return angle
 
 
-def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
+def stare_at_ball(match: Match, actions: np.ndarray, r: int = 0) -> None:
     """Turn the head of robot r to the true ball: fill columns 4 to 6 of actions (M, R, 7)."""
     look_at_point(match, actions, r, match.balls["x"], match.balls["y"], match.league.ball.radius)
 
@@ -49,7 +49,7 @@ def stare(match: Match, actions: np.ndarray, r: int = 0) -> None:
 def look_at_point(match: Match, actions: np.ndarray, r: int, x: np.ndarray, y: np.ndarray, height: float) -> None:
     """Turn the head of robot r to a point (M,) [m, field frame]: fill columns 4 to 6 of actions (M, R, 7)."""
     s = match.league.sensors
-    distance, bearing = from_robot(match, r, x, y)
+    distance, bearing = distance_to_point(match, r, x, y)
     # from the neck, about which the head turns
     ahead, left = distance * np.cos(bearing) - s.neck_ahead, distance * np.sin(bearing)
     away, down = np.hypot(ahead, left), s.neck_height - height
@@ -68,31 +68,31 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:
     """Let robot r stand and stare at the true ball for `seconds`, so that it sees the ball; needs actions="full"."""
-    actions = standing(match)
+    actions = standing_actions(match)
     for _ in play(match, seconds, actions):
-        stare(match, actions, r)
+        stare_at_ball(match, actions, r)
 
 
 BLIND = {"ball_miss": 1.0, "red_as_orange": 0.0, "false_balls": 0.0}  # of either league, where it has them
 
 
-def blind(match: Match) -> None:
+def blind_cameras(match: Match) -> None:
     """Hide the ball and false balls from all cameras from now on; coloured patches are left to the caller."""
     for name, value in BLIND.items():
         if hasattr(match.league.sensors, name):
             sensors_of(match)[name] = value
 
 
-def see_again(match: Match) -> None:
-    """Undo `blind`: restore the sensor settings of the league."""
+def restore_cameras(match: Match) -> None:
+    """Undo `blind_cameras`: restore the sensor settings of the league."""
     for name in BLIND:
         if hasattr(match.league.sensors, name):
             sensors_of(match)[name] = getattr(match.league.sensors, name)
 
 
-def follow(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:
+def follow_ball(match: Match, keep: float = 0.0, r: int = 0) -> np.ndarray:
     """Return walk actions (M, 3) in [-1, 1] of robot r to within `keep` [m] of the true ball; 0: into the ball."""
-    distance, bearing = from_robot(match, r, match.balls["x"], match.balls["y"])
+    distance, bearing = distance_to_point(match, r, match.balls["x"], match.balls["y"])
     walk = np.zeros((match.count, 3))
     walk[:, 0] = np.where(np.abs(bearing) < 0.6, np.clip((distance - keep) / 0.2, -1.0, 1.0), 0.0)
     walk[:, 2] = np.clip(bearing / 0.4, -1.0, 1.0)

@@ -55,7 +55,7 @@ def least_rise(values: Any) -> float:
     return float(np.min(np.diff(np.asarray(values, float))))
 
 
-def in_bins(place: np.ndarray, edges: Sequence[float] | np.ndarray) -> list[np.ndarray]:
+def bin_masks(place: np.ndarray, edges: Sequence[float] | np.ndarray) -> list[np.ndarray]:
     """Return for each bin a mask of the values of `place` in it: lower edge <= value < upper edge."""
     return [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
 
@@ -65,7 +65,7 @@ def middles_of(edges: Sequence[float] | np.ndarray, scale: float = 1.0) -> list[
     return [0.5 * scale * float(low + high) for low, high in zip(edges, edges[1:], strict=False)]
 
 
-def about_own_mean(values: np.ndarray) -> np.ndarray:
+def subtract_row_mean(values: np.ndarray) -> np.ndarray:
     """Return values (M, T) minus the mean of the finite values in each row."""
     there = np.isfinite(values)
     total = np.where(there, values, 0.0).sum(axis=1) / np.maximum(there.sum(axis=1), 1)

@@ -66,7 +66,7 @@ class Finding:
 
 def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
     """Return a criterion on any quantity of the samples; its interval is a bootstrap over units."""
-    return Criterion(text, unit, bootstrapped(value), units_used(value), **_in(bounds))
+    return Criterion(text, unit, bootstrap_of(value), used_units_counter(value), **_bound_fields(bounds))
 
 
 def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
@@ -76,7 +76,7 @@ def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
         share, low, high = clustered_share(samples[hits], samples[trials], confidence=level)
         return 100.0 * share, 100.0 * low, 100.0 * high
 
-    return Criterion(text, "%", interval, lambda samples: int((samples[trials] > 0).sum()), **_in(bounds))
+    return Criterion(text, "%", interval, lambda samples: int((samples[trials] > 0).sum()), **_bound_fields(bounds))
 
 
 def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
@@ -86,20 +86,20 @@ def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bou
         number = float(value(samples))
         return number, number, number
 
-    return Criterion(text, unit, interval, units_used(value), **_in(bounds))
+    return Criterion(text, unit, interval, used_units_counter(value), **_bound_fields(bounds))
 
 
 def reported(text: str, value: Callable[[Samples], float], *, unit: str = "") -> Criterion:
     """Return a criterion for a number that is reported beside the others and decides nothing."""
-    return Criterion(text, unit, bootstrapped(value), units_used(value), decides=False)
+    return Criterion(text, unit, bootstrap_of(value), used_units_counter(value), decides=False)
 
 
-def bootstrapped(value: Callable[[Samples], float]) -> Callable[[Samples, float], Interval]:
+def bootstrap_of(value: Callable[[Samples], float]) -> Callable[[Samples, float], Interval]:
     """Return a function of samples and confidence that gives the bootstrap interval of a quantity."""
     return lambda samples, level: unit_bootstrap(samples, value, confidence=level)
 
 
-class Watched(dict[str, np.ndarray]):
+class ReadTracker(dict[str, np.ndarray]):
     """Samples that record which of their arrays are read."""
 
     def __init__(self, samples: Samples) -> None:
@@ -111,11 +111,11 @@ class Watched(dict[str, np.ndarray]):
         return super().__getitem__(name)
 
 
-def units_used(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
+def used_units_counter(value: Callable[[Samples], float]) -> Callable[[Samples], int]:
     """Return a function that counts the units of a quantity: the fewest with a value among the arrays that it reads."""
 
     def count(samples: Samples) -> int:
-        watched = Watched(samples)
+        watched = ReadTracker(samples)
         value(watched)
         return min((units_with_value(samples[name]) for name in watched.read or samples), default=0)
 
@@ -129,7 +129,7 @@ def units_with_value(array: np.ndarray) -> int:
     return int(np.isfinite(array.reshape(len(array), -1)).any(axis=1).sum())
 
 
-def _in(bounds: dict[str, float]) -> dict[str, Any]:
+def _bound_fields(bounds: dict[str, float]) -> dict[str, Any]:
     """Convert the bounds at_least, at_most, above or below to the fields low, high and strict of a Criterion."""
     unknown = set(bounds) - {"at_least", "at_most", "above", "below"}
     strict = bool({"above", "below"} & set(bounds))
@@ -140,7 +140,7 @@ def _in(bounds: dict[str, float]) -> dict[str, Any]:
     return {"low": low, "high": high, "strict": strict}
 
 
-def find(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
+def judge_criterion(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
     """Compare samples with a criterion at a confidence, and return the finding."""
     estimate, low, high = criterion.interval(samples, confidence)
     verdict = judge(criterion, low, high)
@@ -171,7 +171,7 @@ def combine(findings: Sequence[Finding]) -> str:
     return CONTEXT
 
 
-def deciding(findings: Sequence[Finding]) -> Finding | None:
+def deciding_finding(findings: Sequence[Finding]) -> Finding | None:
     """Return the finding that decides a claim: the first finding with the claim's verdict."""
     verdict = combine(findings)
     return next((finding for finding in findings if finding.verdict == verdict), None)

@@ -39,7 +39,9 @@ def examine_in_processes(
     answers: queue.SimpleQueue[Any] = queue.SimpleQueue()
     head = json.dumps({"settings": as_json(settings), "hash": settings_hash})
     workers = [start_worker() for _ in range(min(settings.threads, len(caps)))]
-    threads = [threading.Thread(target=serve, args=(worker, head, waiting, answers), daemon=True) for worker in workers]
+    threads = [
+        threading.Thread(target=feed_worker, args=(worker, head, waiting, answers), daemon=True) for worker in workers
+    ]
     try:
         for thread in threads:
             thread.start()
@@ -54,7 +56,7 @@ def examine_in_processes(
                 yield ClaimResult(**answer)
     finally:
         for worker, thread in zip(workers, threads, strict=True):
-            end(worker, thread)
+            kill_worker(worker, thread)
 
 
 def start_worker() -> subprocess.Popen[str]:
@@ -63,7 +65,7 @@ def start_worker() -> subprocess.Popen[str]:
     return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
+def kill_worker(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
     """Kill a worker, and join the thread that talks to it."""
     worker.kill()
     if thread.is_alive():
@@ -72,7 +74,7 @@ def end(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
         pass
 
 
-def serve(
+def feed_worker(
     worker: subprocess.Popen[str], head: str, waiting: queue.SimpleQueue[tuple[str, int]],
     answers: queue.SimpleQueue[Any],
 ) -> None:  # fmt: skip
@@ -80,20 +82,20 @@ def serve(
     assert worker.stdin is not None and worker.stdout is not None
     claim = ""
     try:
-        tell(worker, head)
+        write_line(worker, head)
         while True:
             try:
                 claim, cap = waiting.get_nowait()
             except queue.Empty:
                 break
-            tell(worker, json.dumps([claim, cap]))
+            write_line(worker, json.dumps([claim, cap]))
             answers.put(json.loads(worker.stdout.readline()))
     except (OSError, ValueError):
         answers.put(RuntimeError(f"the process that measured claim {claim} ended with code {worker.wait()}"))
     answers.put(DONE)
 
 
-def tell(worker: subprocess.Popen[str], line: str) -> None:
+def write_line(worker: subprocess.Popen[str], line: str) -> None:
     """Write a line to the standard input of a worker."""
     assert worker.stdin is not None
     worker.stdin.write(line + "\n")
@@ -106,7 +108,7 @@ def as_json(settings: ReproduceSettings) -> dict[str, Any]:
     return {name: value for name, value in asdict(settings).items() if name not in left_out}
 
 
-def work(lines: Sequence[str] | Iterator[str], say: Any) -> None:
+def answer_requests(lines: Sequence[str] | Iterator[str], say: Any) -> None:
     """Examine the claims that the lines request, and print each result as a line of JSON to `say`."""
     claims = all_claims()
     rest = iter(lines)
@@ -125,7 +127,7 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends this process
     answers, sys.stdout = sys.stdout, sys.stderr  # so that a claim's own output is not read as an answer
     try:
-        work(sys.stdin, answers)
+        answer_requests(sys.stdin, answers)
     except BrokenPipeError:  # the parent was killed: nobody waits for the answer
         os.dup2(os.open(os.devnull, os.O_WRONLY), answers.fileno())
 

@@ -55,7 +55,7 @@ def train(settings: TrainSettings) -> TrainResult:
                     learner.collect_rollout(run.show_step)
                 with run.timed("update"):
                     learner.update(actor=run.rollouts >= settings.critic_first)  # the critic alone learns first
-                    lessons.go_on(learner.steps, run.rollouts)  # and does not forget it at once
+                    lessons.continue_imitation(learner.steps, run.rollouts)  # and does not forget it at once
                 curriculum.take(results := matches.take_results())  # even opponents are met the most often
                 run.count_rollout()
                 if run.rollouts % settings.past_every == 0:

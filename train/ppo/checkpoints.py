@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import torch
 
-from soccer_env.guards.whole_files import read_plain, write_whole
+from soccer_env.guards.whole_files import read_regular_file, write_atomically
 from soccer_env.train.files import LARGEST
 
 LATEST = "latest.json"
@@ -23,20 +23,20 @@ NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")
 
 def write_checkpoint(folder: Path, state: dict[str, Any], step: int) -> None:
     """Write a checkpoint beside the last one, then let latest.json name it. An OSError leaves the last one valid."""
-    name = NAMES[1] if latest(folder).get("file") == NAMES[0] else NAMES[0]
+    name = NAMES[1] if read_latest(folder).get("file") == NAMES[0] else NAMES[0]
     buffer = io.BytesIO()
     torch.save(as_tensors(state), buffer)
     data = buffer.getvalue()
-    write_whole(folder / name, data)
+    write_atomically(folder / name, data)
     about = {"file": name, "sha256": hashlib.sha256(data).hexdigest(), "step": step}
-    write_whole(folder / LATEST, json.dumps(about) + "\n")
+    write_atomically(folder / LATEST, json.dumps(about) + "\n")
 
 
 def read_checkpoint(folder: Path) -> dict[str, Any] | None:
     """Return the newest checkpoint of a folder, None if it has none; ValueError if it is damaged."""
     if not (folder / LATEST).exists():
         return None
-    about = latest(folder)
+    about = read_latest(folder)
     name = about.get("file")
     if name not in NAMES or not (folder / name).is_file():
         raise ValueError(f"{folder / LATEST} names {name!r}, which is not there; --anew starts again")
@@ -54,13 +54,13 @@ def read_checkpoint(folder: Path) -> dict[str, Any] | None:
     return state
 
 
-def latest(folder: Path) -> dict[str, Any]:
+def read_latest(folder: Path) -> dict[str, Any]:
     """Return the contents of latest.json, {} without the file; ValueError if it cannot be read."""
     path = folder / LATEST
     if not path.exists():
         return {}
     try:
-        about = json.loads(read_plain(path, LARGEST))
+        about = json.loads(read_regular_file(path, LARGEST))
     except (OSError, ValueError, RecursionError) as error:
         raise ValueError(f"{path} cannot be read ({error}); --anew starts again") from error
     if not isinstance(about, dict):
@@ -96,7 +96,7 @@ def from_tensors(value: Any) -> Any:
     return value
 
 
-def generators() -> dict[str, Any]:
+def generator_states() -> dict[str, Any]:
     """Return the states of the random generators that training uses: torch's, numpy's and Python's."""
     _, keys, at, has_gauss, gauss = np.random.get_state()  # stable-baselines3 shuffles with numpy's global one
     version, internal, gauss_next = random.getstate()

@@ -14,16 +14,16 @@ from typing import Any
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
-from soccer_env.train.ppo.match_blocks import shares
+from soccer_env.train.ppo.match_blocks import split_matches
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.reporting.loggers import check_packages
-from soccer_env.train.ppo.reports import evaluation_of
+from soccer_env.train.ppo.reports import policy_contest
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from soccer_env.train.provenance import commit, version_of
@@ -38,36 +38,36 @@ def check_playable(settings: TrainSettings) -> None:
     league = settings.played
     blank = blank_policy(settings, league)
     check_start(settings, blank)
-    policy = replace(blank, made=made_by(settings, 0))
-    with said_by("opponents"):
+    policy = replace(blank, made=policy_origin(settings, 0))
+    with name_setting_in_error("opponents"):
         curriculum = make_curriculum(settings)
         for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
             make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
     check_minutes(settings, league)
-    shares(settings.sizes, settings.matches, settings.ideal_share)
-    with said_by("evaluate_against"):
+    split_matches(settings.sizes, settings.matches, settings.ideal_share)
+    with name_setting_in_error("evaluate_against"):
         for opponent in settings.judges:
             check_contest(policy, opponent, settings)
     if settings.teacher:
-        with said_by("teacher"):
+        with name_setting_in_error("teacher"):
             if settings.rounds and not isinstance(make_team(settings.teacher), CompiledTeam):
                 raise ValueError(
                     f"rounds=0 is needed for {settings.teacher!r}: a team in Python plays, but cannot advise"
                 )
             for sizes, (_, senses) in product(settings.sizes, settings.kinds_of_senses):
-                lesson(settings, sizes, senses).close()
+                make_lesson_match(settings, sizes, senses).close()
 
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
     """Raise ValueError unless the policy file of `start`, if any, has the shape of the policy to train (`blank`)."""
     if not settings.start:
         return
-    with said_by("start"):
+    with name_setting_in_error("start"):
         policy = load(settings.start)
         for what in ("family", "control_rate", "observe", "inputs", "action_repeat", "kind", "activation", "mirror"):
             own, other = getattr(blank, what), getattr(policy, what)
             if own != other:
-                told = "differ" if what == "inputs" else f"is {brief(other)}, the run's {brief(own)}"
+                told = "differ" if what == "inputs" else f"is {short_repr(other)}, the run's {short_repr(own)}"
                 raise ValueError(f"policy file {settings.start!r} is of another shape: {what} {told}")
         shapes = [[weight.shape for weight in one.weights] for one in (blank, policy)]
         if shapes[0] != shapes[1]:
@@ -88,7 +88,7 @@ def check_minutes(settings: TrainSettings, league: League) -> None:
 
 
 @contextmanager
-def said_by(setting: str) -> Iterator[None]:
+def name_setting_in_error(setting: str) -> Iterator[None]:
     """Put the name of a setting before the message of any ValueError in a `with` block."""
     try:
         yield
@@ -98,12 +98,12 @@ def said_by(setting: str) -> Iterator[None]:
 
 def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
     """Raise ValueError if an evaluation against this opponent cannot be played."""
-    contest = evaluation_of(policy, opponent, settings)
+    contest = policy_contest(policy, opponent, settings)
     contest.start("home", [0]).close()
     contest.start("away", [0]).close()
 
 
-def lesson(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
+def make_lesson_match(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
     """Return a match of the teacher, to check that it can play with the settings of the matches to record."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
@@ -118,7 +118,7 @@ def digest(path: str) -> str:
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
-def made_by(settings: TrainSettings, step: int) -> dict[str, str]:
+def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return the record of a policy's origin for its file: command, settings, versions; without the user's folders."""
     begun = {"start": digest(settings.start)} if settings.start else {}
     settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")

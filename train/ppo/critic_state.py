@@ -7,7 +7,7 @@ import numpy as np
 from soccer_env.match import Match, truth_state
 
 
-def with_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:
+def append_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:
     """Append to each observation (M, L, n) the state (M, s) from the side of its robot; home's robots come first.
 
     records: of the match now, or of episodes that have ended (`match.final`); players: slots a side in the state.

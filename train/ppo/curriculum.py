@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from openskill.models import PlackettLuce
 
-from soccer_env.agents.learned import team_of
-from soccer_env.agents.perceptron import pack
+from soccer_env.agents.learned import team_from_policy
+from soccer_env.agents.perceptron import pack_policy
 from soccer_env.agents.policy import Policy
 from soccer_env.teams import Lineup
 
@@ -37,7 +37,7 @@ class Curriculum:
     def __init__(self, names: Sequence[str], past: int, first: Policy) -> None:
         self.past_names = [f"past-{index}" for index in range(past)]
         self.names = [*names, *self.past_names]
-        self._past = [team_of(first) for _ in self.past_names]
+        self._past = [team_from_policy(first) for _ in self.past_names]
         self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
         self.leaving = dict.fromkeys(self.past_names, 0)  # running episodes against a replaced past self
         self.standings = {name: Standing() for name in (LEARNER, *self.names)}
@@ -65,7 +65,7 @@ class Curriculum:
         """
         if self._past:
             oldest = int(np.argmin(self.filled))
-            self._past[oldest].settings[:] = pack(policy)
+            self._past[oldest].settings[:] = pack_policy(policy)
             self.filled[oldest] = step
             self.leaving[self.past_names[oldest]] = sum(name == self.past_names[oldest] for name in playing)
             learner = self.standings[LEARNER]

@@ -128,7 +128,7 @@ def make_model(settings: TrainSettings, matches: SoccerVecEnv, entries: list[Ent
         warnings.filterwarnings("ignore", category=UserWarning, module="stable_baselines3")
         model = PPO(
             SoccerPolicy, matches, learning_rate=rate, n_steps=settings.rollout,
-            batch_size=part_size(settings.rollout * matches.num_envs, settings.batch),
+            batch_size=minibatch_size(settings.rollout * matches.num_envs, settings.batch),
             n_epochs=settings.epochs, gamma=settings.gamma, gae_lambda=settings.gae_lambda, clip_range=settings.clip,
             ent_coef=settings.entropy, policy_kwargs=shape, seed=settings.seed, device=settings.device,
         )  # fmt: skip
@@ -151,7 +151,7 @@ def check_weights(model: PPO) -> None:
         )
 
 
-def part_size(decisions: int, batch: int) -> int:
+def minibatch_size(decisions: int, batch: int) -> int:
     """Return a batch size near `batch` that cuts a rollout's decisions into nearly equal parts."""
     parts = max(1, round(decisions / batch))
     return -(-decisions // parts)

@@ -12,11 +12,11 @@ import numpy as np
 
 from soccer_env.actions import DISCRETE
 from soccer_env.api.opponents import LEARNER
-from soccer_env.guards.checking import whole_number
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.checking import check_whole_number
+from soccer_env.guards.interrupts import SignalsHeld
 from soccer_env.match.match import BLOCK, Match
-from soccer_env.match.saving import signals_wait, undoing
-from soccer_env.match.squads import who_plays
+from soccer_env.match.saving import make_undo, signals_wait
+from soccer_env.match.squads import playing_team_names
 
 
 @dataclass(frozen=True)
@@ -51,28 +51,28 @@ def check_request(
     observe = settings.get("observe")
     if isinstance(observe, Mapping) or any(hasattr(observe, name) for name in ("space", "low", "high")):
         raise ValueError(f"SoccerVecEnv needs one vector in [-1, 1] for every robot, got observe={observe!r}")
-    whole_number("action_repeat", repeat, 1, 1000)
-    whole_number("threads", threads, 1, 256)
+    check_whole_number("action_repeat", repeat, 1, 1000)
+    check_whole_number("threads", threads, 1, 256)
 
 
-def shares(
+def split_matches(
     players: Sequence[tuple[int, int]], matches: int, ideal_share: float
 ) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
     """Divide matches evenly among team sizes, a share of each with ideal senses; return (sizes, matches, settings)."""
     if not 0.0 <= ideal_share <= 1.0:
         raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
     blocks: list[tuple[tuple[int, int], int, dict[str, str]]] = []
-    for sizes, count in zip(players, parts(matches, len(players)), strict=True):
+    for sizes, count in zip(players, split_evenly(matches, len(players)), strict=True):
         ideal = round(ideal_share * count)
         if count < 1 or (ideal_share > 0.0 and ideal < 1) or (ideal_share < 1.0 and ideal == count):
             kinds = f"{len(players)} team sizes" + (", by either senses" if 0.0 < ideal_share < 1.0 else "")
             raise ValueError(f"matches must be at least one for each of {kinds}, got {matches}")
         for number, senses in ((count - ideal, {}), (ideal, {"senses": "ideal"})):
-            blocks += [(sizes, part, senses) for part in parts(number, -(-number // BLOCK))]
+            blocks += [(sizes, part, senses) for part in split_evenly(number, -(-number // BLOCK))]
     return blocks
 
 
-def parts(whole: int, count: int) -> list[int]:
+def split_evenly(whole: int, count: int) -> list[int]:
     """Return `count` nearly equal whole numbers that add up to `whole`."""
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]
 
@@ -100,7 +100,7 @@ def stagger_clocks(match: Match, repeat: int) -> None:
 
 def playing(match: Match) -> list[str]:
     """Return, for each match, the name of the team that plays the last away robot now, or LEARNER."""
-    return [name or LEARNER for name in who_plays(match.squads, len(match.agents) - 1, match.count)]
+    return [name or LEARNER for name in playing_team_names(match.squads, len(match.agents) - 1, match.count)]
 
 
 def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarray:
@@ -128,7 +128,7 @@ def learners_of(match: Match) -> list[tuple[int, str]]:
 
 
 @contextmanager
-def undone(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> Iterator[None]:
+def undo_on_error(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> Iterator[None]:
     """Delay signals while all matches reset or step; if a signal or an error still interrupts, undo the step in all.
 
     Signals still interrupt matches that call a user's code, or that may have to compile.
@@ -136,8 +136,8 @@ def undone(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> 
     before: list[Any] = []
     names = list(opponents)
     if not all(signals_wait(match, doing) for match in matches):
-        before = [undoing(match, doing) for match in matches]
-    with HeldBack():
+        before = [make_undo(match, doing) for match in matches]
+    with SignalsHeld():
         try:
             yield
         except BaseException:

@@ -14,8 +14,8 @@ import torch
 from stable_baselines3.common.policies import ActorCriticPolicy
 from torch import nn
 
-from soccer_env.agents.attention import Layout, layout_of, width_beside
-from soccer_env.agents.policy import Policy, trained_in
+from soccer_env.agents.attention import Layout, attention_width, layout_of
+from soccer_env.agents.policy import Policy, training_fields
 from soccer_env.leagues.league import League
 from soccer_env.observations import Entry
 from soccer_env.observations import layout as entries_of
@@ -149,7 +149,7 @@ class SoccerPolicy(ActorCriticPolicy):
         sizes = (len(self.entries), self.features_dim, self.hidden, self.critic)
         attention = None
         if self.kind == "attention":
-            attention = Attention(layout_of(self.entries), width_beside(self.hidden), self.activation)
+            attention = Attention(layout_of(self.entries), attention_width(self.hidden), self.activation)
         self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs, attention)
 
     def _build(self, lr_schedule: Any) -> None:
@@ -171,7 +171,7 @@ class SoccerPolicy(ActorCriticPolicy):
         return [*(attention.parameters() if attention else ()), *own, self.log_std]
 
 
-def policy_from(
+def export_policy(
     network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str],
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
@@ -181,7 +181,7 @@ def policy_from(
     )
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
-        name=name, **trained_in(league), observe=observe, inputs=inputs, actions=actions,
+        name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose,
     )  # fmt: skip
@@ -196,7 +196,7 @@ def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch
     return [part.weight for part in linear], [part.bias for part in linear], attention.tensors() if attention else []
 
 
-def begin_with(network: SoccerPolicy, policy: Policy) -> None:
+def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
     """Copy the actor of a policy of the same shape into a network; the noise and the critic of the network stay."""
     given = (policy.weights, policy.biases, policy.attention)
     with torch.no_grad():
@@ -213,12 +213,12 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
     features = len(entries)
     pooling: tuple[tuple[int, ...], ...] = ()
     if settings.kind == "attention":
-        layout, width = layout_of(entries), width_beside(settings.hidden_sizes)
+        layout, width = layout_of(entries), attention_width(settings.hidden_sizes)
         features, pooling = layout.features(width), layout.shapes(width)
     sizes = (features, *settings.hidden_sizes, actions)
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
-        name=settings.name, **trained_in(league), observe=settings.observe, inputs=names, actions="box",
+        name=settings.name, **training_fields(league), observe=settings.observe, inputs=names, actions="box",
         action_repeat=settings.action_repeat, activation=settings.activation, mirror=settings.mirror,
         kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.learned import team_of
+from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
@@ -36,7 +36,7 @@ UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
 EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other matches than training
 
 
-class Board:
+class ProgressBoard:
     """Show a run's progress, time the stages of each rollout and write its line of the log."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder) -> None:
@@ -118,7 +118,7 @@ def rounded(value: Any) -> float | None:
     return round(float(value), 6) if value is not None and np.isfinite(value) else None
 
 
-def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
+def policy_contest(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
     """Return the contest of a policy against an opponent of the evaluations."""
     players = max(settings.sizes)
     asked = EvaluateSettings(
@@ -127,14 +127,14 @@ def evaluation_of(policy: Policy, opponent: str, settings: TrainSettings) -> Con
         seed=settings.seed + EVALUATION_SEED, senses=settings.senses, pose="particles", rules=settings.rules,
     )  # fmt: skip
     league = find_league(settings.league)
-    return contest_of(conditions_of(asked, league), league, {"policy": team_of(policy)})
+    return contest_of(conditions_of(asked, league), league, {"policy": team_from_policy(policy)})
 
 
 def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
     """Play a policy against each opponent of the evaluations; return a row for each with 95 % intervals."""
     rows = []
     for opponent in settings.judges:
-        contest = evaluation_of(policy, opponent, settings)
+        contest = policy_contest(policy, opponent, settings)
         lines: list[MatchLine] = []
         play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
         result = summarise(contest.conditions, {}, lines)
@@ -159,7 +159,7 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
 def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> dict[str, Any]:
     """Return the learning curve as an argument of `draw_curves`."""
     decisions = decisions_of(evaluations)
-    unit, words = scale(max(decisions))
+    unit, words = step_unit(max(decisions))
     curves = []
     for index, row in enumerate(evaluations[0]["rows"]):
         found = [one["rows"][index] for one in evaluations]
@@ -186,7 +186,7 @@ def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:
     return [one["step"] + (advised if one["step"] else one.get("advised", 0)) for one in evaluations]
 
 
-def scale(steps: int) -> tuple[float, str]:
+def step_unit(steps: int) -> tuple[float, str]:
     """Return a unit that makes a number of steps short, and its words."""
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
 
@@ -205,7 +205,7 @@ def screen_table(result: Any) -> Any:
     return table
 
 
-def best_line(result: Any) -> str:
+def best_evaluation_sentence(result: Any) -> str:
     """Return a sentence about the best evaluation of a run (`training.TrainResult`)."""
     pairs = zip(decisions_of(result.evaluations), result.evaluations, strict=True)
     decisions, best = max(pairs, key=lambda pair: pair[1]["mean"])
@@ -222,7 +222,7 @@ def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
         return []
     policy, kept = load(path), []
     for number, opponent in enumerate(settings.judges, 1):
-        contest = evaluation_of(policy, opponent, settings)
+        contest = policy_contest(policy, opponent, settings)
         lines: list[MatchLine] = []
         play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
         before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"

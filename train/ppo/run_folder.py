@@ -11,14 +11,14 @@ import json
 from pathlib import Path
 from typing import Any
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.evaluate.results import KEPT_FILES
 from soccer_env.train.files import read_lines
 from soccer_env.train.ppo.bounds import LOGS
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.provenance import of_modules
-from soccer_env.train.results_folder import SETTINGS, Kind, ResultsFolder
+from soccer_env.train.provenance import module_hashes
+from soccer_env.train.results_folder import SETTINGS, ResultsFolder, RunKind
 
 LOG = "log.jsonl"
 TABLE = "progress.csv"
@@ -28,7 +28,7 @@ LAST = "last.safetensors"
 CURVE = "learning_curve.png"
 REPORT = "report.html"
 ROUNDS = "rounds"  # a folder
-TRAINING = Kind(
+TRAINING = RunKind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),
     (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, REPORT, LATEST, *NAMES),
     lambda _: [*LOGS, ROUNDS, *KEPT_FILES], alone=True,
@@ -44,7 +44,7 @@ class RunFolder(ResultsFolder):
         conditions, every = settings.decisive(), settings.as_dict()
         free = {name: every[name] for name in every if name not in conditions and name != "anew"}
         defaults = TrainSettings().decisive()  # a setting that came after the run began was at its default
-        made = of_modules(settings.named)
+        made = module_hashes(settings.named)
         super().__init__(settings.out, TRAINING, conditions, made, free, settings.anew, defaults)
         whole = {"conditions": conditions, "made_with": made, "about": free}
         self.write(SETTINGS, json.dumps(whole, indent=2) + "\n")  # settings that may differ have their latest values
@@ -54,14 +54,14 @@ class RunFolder(ResultsFolder):
         if self.lines():
             raise ValueError(f"{self.path} holds the log of a run without its {LATEST}; --anew starts again")
 
-    def forget_after(self, step: int) -> None:
+    def cut_logs_after(self, step: int) -> None:
         """Cut the logs back to the step from which the run resumes."""
         for name in (LOG, EVALUATIONS):
             path = self.path / name
             records = read_lines(path)
             if not all(isinstance(record.get("step"), int) for record in records):
                 raise ValueError(f"{path} is damaged: it holds a line without its step; --anew starts again")
-            self._keep(name, [record for record in records if record["step"] <= step or record.get("advised")])
+            self._keep_lines(name, [record for record in records if record["step"] <= step or record.get("advised")])
         self._write_table()
 
     def log(self, record: dict[str, Any]) -> None:
@@ -77,15 +77,17 @@ class RunFolder(ResultsFolder):
         """Add an evaluation to evaluations.jsonl."""
         self.add(EVALUATIONS, [record])
 
-    def forget_evaluations_from(self, record: dict[str, Any]) -> None:
+    def remove_evaluations_from(self, record: dict[str, Any]) -> None:
         """Remove the logged evaluations that are not earlier than `record`, which is about to be logged."""
-        self._keep(EVALUATIONS, [one for one in self.evaluations() if order(one) < order(record)])
+        self._keep_lines(
+            EVALUATIONS, [one for one in self.evaluations() if evaluation_order(one) < evaluation_order(record)]
+        )
 
-    def _keep(self, name: str, kept: list[dict[str, Any]]) -> None:
+    def _keep_lines(self, name: str, kept: list[dict[str, Any]]) -> None:
         """Rewrite a log with only the lines in `kept`, if it has more."""
         path = self.path / name
         if len(kept) < len(read_lines(path)):
-            write_whole(path, "".join(json.dumps(record) + "\n" for record in kept))
+            write_atomically(path, "".join(json.dumps(record) + "\n" for record in kept))
 
     def lines(self) -> list[dict[str, Any]]:
         """Return the lines of all rollouts so far."""
@@ -99,12 +101,12 @@ class RunFolder(ResultsFolder):
         """Rewrite progress.csv from log.jsonl."""
         lines = [flattened(record) for record in self.lines()]
         if lines:
-            write_whole(self.path / TABLE, csv_lines([list(lines[0]), *(list(line.values()) for line in lines)]))
+            write_atomically(self.path / TABLE, csv_lines([list(lines[0]), *(list(line.values()) for line in lines)]))
         else:
             (self.path / TABLE).unlink(missing_ok=True)
 
 
-def order(evaluation: dict[str, Any]) -> tuple[int, int]:
+def evaluation_order(evaluation: dict[str, Any]) -> tuple[int, int]:
     """Return a sort key that orders the evaluations of a run in time."""
     return evaluation["step"], evaluation.get("advised", 0)
 

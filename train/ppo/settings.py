@@ -17,14 +17,14 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
-from soccer_env.scenes import Scene, mixture, names_in
+from soccer_env.scenes import Scene, mixture, scene_names
 from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.ppo.bounds import BOUNDS, LOGS
 from soccer_env.train.written_settings import (
     CommandSettings,
-    command_with,
-    different,
+    command_line,
     layer_sizes,
+    split_distinct_names,
     split_players,
     split_senses,
 )
@@ -207,7 +207,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     @property
     def sizes(self) -> tuple[tuple[int, int], ...]:
         """Return the team sizes (home, away)."""
-        return tuple(split_players(part, 3) for part in different("players", self.players))
+        return tuple(split_players(part, 3) for part in split_distinct_names("players", self.players))
 
     @property
     def played(self) -> League:
@@ -224,7 +224,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     @property
     def named(self) -> list[str]:
         """Return the values of all settings that may have the form MODULE:NAME."""
-        scenes = names_in(self.scenes)
+        scenes = scene_names(self.scenes)
         return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
 
     @property
@@ -257,12 +257,12 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     @property
     def opponent_names(self) -> tuple[str, ...]:
         """Return the opponents' names."""
-        return different("opponents", self.opponents)
+        return split_distinct_names("opponents", self.opponents)
 
     @property
     def logs(self) -> tuple[str, ...]:
         """Return the names of the optional logs; ValueError for an unknown name."""
-        asked = different("log", self.log) if self.log else ()
+        asked = split_distinct_names("log", self.log) if self.log else ()
         for kind in asked:
             if kind not in LOGS:
                 raise ValueError(unknown("log", kind, LOGS))
@@ -271,7 +271,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     @property
     def judges(self) -> tuple[str, ...]:
         """Return the names of the opponents of the evaluations."""
-        return different("evaluate_against", self.evaluate_against)
+        return split_distinct_names("evaluate_against", self.evaluate_against)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the settings as plain values."""
@@ -284,7 +284,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
 def command_of(settings: TrainSettings) -> str:
     """Return the command line of `soccer train` with these settings."""
-    return command_with("train", settings)
+    return command_line("train", settings)
 
 
 def senses_of(senses: str) -> dict[str, str]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from soccer_env import agents
 from soccer_env.guards.names import unknown
-from soccer_env.guards.whole_files import read_plain
+from soccer_env.guards.whole_files import read_regular_file
 from soccer_env.train.ppo.settings import TrainSettings
 
 if sys.version_info >= (3, 11):
@@ -45,7 +45,7 @@ def settings_of(config: Path | None) -> TrainSettings:
 def read_toml(path: Path) -> dict[str, Any]:
     """Return the contents of a TOML file; ValueError if it cannot be read or names an unknown setting."""
     try:
-        found = tomllib.loads(read_plain(path, MAX_FILE).decode("utf-8"))
+        found = tomllib.loads(read_regular_file(path, MAX_FILE).decode("utf-8"))
     except (OSError, ValueError, RecursionError) as error:  # what is no TOML or no UTF-8 is a ValueError
         raise ValueError(f"{path} cannot be read: {error}") from error
     known = [field.name for field in fields(TrainSettings)]

@@ -15,15 +15,15 @@ import numpy as np
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
-from soccer_env.agents.trained_with import tell_of_truth
+from soccer_env.agents.trained_with import warn_if_observing_truth
 from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.ppo.checkpoints import generators, read_checkpoint, restore_generators, write_checkpoint
-from soccer_env.train.ppo.checks import made_by
+from soccer_env.train.ppo.checkpoints import generator_states, read_checkpoint, restore_generators, write_checkpoint
+from soccer_env.train.ppo.checks import policy_origin
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner
-from soccer_env.train.ppo.networks import policy_from
+from soccer_env.train.ppo.networks import export_policy
 from soccer_env.train.ppo.reporting.page import page_of
-from soccer_env.train.ppo.reports import Board, evaluate_policy, keep_best, learning_curve
+from soccer_env.train.ppo.reports import ProgressBoard, evaluate_policy, keep_best, learning_curve
 from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, REPORT, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
@@ -52,7 +52,7 @@ class Training:
         self.curriculum = curriculum
         self.matches = matches
         self.learner = learner
-        self.board = Board(settings, folder)
+        self.board = ProgressBoard(settings, folder)
         self.rollouts = 0  # so far
         self.started = time.perf_counter()
 
@@ -80,9 +80,10 @@ class Training:
     def policy(self) -> Policy:
         """Return the actor as it is now, as a policy."""
         settings = self.settings
-        return policy_from(
+        return export_policy(
             self.learner.network, name=settings.name, league=self.learner.league, observe=settings.observe,
-            action_repeat=settings.action_repeat, made=made_by(settings, self.learner.steps), **settings.own_senses,
+            action_repeat=settings.action_repeat, made=policy_origin(settings, self.learner.steps),
+            **settings.own_senses,
         )  # fmt: skip
 
     def log(self, results: Sequence[Result]) -> None:
@@ -114,13 +115,13 @@ class Training:
         with self.timed("evaluation"):
             policy = self.policy()
             record = {"step": self.learner.steps, "advised": advised}
-            self.folder.forget_evaluations_from(record)  # left by a run that was interrupted before its checkpoint
+            self.folder.remove_evaluations_from(record)  # left by a run that was interrupted before its checkpoint
             best = max((one["mean"] for one in self.folder.evaluations()), default=-np.inf)
             rows = evaluate_policy(policy, self.settings)
             mean = float(np.mean([row["goal_difference"] for row in rows]))
             data = dump(policy)
             self.folder.write(LAST, data)
-            tell_of_truth(policy)
+            warn_if_observing_truth(policy)
             if mean > best:
                 self.folder.write(BEST, data)
             self.folder.log_evaluation({**record, "mean": mean, "rows": rows})
@@ -155,7 +156,7 @@ class Training:
                 **self.learner.state(),
                 "matches": self.matches.save(),
                 "curriculum": self.curriculum.state(),
-                "generators": generators(),
+                "generators": generator_states(),
                 "rollouts": self.rollouts,
             }
             write_checkpoint(self.folder.path, state, self.learner.steps)
@@ -170,7 +171,7 @@ class Training:
             self.folder.check_new()
         else:
             self._restore(saved)
-        self.folder.forget_after(self.learner.steps if saved else -1)
+        self.folder.cut_logs_after(self.learner.steps if saved else -1)
         self.learner.model.set_logger(self.board.open_logs(self.learner.steps))
         return saved is not None
 

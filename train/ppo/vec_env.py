@@ -26,16 +26,16 @@ except ModuleNotFoundError as error:
     raise ImportError(f'SoccerVecEnv needs stable-baselines3: pip install "soccer_env[train]" ({error})') from error
 
 from soccer_env.actions import FULL
-from soccer_env.agents.learned import first_decision
-from soccer_env.guards.checking import brief
+from soccer_env.agents.learned import first_decision_step
+from soccer_env.guards.checking import short_repr
 from soccer_env.guards.names import Made
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
-from soccer_env.match.saving import by_save, calls_python, signals_wait
+from soccer_env.match.saving import calls_python, reduce_by_save, signals_wait
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
-from soccer_env.train.ppo.critic_state import records_of, with_state
-from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, shares, taken, undone
+from soccer_env.train.ppo.critic_state import append_state, records_of
+from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
 
 
 class SoccerVecEnv(VecEnv):
@@ -85,7 +85,7 @@ class SoccerVecEnv(VecEnv):
         self.results = list[Result]()
         self.render_mode, self.seconds = None, 0.0
         check_request(players, opponents is None, action_repeat, threads, settings)
-        blocks = shares(players, matches, ideal_share)
+        blocks = split_matches(players, matches, ideal_share)
         inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
@@ -101,7 +101,7 @@ class SoccerVecEnv(VecEnv):
         both = opponents is None
         self.learners = [match.settings.home + both * match.settings.away for match in self.matches]  # the first rows
         self.observed = len(self.matches[0].observation_names)  # entries before the state
-        self.first_decision = first_decision(self.matches[0].league.delay_steps, action_repeat)
+        self.first_decision = first_decision_step(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
@@ -122,7 +122,7 @@ class SoccerVecEnv(VecEnv):
 
     def reset(self) -> np.ndarray:
         """Begin episodes in all matches; return the first observations (rows, n) on which robots decide."""
-        with undone(self.matches, self.opponents, "reset"):
+        with undo_on_error(self.matches, self.opponents, "reset"):
             seeds, apart = seeds_for(self._seed, sum(m.count for m in self.matches)), self.stagger * self.repeat
             for match in self.matches:
                 begin(match, seeds[: match.count], self._standing(match), self.first_decision, apart)
@@ -146,7 +146,7 @@ class SoccerVecEnv(VecEnv):
         started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
-        with undone(self.matches, self.opponents, "step"):
+        with undo_on_error(self.matches, self.opponents, "step"):
             waits = all(signals_wait(match, "step") for match in self.matches)  # else one may compile: not in a thread
             workers = self._workers if waits else Workers(1)
             results = workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
@@ -194,7 +194,7 @@ class SoccerVecEnv(VecEnv):
         match, learners = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :learners]
         if self.state:
-            last = with_state(last, match, match.final, self.largest)
+            last = append_state(last, match, match.final, self.largest)
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
@@ -222,7 +222,7 @@ class SoccerVecEnv(VecEnv):
         for match, learners in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :learners]
             if self.state:
-                seen = with_state(seen, match, records_of(match), self.largest)
+                seen = append_state(seen, match, records_of(match), self.largest)
             parts.append(seen.reshape(match.count * learners, -1))
         return np.concatenate(parts)
 
@@ -265,7 +265,7 @@ class SoccerVecEnv(VecEnv):
         return [False] * len(list(self._get_indices(indices)))
 
     def __repr__(self) -> str:
-        given = ", ".join(f"{name}={brief(value)}" for name, value in self._given.items())
+        given = ", ".join(f"{name}={short_repr(value)}" for name, value in self._given.items())
         return f"<SoccerVecEnv of {self.num_envs} robots in {len(self.playing())} matches: {given}>"
 
     def _repr_png_(self) -> bytes | None:
@@ -284,7 +284,7 @@ class SoccerVecEnv(VecEnv):
 
     def load(self, saved: dict[str, Any]) -> np.ndarray:
         """Restore the state `saved` by `save`; return the observations. ValueError for a save of other settings."""
-        with undone(self.matches, self.opponents, "load"):
+        with undo_on_error(self.matches, self.opponents, "load"):
             for match, bits in zip(self.matches, saved["matches"], strict=True):
                 match.load(bits)
             self.opponents[:] = [playing(match) for match in self.matches]
@@ -293,7 +293,7 @@ class SoccerVecEnv(VecEnv):
 
     def __reduce__(self) -> Made:
         """Copy by settings and `save`: copies by pickle, cloudpickle and copy.deepcopy play on identically."""
-        return by_save(self, type(self), {**self._given, "seed": self._seed})
+        return reduce_by_save(self, type(self), {**self._given, "seed": self._seed})
 
 
 __all__ = ["Result", "SoccerVecEnv"]

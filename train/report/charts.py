@@ -17,10 +17,10 @@ from soccer_env.train.report.style import (
     WIDTH,
     add_legend,
     canvas,
-    count_along,
-    label,
-    looks,
-    plot,
+    curve_styles,
+    label_axes,
+    picture_maker,
+    use_whole_ticks,
 )  # fmt: skip
 
 FEW = 14  # points of a curve whose intervals are bars; a band of more
@@ -34,7 +34,7 @@ LETTER = 0.075  # [inch] of width in a table's head
 DEEPEST = 0.62  # [1] of a colour in the cell of the largest number: what is written on it stays readable
 
 
-@plot
+@picture_maker
 def draw_curves(figure: Mapping[str, Any]) -> Any:
     """Plot curves: `title`, `x_label`, `y_label` with units, `curves`, `rules` (heights of dashed lines).
 
@@ -42,7 +42,7 @@ def draw_curves(figure: Mapping[str, Any]) -> Any:
     are; `arrows` (x, y, along_x, along_y) make it a picture of a field. Returned: the picture's bytes.
     """
     drawn, axes = canvas()
-    for curve, look in zip(figure["curves"], looks(), strict=False):
+    for curve, look in zip(figure["curves"], curve_styles(), strict=False):
         draw_curve(axes, curve, *look)
     for rule in figure["rules"]:
         words = figure.get("rule", f"in the criteria: {rule:g}")
@@ -51,8 +51,8 @@ def draw_curves(figure: Mapping[str, Any]) -> Any:
         axes.quiver(*figure["arrows"].values(), color=DIM, scale=40.0, width=0.002)
         axes.set_aspect("equal")
     if all(isinstance(x, int) for curve in figure["curves"] for x in curve["x"]):
-        count_along(axes.xaxis)
-    label(axes, figure["title"], figure["x_label"], figure["y_label"])
+        use_whole_ticks(axes.xaxis)
+    label_axes(axes, figure["title"], figure["x_label"], figure["y_label"])
     add_legend(drawn, axes)
     return drawn
 
@@ -80,7 +80,7 @@ def numbers(values: Sequence[float | None]) -> list[float]:
     return [float("nan") if value is None else value for value in values]
 
 
-@plot
+@picture_maker
 def draw_bars(
     title: str, x_label: str, y_label: str, groups: Sequence[tuple[str, Sequence[float], Sequence[float]]],
     mark: tuple[str, float, float, float] | None = None,
@@ -100,10 +100,10 @@ def draw_bars(
         axes.plot([low, high], [height, height], color=INK, marker="|", markersize=9.0, linewidth=1.4)
         axes.plot([value], [height], color=INK, marker="D", linestyle="", label=words)
     axes.set_ylim(0.0, MARGIN * top)
-    count_along(axes.xaxis)
-    count_along(axes.yaxis)
+    use_whole_ticks(axes.xaxis)
+    use_whole_ticks(axes.yaxis)
     axes.grid(visible=False, axis="x")
-    label(axes, title, x_label, y_label)
+    label_axes(axes, title, x_label, y_label)
     add_legend(drawn, axes)
     return drawn
 
@@ -121,7 +121,7 @@ class Row:
     most: float = inf
 
 
-@plot
+@picture_maker
 def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") -> Any:
     """Plot a row for each estimate: a band for the required range (label `asked`), a bar for the measured interval."""
     drawn, axes = canvas(ROW * len(rows) + 0.85, WIDTH)
@@ -161,7 +161,7 @@ def draw_row(axes: Any, at: int, row: Row) -> None:
     axes.text(RIGHT + 0.015, at, row.text, va="center", fontsize=8.0)
 
 
-@plot
+@picture_maker
 def draw_heat_table(
     title: str, rows: Sequence[str], columns: Sequence[str], values: Sequence[Sequence[float | None]],
     x_label: str = "", y_label: str = "", form_of_number: str = "{:+.2f}",

@@ -7,7 +7,7 @@ from importlib.resources import files
 from urllib.parse import quote
 
 from soccer_env.shows import browser
-from soccer_env.train.report.style import COLOURS, for_page
+from soccer_env.train.report.style import COLOURS, adapt_svg
 
 DARK_COLOURS = ("#86b4ff", "#ff9d5c", "#46c878", "#d590ea", "#d6bf4a", "#ff8a94")  # of curves, in the order of COLOURS
 ROOT = re.compile(r':root(\[data-theme="dark"\])? \{[^}]*\}')  # of the replay's style: its colours
@@ -60,7 +60,7 @@ class ReportPage:
     def figure(self, svg: bytes, caption: str) -> None:
         """Add a picture of `train.report`, drawn with form="svg"."""
         self._figures += 1
-        drawn = for_page(svg, f"figure{self._figures}")
+        drawn = adapt_svg(svg, f"figure{self._figures}")
         drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{html.escape(caption)}"', 1)
         self._parts.append(
             f'<figure><div class="plot" tabindex="0">{drawn}</div><figcaption>{inline(caption)}</figcaption></figure>'
@@ -87,9 +87,9 @@ class ReportPage:
             "STYLE": style(),
             "SECTIONS": names,
             "BODY": "\n".join(self._parts),
-            "SCRIPT": part("report.js"),
+            "SCRIPT": read_part("report.js"),
         }
-        pieces = part("report.html").split(
+        pieces = read_part("report.html").split(
             "%%"
         )  # text, name, text, ..., text: what is filled in is not looked at again
         return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
@@ -123,9 +123,9 @@ def style() -> str:
         else:
             dark = dark.removesuffix("}") + added
     system = dark.replace(':root[data-theme="dark"]', ':root:not([data-theme="light"])')
-    return f"{light}\n{dark}\n@media (prefers-color-scheme: dark) {{ {system} }}\n{part('report.css')}"
+    return f"{light}\n{dark}\n@media (prefers-color-scheme: dark) {{ {system} }}\n{read_part('report.css')}"
 
 
-def part(name: str) -> str:
+def read_part(name: str) -> str:
     """Return the text of the file `name` beside this module."""
     return files(__package__).joinpath(name).read_text(encoding="utf-8")

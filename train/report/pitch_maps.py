@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.report.style import COLOURS, DIM, INK, STYLE, canvas, plot
+from soccer_env.train.report.style import COLOURS, DIM, INK, STYLE, canvas, picture_maker
 
 LEVELS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)  # [%] of the time, from which a cell is darker: the same in all pictures
 DEPTHS = np.linspace(0.12, 0.95, len(LEVELS))  # [1] of the colour
@@ -43,7 +43,7 @@ class Maps:
         return [("for", self.teams[0]), ("against", self.teams[1])]
 
 
-@plot
+@picture_maker
 def draw_presence(maps: Maps) -> Any:
     """Draw heat maps: the presence of each team's robots and of the ball over the pitch."""
     drawn, axes = canvas(HEIGHTS[3], columns=3)
@@ -51,7 +51,7 @@ def draw_presence(maps: Maps) -> Any:
     return drawn
 
 
-@plot
+@picture_maker
 def draw_network(maps: Maps) -> Any:
     """Draw pass networks: the players of each team at their mean places, and their completed passes."""
     drawn, axes = canvas(HEIGHTS[2], columns=2)
@@ -59,7 +59,7 @@ def draw_network(maps: Maps) -> Any:
     return drawn
 
 
-@plot
+@picture_maker
 def draw_shots(maps: Maps) -> Any:
     """Draw shot maps: the shots of each team and their outcomes."""
     drawn, axes = canvas(HEIGHTS[2] + 0.2, columns=2)
@@ -92,7 +92,7 @@ def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
 
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):
         draw_tiles(one, maps.heat[name], maps.pitch)
-        draw_pitch(one, maps.pitch, cut(title))
+        draw_pitch(one, maps.pitch, cut_team_name(title))
     shades = [Patch(facecolor=shade(depth), label=f"{level:g}") for level, depth in zip(LEVELS, DEPTHS, strict=True)]
     part.legend(handles=shades, loc="outside lower center", ncols=len(shades), handlelength=1.2, columnspacing=1.0,
                 title="share of the time in a cell, from [%]", title_fontsize=9.0)  # fmt: skip
@@ -126,12 +126,12 @@ def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw players at their mean places, and arrows from passer to receiver, wider for more passes."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         players, passes = maps.players[side], maps.passes[side]
-        draw_pitch(one, maps.pitch, f"{cut(team)}: {counted(int(passes.sum()), 'pass', 'es')}")
+        draw_pitch(one, maps.pitch, f"{cut_team_name(team)}: {count_in_words(int(passes.sum()), 'pass', 'es')}")
         present = np.flatnonzero(players[:, 2] > 0.0)
         true = players[present, :2] / players[present, 2:]
         size = BADGE * maps.pitch["length"]
         apart = APART * size * min(1.0, FEW / max(len(true), 1)) ** 0.5
-        places = dict(zip(present.tolist(), spread(true, apart), strict=True))
+        places = dict(zip(present.tolist(), spread_places(true, apart), strict=True))
         for (x, y), place in zip(true, places.values(), strict=True):
             one.plot([x, place[0]], [y, place[1]], color=DIM, linewidth=0.8, marker="o", markevery=[0], markersize=2)
         for sender, receiver in np.argwhere(passes > 0).tolist():
@@ -173,7 +173,7 @@ def fill_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw a mark for each shot where the ball was played."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         shots = maps.shots[side]
-        draw_pitch(one, maps.pitch, f"{cut(team)}: {counted(len(shots), 'shot')}")
+        draw_pitch(one, maps.pitch, f"{cut_team_name(team)}: {count_in_words(len(shots), 'shot')}")
         for outcome, (mark, size, colour) in MARKS.items():
             places = np.array([(x, y) for found, x, y in shots if found == outcome]).reshape(-1, 2)
             look = {"c": COLOURS[colour]} if mark == "x" else {"fc": COLOURS[colour] + "55", "ec": COLOURS[colour]}
@@ -207,17 +207,17 @@ def draw_pitch(axes: Any, pitch: dict[str, float], title: str) -> None:
         axes.set_yticks([])
 
 
-def cut(name: str) -> str:
+def cut_team_name(name: str) -> str:
     """Return a team's name, cut to fit over a pitch."""
     return name if len(name) <= LONGEST else name[: LONGEST - 1] + "…"
 
 
-def counted(number: int, thing: str, plural: str = "s") -> str:
+def count_in_words(number: int, thing: str, plural: str = "s") -> str:
     """Return a number and its noun, in the plural unless the number is 1: "2 passes"."""
     return f"{number} {thing}{'' if number == 1 else plural}"
 
 
-def spread(places: np.ndarray, distance: float) -> np.ndarray:
+def spread_places(places: np.ndarray, distance: float) -> np.ndarray:
     """Move places (N, 2) at least `distance` apart, across the pitch rather than along it; without random numbers."""
     moved = np.array(places, np.float64).reshape(-1, 2)
     if len(moved) < 2:

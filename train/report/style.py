@@ -49,7 +49,7 @@ def can_draw() -> bool:
     return True
 
 
-def looks() -> Iterator[Look]:
+def curve_styles() -> Iterator[Look]:
     """Yield the colour, the marker and the line style of each further curve of a picture."""
     return itertools.cycle(zip(COLOURS, MARKERS, LINES, strict=True))
 
@@ -62,7 +62,7 @@ def canvas(height: float = HEIGHT, width: float = WIDTH, rows: int = 1, columns:
     return figure, figure.subplots(rows, columns, **shared)
 
 
-def label(axes: Any, title: str, x_label: str, y_label: str) -> None:
+def label_axes(axes: Any, title: str, x_label: str, y_label: str) -> None:
     """Set the title and the axis labels (quantity and unit); a title wider than the picture is wrapped."""
     from textwrap import fill
 
@@ -71,7 +71,7 @@ def label(axes: Any, title: str, x_label: str, y_label: str) -> None:
     axes.set_ylabel(y_label)
 
 
-def count_along(axis: Any) -> None:
+def use_whole_ticks(axis: Any) -> None:
     """Put the ticks of an axis at whole numbers."""
     from matplotlib.ticker import MaxNLocator
 
@@ -89,7 +89,7 @@ def add_legend(figure: Any, axes: Any) -> None:
     figure.legend(handles, names, loc="outside lower left", ncols=columns)
 
 
-def plot(make: Callable[P, Any]) -> Callable[..., bytes]:
+def picture_maker(make: Callable[P, Any]) -> Callable[..., bytes]:
     """Turn a function that returns a matplotlib figure into one that returns a picture in the common style.
 
     The picture depends on the arguments alone. `form`: "png", or "svg" for a page. ImportError without matplotlib.
@@ -111,10 +111,10 @@ def plot(make: Callable[P, Any]) -> Callable[..., bytes]:
     return drawn
 
 
-def for_page(svg: bytes, name: str) -> str:
+def adapt_svg(svg: bytes, name: str) -> str:
     """Change an SVG for use in a page: colours become the page's variables, and ids begin with `name`."""
     text = svg.decode()
-    text = re.sub(r'(?<= d=")[^"]+', lambda found: shortened(found[0]), text[text.index("<svg") :])
+    text = re.sub(r'(?<= d=")[^"]+', lambda found: shorten_svg_path(found[0]), text[text.index("<svg") :])
     text = re.sub(r'(<rect [^>]*) fill="(#\w{6})"', r'\1 style="fill: \2"', text)  # where variables hold
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
     text = re.sub(r'\bid="', f'id="{name}-', text)
@@ -127,7 +127,7 @@ def for_page(svg: bytes, name: str) -> str:
     )
 
 
-def shortened(path: str) -> str:
+def shorten_svg_path(path: str) -> str:
     """Shorten an SVG path: hundredths of a point, no repeated letter for lines. This halves the size of a page."""
     text = " ".join(re.sub(r"(\.\d\d)\d+", r"\1", path).split())
     return re.sub(r"[ML] \S+ \S+(?: L \S+ \S+)+", lambda lines: lines[0].replace(" L ", " "), text)

@@ -8,7 +8,7 @@ from pages.markdown import code, table
 from soccer_env.leagues import find_league
 from soccer_env.match import truth_state
 from soccer_env.observations import OBSERVE, Entry
-from soccer_env.observations.scales import in_numbers
+from soccer_env.observations.scales import scale_in_numbers
 from soccer_env.train.command import listing
 
 MAIN = ("legged-2001", "middle-size-2006")  # of the variants the numbers differ, not the names
@@ -62,7 +62,9 @@ def states(league: str) -> Iterator[listing.Table]:
     found = find_league(league)
     for side in ("field", "home"):
         entries: list[Entry] = truth_state.entries(PLAYERS, side)
-        rows = [(f"{i}", x.name, x.meaning, in_numbers(x, found), listing.frame_of(x)) for i, x in enumerate(entries)]
+        rows = [
+            (f"{i}", x.name, x.meaning, scale_in_numbers(x, found), listing.frame_of(x)) for i, x in enumerate(entries)
+        ]
         title = f'state("{side}") of 1 v 1; every further player has the same entries'
         yield listing.Table(title, ("", "name", "meaning", "1 is", "frame"), rows)
 

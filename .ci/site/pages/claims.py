@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from soccer_env.train.papers.report import EXPLANATION, words_of
+from soccer_env.train.papers.report import EXPLANATION, claim_result_markdown
 from soccer_env.train.papers.stored import FOLDERS, read_stored, stored_results
 
 
@@ -10,7 +10,7 @@ def pages() -> dict[str, str]:
     """Return the page of each paper by its path."""
     found = {}
     for paper, folder in FOLDERS.items():
-        told = [words_of(result) for result in stored_results(read_stored(folder))]
+        told = [claim_result_markdown(result) for result in stored_results(read_stored(folder))]
         found[f"claims/{folder.name}.md"] = "\n\n".join([f"# Claims of {paper}, measured", EXPLANATION, *told]) + "\n"
     return found
 

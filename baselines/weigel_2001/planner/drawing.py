@@ -32,7 +32,7 @@ def draw_plan(axes: Any, plan: Plan, forces: bool = True) -> None:
     if forces:
         towards, away = plan.forces()
         axes.quiver(*cells.T, *(towards + away).T, color=LINES, width=0.002)
-    draw_ends(axes, plan.path[0], plan.path[-1])
+    draw_robot_and_target(axes, plan.path[0], plan.path[-1])
 
 
 def draw_travel(axes: Any, travel: Travel, cycle: int) -> None:
@@ -45,7 +45,7 @@ def draw_travel(axes: Any, travel: Travel, cycle: int) -> None:
         axes.plot(*travel.planned(cycle).T, "-", color=PLANNED, linewidth=1.0, label="planned")
     axes.plot(*travel.path[: cycle + 1].T, "-", color=TRAVELLED, linewidth=2.5, label=f"travelled, {cycle * CYCLE:g} s")
     end = travel.plans[0]["target"] if len(travel.plans) > 1 else travel.stations[-1]
-    draw_ends(axes, travel.path[cycle], np.array([end["x"], end["y"]]))
+    draw_robot_and_target(axes, travel.path[cycle], np.array([end["x"], end["y"]]))
 
 
 def draw_pitch(axes: Any, settings: PlannerSettings) -> None:
@@ -65,7 +65,7 @@ def draw_obstacles(axes: Any, places: np.ndarray, obstacles: np.ndarray, seconds
         axes.plot([x, to_x], [y, to_y], ":", color=OBSTACLES, linewidth=0.8)
 
 
-def draw_ends(axes: Any, robot: np.ndarray, target: np.ndarray) -> None:
+def draw_robot_and_target(axes: Any, robot: np.ndarray, target: np.ndarray) -> None:
     """Plot marks at the robot's place and at the target."""
     axes.plot(robot[0], robot[1], "x", color=TRAVELLED, markersize=8)
     axes.plot(target[0], target[1], "+", color=TRAVELLED, markersize=8)

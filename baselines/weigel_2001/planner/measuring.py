@@ -9,7 +9,7 @@ from soccer_env.geometry import length
 
 
 @compiled
-def place_on(path, count, far, place):
+def place_along_path(path, count, far, place):
     """Write the point at a distance [m] along a path into `place`; return the index of the path's next point."""
     left = far
     for i in range(1, count):
@@ -34,7 +34,7 @@ def least_gap(plan, obstacles, settings, step, place):
     count = int(plan.time / step) + 2
     for i in range(count):
         t = min(i * step, plan.time)
-        place_on(plan.path, plan.count, t * settings.speed, place[0])
+        place_along_path(plan.path, plan.count, t * settings.speed, place[0])
         least = min(least, gap_at(place[0].x, place[0].y, t, obstacles, settings))
     return least
 
@@ -51,7 +51,7 @@ def fill_forces(plan, obstacles, settings, forces):
         forces[i, 2], forces[i, 3] = repulsive_force(x, y, now, obstacles, settings)
 
 
-def turn_of(path: np.ndarray) -> float:
+def total_turn(path: np.ndarray) -> float:
     """Return the total turn of a path (N, 2) [rad]: the sum of its left and right bends."""
     steps = np.diff(path, axis=0)
     steps = steps[np.hypot(steps[:, 0], steps[:, 1]) > 1e-9]

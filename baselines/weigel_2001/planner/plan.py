@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.baselines.weigel_2001.planner.measuring import fill_forces, least_gap, place_on, turn_of
+from soccer_env.baselines.weigel_2001.planner.measuring import fill_forces, least_gap, place_along_path, total_turn
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
 from soccer_env.baselines.weigel_2001.planner.records import ENDINGS, PLAN, POINT, SCRATCH
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
-from soccer_env.guards.checking import FROM_ZERO, number
+from soccer_env.guards.checking import FROM_ZERO, check_finite_number
 
 LOOK = 0.01  # [s] between two looks at the gap along a plan
 
@@ -99,7 +99,7 @@ class Plan:
     @property
     def turn(self) -> float:
         """The total turn of the path, left and right [rad]."""
-        return turn_of(self.path)
+        return total_turn(self.path)
 
     @property
     def evaluations(self) -> int:
@@ -125,9 +125,9 @@ class Plan:
 
     def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the places [m] of the robot (2,), driving at full speed, and of the obstacles (n, 2) after t [s]."""
-        t = number("t", t, FROM_ZERO)
+        t = check_finite_number("t", t, FROM_ZERO)
         place = np.zeros(1, POINT)
-        place_on(self.record[0]["path"], len(self), t * self.settings.speed, place[0])
+        place_along_path(self.record[0]["path"], len(self), t * self.settings.speed, place[0])
         others = np.stack([self.obstacles[a] + t * self.obstacles[f"v{a}"] for a in "xy"], axis=-1)
         return np.array([place["x"][0], place["y"][0]]), others
 

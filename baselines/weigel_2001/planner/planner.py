@@ -9,7 +9,7 @@ from soccer_env.baselines.weigel_2001.planner.plan import Plan, make_plan
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES, OBSTACLE, SCRATCH
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.travelling import CYCLE, Travel, make_travel
-from soccer_env.guards.checking import Range, one_of, refuse, whole_number
+from soccer_env.guards.checking import Range, check_choice, check_whole_number, raise_not_allowed
 
 FARTHEST = 1000.0  # [m] from the middle of the pitch: a place farther away is a mistake
 FASTEST = 100.0  # [m/s] of an obstacle; robots of 2006 drive at up to 5  MH25
@@ -26,7 +26,7 @@ class Planner:
 
     def __init__(self, settings: PlannerSettings | None = None, **changes: Any) -> None:
         if settings is not None and not isinstance(settings, PlannerSettings):
-            refuse("settings", "a PlannerSettings", settings)
+            raise_not_allowed("settings", "a PlannerSettings", settings)
         self.settings = (settings or PlannerSettings()).changed(changes)
         self._scratch = np.zeros(1, SCRATCH)
 
@@ -48,41 +48,45 @@ class Planner:
         """
         allowed = Range(CYCLE, 1000.0)
         if not (isinstance(seconds, (int, float)) and allowed.holds(seconds)):
-            refuse("seconds", allowed.text(), seconds)
+            raise_not_allowed("seconds", allowed.text(), seconds)
         return make_travel(*self._checked(robot, target, obstacles, side), self.settings, self._scratch, float(seconds))
 
     def _checked(
         self, robot: Any, target: Any, obstacles: Any, side: Any
     ) -> tuple[tuple[float, float, float, float], int, np.ndarray]:
-        places = (*place("robot", robot), *place("target", target))
-        return places, one_of("side", whole_number("side", side, -1, 1), (-1, 1)), crowd(obstacles)
+        places = (*check_place("robot", robot), *check_place("target", target))
+        return (
+            places,
+            check_choice("side", check_whole_number("side", side, -1, 1), (-1, 1)),
+            check_obstacles(obstacles),
+        )
 
 
-def place(name: str, value: Any) -> tuple[float, float]:
+def check_place(name: str, value: Any) -> tuple[float, float]:
     """Check a place [m] and return it as two numbers; ValueError names the argument."""
-    point = numbers(name, "two numbers x, y", value)
+    point = as_float_array(name, "two numbers x, y", value)
     if point.shape != (2,):
-        refuse(name, "two numbers x, y", value)
+        raise_not_allowed(name, "two numbers x, y", value)
     if not (np.abs(point) <= FARTHEST).all():
-        refuse(name, f"finite and within {FARTHEST:g} m of the middle of the pitch", value)
+        raise_not_allowed(name, f"finite and within {FARTHEST:g} m of the middle of the pitch", value)
     return float(point[0]), float(point[1])
 
 
-def crowd(value: Any) -> np.ndarray:
+def check_obstacles(value: Any) -> np.ndarray:
     """Check obstacles and return them as records; ValueError names the obstacle and its fault."""
     if isinstance(value, np.ndarray) and value.dtype == OBSTACLE and value.ndim == 1:
         rows = np.stack([value[name] for name in OBSTACLE.names or ()], axis=-1)
     else:
-        rows = numbers("obstacles", FORM, value)
+        rows = as_float_array("obstacles", FORM, value)
         rows = rows.reshape(0, 5) if rows.size == 0 else rows
     if rows.ndim != 2 or rows.shape[1] not in (4, 5):
-        refuse("obstacles", f"{FORM}, of shape (n, 4) or (n, 5)", rows.shape)
+        raise_not_allowed("obstacles", f"{FORM}, of shape (n, 4) or (n, 5)", rows.shape)
     if len(rows) > MOST_OBSTACLES:
-        refuse("obstacles", f"at most {MOST_OBSTACLES}", len(rows))
-    return as_records(rows)
+        raise_not_allowed("obstacles", f"at most {MOST_OBSTACLES}", len(rows))
+    return obstacle_records(rows)
 
 
-def as_records(rows: np.ndarray) -> np.ndarray:
+def obstacle_records(rows: np.ndarray) -> np.ndarray:
     """Convert rows of x, y, vx, vy and maybe a radius to records; ValueError for numbers out of range."""
     obstacles = np.zeros(len(rows), OBSTACLE)
     obstacles["radius"] = OBSTACLE_RADIUS
@@ -90,15 +94,15 @@ def as_records(rows: np.ndarray) -> np.ndarray:
     for column, name in zip(rows.T, OBSTACLE.names or (), strict=False):
         low = 0.0 if name == "radius" else -limits[name]
         for i in np.flatnonzero(~((column >= low) & (column <= limits[name]))):
-            refuse(f"obstacles[{i}].{name}", Range(low, limits[name]).text(), float(column[i]))
+            raise_not_allowed(f"obstacles[{i}].{name}", Range(low, limits[name]).text(), float(column[i]))
         obstacles[name] = column
     return obstacles
 
 
-def numbers(name: str, allowed: str, value: Any) -> np.ndarray:
+def as_float_array(name: str, allowed: str, value: Any) -> np.ndarray:
     """Convert a value to an array of floats; ValueError if that fails."""
     try:
         array = np.array(value, dtype=float)
     except (TypeError, ValueError):
-        refuse(name, allowed, value)
+        raise_not_allowed(name, allowed, value)
     return array

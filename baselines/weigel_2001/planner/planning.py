@@ -35,13 +35,13 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
     again = depends_on_time(obstacles, settings)
     for i in range(settings.most_iterations):
         ended = plan_pass(guess, obstacles, settings, scratch, plan)
-        took = take_time(settings, scratch, plan)
+        took = smooth_and_time(settings, scratch, plan)
         plan.guesses[i], plan.times[i], plan.iterations = guess, took, i + 1
         off = abs(took - guess)
         agrees = not again or off < settings.threshold
         worth = off if ended == ARRIVED else off + WORSE
         if i == 0 or agrees or is_kept(worth, best, settings):
-            keep(i, ended, took, settings, scratch, plan)
+            keep_pass(i, ended, took, settings, scratch, plan)
             best = worth
         if agrees:
             plan.converged = 1
@@ -58,8 +58,8 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
     half_v = int(floor((0.5 * settings.pitch_width + settings.margin) / settings.cell))
     half_v = min(half_v, (GRID // (2 * half_u + 1) - 1) // 2)  # never beyond the marks, whatever the record says
     far_x, far_y = half_u * settings.cell, half_v * settings.cell
-    plan.robot.x, plan.robot.y = held(robot_x, far_x), held(robot_y, far_y)
-    plan.target.x, plan.target.y = held(target_x, far_x), held(target_y, far_y)
+    plan.robot.x, plan.robot.y = clip_place(robot_x, far_x), clip_place(robot_y, far_y)
+    plan.target.x, plan.target.y = clip_place(target_x, far_x), clip_place(target_y, far_y)
     straight = length(plan.target.x - plan.robot.x, plan.target.y - plan.robot.y)
     plan.least_time = straight / settings.speed
     plan.side, plan.converged, plan.iterations = side, 0, 0
@@ -68,7 +68,7 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
 
 
 @compiled
-def held(place, far):
+def clip_place(place, far):
     """Return a coordinate clipped to +-far; NaN becomes -far."""
     if not place > -far:
         return -far
@@ -87,7 +87,7 @@ def depends_on_time(obstacles, settings):
 
 
 @compiled
-def take_time(settings, scratch, plan):
+def smooth_and_time(settings, scratch, plan):
     """Smooth the way and return the time [s] to drive it, at least that of the straight line."""
     if settings.backward == 1:
         smooth(plan.target, plan.robot, settings, scratch)
@@ -111,7 +111,7 @@ def is_kept(worth, best, settings):
 
 
 @compiled
-def keep(number, ended, took, settings, scratch, plan):
+def keep_pass(number, ended, took, settings, scratch, plan):
     """Copy the cells and the path of a pass into the plan, in order from robot to target."""
     last = scratch.count - 1
     for i in range(scratch.count):
@@ -127,7 +127,7 @@ def keep(number, ended, took, settings, scratch, plan):
 
 
 @compiled
-def reflected(i, last):
+def reflect_index(i, last):
     """Reflect an index into 0 to last; return it, and the index of the end that reflected it, -1 for none."""
     if i < 0:
         return -i, 0
@@ -139,7 +139,7 @@ def reflected(i, last):
 @compiled
 def cell_at(i, last, way):
     """Return u and v of cell i of the way; beyond an end, of the way's point reflection about that end."""
-    inner, end = reflected(i, last)
+    inner, end = reflect_index(i, last)
     if end < 0:
         return way[inner].u, way[inner].v
     return 2 * way[end].u - way[inner].u, 2 * way[end].v - way[inner].v

@@ -31,7 +31,7 @@ def size_at(gap, gain, reach, settings):
 
 
 @compiled
-def border_size(place, half, settings):
+def border_force(place, half, settings):
     """Return the signed force of two border lines at +-half along one axis on a point with coordinate `place` [m]."""
     force = 0.0
     if half - place < settings.border_reach:
@@ -52,8 +52,8 @@ def scalar_potential(x, y, t, goal, obstacles, settings):
         if away < (within + settings.reach) * (within + settings.reach):
             total += size_at(sqrt(away) - within, settings.gain, settings.reach, settings)
     if settings.borders == 1:
-        total += abs(border_size(x, 0.5 * settings.pitch_length, settings))
-        total += abs(border_size(y, 0.5 * settings.pitch_width, settings))
+        total += abs(border_force(x, 0.5 * settings.pitch_length, settings))
+        total += abs(border_force(y, 0.5 * settings.pitch_width, settings))
     return total
 
 
@@ -70,8 +70,8 @@ def repulsive_force(x, y, t, obstacles, settings):
             size = size_at(d - within, settings.gain, settings.reach, settings)
             fx, fy = fx - size * dx / d, fy - size * dy / d
     if settings.borders == 1:
-        fx += border_size(x, 0.5 * settings.pitch_length, settings)
-        fy += border_size(y, 0.5 * settings.pitch_width, settings)
+        fx += border_force(x, 0.5 * settings.pitch_length, settings)
+        fy += border_force(y, 0.5 * settings.pitch_width, settings)
     return fx, fy
 
 

@@ -73,14 +73,14 @@ def leave_minimum(obstacles, settings, scratch):
             lowest, at = value, i
     scratch.lowest = min(scratch.lowest, lowest)
     cut_way(at + 1, scratch)
-    last, made, ended = search(obstacles, settings, scratch)
+    last, made, ended = search_escape(obstacles, settings, scratch)
     for i in range(made):
         scratch.marks[index_of(scratch.nodes[i].u, scratch.nodes[i].v, scratch)] = scratch.nodes[i].under
-    return ended if join(last, settings, scratch) else CAPPED
+    return ended if append_escape(last, settings, scratch) else CAPPED
 
 
 @compiled
-def search(obstacles, settings, scratch):
+def search_escape(obstacles, settings, scratch):
     """Search from the way's last cell; return the last node of an escape, the number of nodes, and how the pass ends.
 
     GOES_ON: the node is lower than every cell of the way. ARRIVED: the line from node to end is free. Without an escape
@@ -100,7 +100,7 @@ def search(obstacles, settings, scratch):
             return node, made, GOES_ON
         if nodes[node].potential < nodes[best].potential:
             best = node
-        made, size = expand(node, made, size, obstacles, settings, scratch)
+        made, size = expand_node(node, made, size, obstacles, settings, scratch)
         if made > MOST_NODES - len(NEAR_U) or scratch.evaluations >= settings.most_evaluations:
             return best, made, CAPPED
     return best, made, ENCLOSED
@@ -124,7 +124,7 @@ def sees_end(node, obstacles, settings, scratch):
 
 
 @compiled
-def expand(node, made, size, obstacles, settings, scratch):
+def expand_node(node, made, size, obstacles, settings, scratch):
     """Add nodes for the free neighbours of a node; return the number of nodes and the heap's size."""
     here = scratch.nodes[node]
     for i in range(len(NEAR_U)):
@@ -160,7 +160,7 @@ def add_node(made, u, v, parent, obstacles, settings, scratch):
 
 
 @compiled
-def join(last, settings, scratch):
+def append_escape(last, settings, scratch):
     """Append the nodes up to `last` to the way, without loops; return False if there is no room."""
     nodes, way = scratch.nodes, scratch.way
     many, node = 0, last

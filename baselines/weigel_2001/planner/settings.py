@@ -9,7 +9,7 @@ from math import floor
 from typing import ClassVar
 
 from soccer_env.baselines.weigel_2001.planner.records import GRID, MOST_CELLS, MOST_ITERATIONS
-from soccer_env.guards.checking import ABOVE_ZERO, refuse
+from soccer_env.guards.checking import ABOVE_ZERO, raise_not_allowed
 from soccer_env.leagues.options import Options
 
 FORMS = {"scalar": 0, "vector": 1}
@@ -79,7 +79,9 @@ class PlannerSettings(Options):
         cells = (2 * self.half_u + 1) * (2 * self.half_v + 1)
         if cells > GRID:
             size = f"{self.pitch_length:g} x {self.pitch_width:g} m and a margin of {self.margin:g} m"
-            refuse(self.where("cell"), f"so large that {size} are at most {GRID} cells, not {cells}", self.cell)
+            raise_not_allowed(
+                self.where("cell"), f"so large that {size} are at most {GRID} cells, not {cells}", self.cell
+            )
 
     @property
     def half_u(self) -> int:

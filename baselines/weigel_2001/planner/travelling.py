@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from soccer_env.baselines.weigel_2001.planner.measuring import place_on, turn_of
+from soccer_env.baselines.weigel_2001.planner.measuring import place_along_path, total_turn
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
 from soccer_env.baselines.weigel_2001.planner.potential import gap_at
 from soccer_env.baselines.weigel_2001.planner.records import PLAN, POINT
@@ -60,7 +60,7 @@ class Travel:
     @property
     def turn(self) -> float:
         """The total turn, left and right [rad]."""
-        return turn_of(self.path)
+        return total_turn(self.path)
 
     @property
     def clearance(self) -> float:
@@ -120,6 +120,6 @@ def travel(x, y, target_x, target_y, side, obstacles, now, settings, scratch, pl
         plan_way(x, y, target_x, target_y, side, now, settings, scratch, plan)
         one.time, one.iterations = plan.time, plan.iterations
         one.converged, one.ended = plan.converged, plan.ended
-        place_on(plan.path, plan.count, settings.speed * CYCLE, place[0])
+        place_along_path(plan.path, plan.count, settings.speed * CYCLE, place[0])
         x, y = place[0].x, place[0].y
     return len(stations)

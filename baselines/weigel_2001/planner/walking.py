@@ -31,17 +31,17 @@ def plan_pass(guess, obstacles, settings, scratch, plan):
     scratch.end_v = cell_of(end.y, scratch.half_v, settings)
     scratch.count, scratch.lowest = 0, inf
     t = guess if backward else 0.0
-    scratch.tight = tight_gap(begin, t, end, guess - t, obstacles, settings)
+    scratch.tight = blocking_gap(begin, t, end, guess - t, obstacles, settings)
     add_cell(cell_of(begin.x, scratch.half_u, settings), cell_of(begin.y, scratch.half_v, settings), t, scratch)
-    ended = walk(obstacles, settings, scratch)
-    go_straight(settings, scratch)
+    ended = descend_potential(obstacles, settings, scratch)
+    complete_way_straight(settings, scratch)
     for i in range(scratch.count):
         scratch.marks[index_of(scratch.way[i].u, scratch.way[i].v, scratch)] = 0
     return ended
 
 
 @compiled
-def tight_gap(begin, t_begin, end, t_end, obstacles, settings):
+def blocking_gap(begin, t_begin, end, t_end, obstacles, settings):
     """Return the gap [m] at or below which a cell is blocked: 0, or less if an obstacle is at either end of the way."""
     first = gap_at(begin.x, begin.y, obstacle_time(t_begin, settings), obstacles, settings)
     last = gap_at(end.x, end.y, obstacle_time(t_end, settings), obstacles, settings)
@@ -50,7 +50,7 @@ def tight_gap(begin, t_begin, end, t_end, obstacles, settings):
 
 
 @compiled
-def walk(obstacles, settings, scratch):
+def descend_potential(obstacles, settings, scratch):
     """Descend the potential from cell to cell until the way's end is a neighbour; return how the pass ended.  MH11"""
     rest_x, rest_y, ended = 0.0, 0.0, GOES_ON
     while ended == GOES_ON:
@@ -82,7 +82,7 @@ def is_new(u, v, scratch):
 
 
 @compiled
-def go_straight(settings, scratch):
+def complete_way_straight(settings, scratch):
     """Complete the way: append its end cell, after a straight line of cells if the pass did not arrive."""
     here, rest_x, rest_y = scratch.way[scratch.count - 1], 0.0, 0.0
     while not is_at_end(here.u, here.v, scratch) and scratch.count < MOST_CELLS - 1:

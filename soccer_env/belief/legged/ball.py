@@ -20,10 +20,10 @@ import numpy as np
 
 from soccer_env.belief.legged.ball_blob import choose_blob, place_of_ball
 from soccer_env.belief.legged.velocity import ROUNDING, turn_velocity, update_velocity
-from soccer_env.belief.odometry import motion_of
+from soccer_env.belief.odometry import read_odometry
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
-from soccer_env.guards.ranges import FLAG, LATELY, NUMBER, Range, record
+from soccer_env.guards.ranges import FLAG, LATELY, NUMBER, Range, ranged_record
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
 from soccer_env.records.percepts import POSE_TOLD
 
@@ -31,7 +31,7 @@ SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 HELD_TIME = 0.5  # [s] unseen after which no ball is believed to lie in the pocket, assumed
 FULL, ROTATION = ODOMETRY["full"], ODOMETRY["rotation"]
 
-BALL_SIGHTING = record(
+BALL_SIGHTING = ranged_record(
     [
         ("x", "f4", NUMBER),  # [m] robot frame of now: moved by odometry since
         ("y", "f4", NUMBER),  # [m]
@@ -39,7 +39,7 @@ BALL_SIGHTING = record(
     ]
 )
 
-BALL_MEMORY = record(
+BALL_MEMORY = ranged_record(
     [
         ("known", "i1", FLAG),  # 1: it has been seen since the robot was last told its own pose
         ("has_sample", "i1", FLAG),  # 1: there is a reading for the velocity
@@ -71,15 +71,15 @@ def believe_ball(percept, own, ball, memory, k, s, w, table):
     frame = int(body.frame)
     if body.pose == POSE_TOLD:
         forget_ball(memory)
-    move_memory(ball, memory, body, frame, k, w)
+    move_remembered_ball(ball, memory, body, frame, k, w)
     forget_old_sightings(memory, frame, k, w)
     if body.active == 1 and body.upright == 1:
-        index = choose_blob(percept, was_near(memory, frame, k, w), s, w)
+        index = choose_blob(percept, was_ball_near(memory, frame, k, w), s, w)
         if index >= 0:
             x, y, height = place_of_ball(percept, percept.ball[index], k, s, w, table)
             remember_sighting(memory, x, y, frame, w)
             memory.height = height
-    fill_belief(ball, memory, frame, k, w)
+    fill_ball_belief(ball, memory, frame, k, w)
     update_velocity(ball, memory, frame, k.dt, w)
 
 
@@ -90,14 +90,14 @@ def forget_ball(memory):
 
 
 @compiled
-def move_memory(ball, memory, body, frame, k, w):
+def move_remembered_ball(ball, memory, body, frame, k, w):
     """Correct the remembered ball in the robot frame for the robot's own motion since the last frame.  MS15
 
     `odometry` "rotation" corrects only for turns, the old memory of 3.1.1, and "none" not at all. There is no
     correction while the robot dribbles, footnote 2: the ball moves with the robot. Velocity and last reading belong to
     the ground and are always corrected.
     """
-    forward, left, turn = motion_of(body)
+    forward, left, turn = read_odometry(body)
     if memory.known == 0 or (forward == 0.0 and left == 0.0 and turn == 0.0):
         return
     cosine, sine = cos(turn), sin(turn)
@@ -106,7 +106,7 @@ def move_memory(ball, memory, body, frame, k, w):
         forward, left = 0.0 * forward, 0.0 * left
     elif w.odometry != FULL:
         return
-    if w.odometry_while_dribbling == 0 and dribbles(body, memory, frame, k, w):
+    if w.odometry_while_dribbling == 0 and is_dribbling(body, memory, frame, k, w):
         return
     memory.x, memory.y = into_frame(memory.x - forward, memory.y - left, cosine, sine)
     x, y = memory.filtered_x - forward, memory.filtered_y - left
@@ -117,18 +117,18 @@ def move_memory(ball, memory, body, frame, k, w):
 
 
 @compiled
-def dribbles(body, memory, frame, k, w):
+def is_dribbling(body, memory, frame, k, w):
     """Tell whether the robot walks forward with the ball at its chest: near, within 45 degrees (assumed).  MS15
 
     A robot with no confidence in the ball's place does not dribble.
     """
     x, y = np.float64(memory.x), np.float64(memory.y)
     near = x * x + y * y < w.dribbling_distance * w.dribbling_distance and abs(y) < x
-    return near and body.forward > 0.0 and confidence_in(memory, frame, k, w) > 0.0
+    return near and body.forward > 0.0 and confidence_in_ball(memory, frame, k, w) > 0.0
 
 
 @compiled
-def confidence_in(memory, frame, k, w):
+def confidence_in_ball(memory, frame, k, w):
     """Return the confidence in the ball's place: 100 while the ball is seen, then fading.  MS03"""
     if memory.known == 0:
         return 0.0
@@ -136,7 +136,7 @@ def confidence_in(memory, frame, k, w):
 
 
 @compiled
-def was_near(memory, frame, k, w):
+def was_ball_near(memory, frame, k, w):
     """Tell whether the ball has been seen recently and nearby.  MS14"""
     if memory.known == 0 or (frame - memory.seen) * k.dt > w.area_recent + ROUNDING:
         return False
@@ -175,7 +175,7 @@ def forget_old_sightings(memory, frame, k, w):
 
 
 @compiled
-def fill_belief(ball, memory, frame, k, w):
+def fill_ball_belief(ball, memory, frame, k, w):
     """Fill in the ball's distance and bearing, 0 straight ahead, and the confidence in them.  MS02, MS03
 
     A ball that was never seen is believed half a pitch ahead, with confidence 0.
@@ -187,7 +187,7 @@ def fill_belief(ball, memory, frame, k, w):
     ball.distance, ball.bearing = length(x, y), atan2(y, x)
     ball.x, ball.y = memory.filtered_x, memory.filtered_y
     ball.filtered_distance, ball.filtered_bearing = length(ball.x, ball.y), atan2(ball.y, ball.x)
-    ball.confidence = confidence_in(memory, frame, k, w)
+    ball.confidence = confidence_in_ball(memory, frame, k, w)
     ball.age = (frame - memory.seen) * k.dt if memory.known == 1 else inf
     ball.held = 1 if ball.age <= HELD_TIME and lies_in_pocket(x, y, k) else 0
 

@@ -28,7 +28,7 @@ FLATTEST = 1e-3  # [1] least tangent of the angle down to the ball, so that no r
 @compiled
 def choose_blob(percept, was_near, s, w):
     """Return the index of the largest orange blob that can be the ball, -1 if there is none.  MS13, MS14"""
-    least = least_area(was_near, s, w)
+    least = least_ball_area(was_near, s, w)
     best, largest = -1, 0
     for i in range(BLOBS):
         area = int(percept.ball[i].area)
@@ -38,7 +38,7 @@ def choose_blob(percept, was_near, s, w):
 
 
 @compiled
-def least_area(was_near, s, w):
+def least_ball_area(was_near, s, w):
     """Return the least area [px] of a ball: larger if the robot has just seen the ball nearby.  MS14
 
     The settings are given at 88x72; each step of resolution has four times as many pixels.
@@ -52,13 +52,13 @@ def is_too_high(percept, blob, s, w):
     """Tell whether the middle of a blob is too far above the horizontal to be the ball.  MS13"""
     if w.horizon == 0:
         return False
-    u, v = middle_of(blob)
+    u, v = blob_centre(blob)
     _, elevation = direction_of_pixel(u, v, np.float64(percept.pan), np.float64(percept.tilt), s)
     return elevation > w.horizon_angle
 
 
 @compiled
-def middle_of(blob):
+def blob_centre(blob):
     """Return the middle of a blob's box [px], left and up of the image's centre."""
     return 0.5 * (int(blob.left) + int(blob.right)), 0.5 * (int(blob.high) + int(blob.low))
 
@@ -71,7 +71,7 @@ def place_of_ball(percept, blob, k, s, w, table):
     the neck, and is converted to the body's origin here. The height [m] equals the ball's radius if the range is right.
     """
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
-    u, v = middle_of(blob)
+    u, v = blob_centre(blob)
     bearing, elevation = direction_of_pixel(u, v, pan, tilt, s)
     ahead, left, height = camera_place(pan, tilt, s)
     if w.under_head == 1 and elevation < -w.under_head_tilt:
@@ -98,7 +98,7 @@ def range_ahead(percept, blob, elevation, k, s, w, table):
     With `ball_range` "infrared" every reading on the ball counts, the experiment of 3.1.1.
     """
     by_size = range_by_size(blob, w, table)
-    if percept.infrared <= 0.0 or not beam_is_on(blob, s, w):
+    if percept.infrared <= 0.0 or not beam_meets_blob(blob, s, w):
         return by_size
     by_infrared = range_by_infrared(percept, blob, elevation, k, s)
     if w.ball_range == BY_INFRARED:
@@ -130,7 +130,7 @@ def read_table(ranges, size):
 
 
 @compiled
-def beam_is_on(blob, s, w):
+def beam_meets_blob(blob, s, w):
     """Tell whether the camera's axis, the ranger's beam, meets a blob or passes within `centred` of it.  MS12"""
     edge = tan(w.centred)
     aside, above = edge * focal_x(s), edge * focal_y(s)
@@ -145,7 +145,7 @@ def range_by_infrared(percept, blob, elevation, k, s):
     D = d cos(delta) + sqrt(radius^2 - d^2 sin^2(delta)), the farther side of that triangle; without the root where
     the beam passes beside the ball.
     """
-    u, v = middle_of(blob)
+    u, v = blob_centre(blob)
     aside, above = u / focal_x(s), v / focal_y(s)
     square = aside * aside + above * above  # tan^2(delta)
     reading = np.float64(percept.infrared)

@@ -5,18 +5,18 @@
 
 import numpy as np
 
-from soccer_env.belief.believing import believe_kernel
+from soccer_env.belief.believing import make_belief_kernel
 from soccer_env.belief.legged.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.legged.head import HEAD_MEMORY, choose_gaze
 from soccer_env.belief.legged.landmarks import believe_pose_legged
 from soccer_env.belief.legged.obstacle import believe_obstacle
 from soccer_env.belief.legged.players import PLAYERS_MEMORY, believe_players
-from soccer_env.belief.legged.talk import exchange
+from soccer_env.belief.legged.talk import exchange_words
 from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import record
+from soccer_env.guards.ranges import ranged_record
 
-LEGGED_MEMORY = record(
+LEGGED_MEMORY = ranged_record(
     [("ball", BALL_MEMORY), ("players", PLAYERS_MEMORY), ("pose", POSE_MEMORY), ("head", HEAD_MEMORY)]
 )
 
@@ -37,4 +37,4 @@ def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scrat
     choose_gaze(percept, belief, np.float64(memory.ball.height), memory.head, gaze, k, s, w)
 
 
-believe_slice = believe_kernel(make_scratch, believe_robot, exchange)
+believe_slice = make_belief_kernel(make_scratch, believe_robot, exchange_words)

@@ -26,7 +26,7 @@ SMALLEST = 1.0  # [px] a blob has a pixel at least, whatever its box says
 
 
 @compiled
-def size_of(blob):
+def blob_size(blob):
     """Return the size of a blob [px]: the mean of its width and height, linear in its dimensions.  MS29, footnote 6
 
     A blob's area falls with the square of its distance, but the gaps between a player's blobs do not.
@@ -38,7 +38,7 @@ def size_of(blob):
 @compiled
 def is_larger(blobs, i, j):
     """Tell whether blob i counts as larger than blob j: by size, then area, then as the vision orders them."""
-    one, other = size_of(blobs[i]), size_of(blobs[j])
+    one, other = blob_size(blobs[i]), blob_size(blobs[j])
     if one != other:
         return one > other
     if blobs[i].area != blobs[j].area:
@@ -55,7 +55,7 @@ def gap_between(one, other):
 
 
 @compiled
-def largest_left(blobs, done):
+def largest_ungrouped_blob(blobs, done):
     """Return the index of the largest blob whose bit in `done` is not set, -1 if there is none."""
     largest = -1
     for i in range(BLOBS):
@@ -65,20 +65,20 @@ def largest_left(blobs, done):
 
 
 @compiled
-def player_of(blobs, i, grouping):
+def largest_blob_of_player(blobs, i, grouping):
     """Return the index of the largest blob of the player to which blob i belongs; it may be i itself.  MS29
 
     A blob near another blob of a player belongs to that player.
     """
-    larger = larger_nearby(blobs, i, grouping)
+    larger = larger_blob_nearby(blobs, i, grouping)
     while larger >= 0:
         i = larger
-        larger = larger_nearby(blobs, i, grouping)
+        larger = larger_blob_nearby(blobs, i, grouping)
     return i
 
 
 @compiled
-def larger_nearby(blobs, i, grouping):
+def larger_blob_nearby(blobs, i, grouping):
     """Return the index of the largest blob that is larger than blob i and near it, -1 if there is none.  MS29"""
     largest = -1
     for j in range(BLOBS):
@@ -86,7 +86,7 @@ def larger_nearby(blobs, i, grouping):
             continue
         if largest >= 0 and not is_larger(blobs, j, largest):
             continue
-        if gap_between(blobs[i], blobs[j]) < grouping * size_of(blobs[j]):
+        if gap_between(blobs[i], blobs[j]) < grouping * blob_size(blobs[j]):
             largest = j
     return largest
 
@@ -101,7 +101,7 @@ def box_of_player(blobs, i, w):
     left, right, high, low = int(blobs[i].left), int(blobs[i].right), int(blobs[i].high), int(blobs[i].low)
     if w.player_blob == COMBINED:
         for j in range(BLOBS):
-            if j != i and blobs[j].area > 0 and player_of(blobs, j, w.grouping) == i:
+            if j != i and blobs[j].area > 0 and largest_blob_of_player(blobs, j, w.grouping) == i:
                 left, right = max(left, int(blobs[j].left)), min(right, int(blobs[j].right))
                 high, low = max(high, int(blobs[j].high)), min(low, int(blobs[j].low))
     return left, right, high, low

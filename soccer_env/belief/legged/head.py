@@ -7,10 +7,10 @@ from math import asin, atan2, cos, pi, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.odometry import motion_of, move_point
+from soccer_env.belief.odometry import move_point, read_odometry
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
-from soccer_env.guards.ranges import COUNT, NUMBER, UNIT, record
+from soccer_env.guards.ranges import COUNT, NUMBER, UNIT, ranged_record
 from soccer_env.records.percepts import POSE_TOLD
 
 DEGREE = pi / 180.0
@@ -21,7 +21,7 @@ FOUND = 3  # sightings that end a search; fewer are a glimpse, of a patch perhap
 GLIMPSE = 0.25  # [s] unseen after which a search goes on that a glimpse interrupted, assumed
 LEAST = 1e-9  # [m]
 
-HEAD_MEMORY = record(
+HEAD_MEMORY = ranged_record(
     [
         ("side", "f4", UNIT),  # 0: not searching; +1, -1: the first sweep of the cycle begins on the left, the right
         ("sightings", "i4", COUNT),  # frames with a ball since the search began
@@ -53,12 +53,12 @@ def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
         ahead, left = ball.distance * cos(ball.bearing), ball.distance * sin(ball.bearing)
         if ball.distance >= w.dribbling_distance:  # a nearer one comes along
             body = percept.body
-            forward, aside, turn = motion_of(body)
+            forward, aside, turn = read_odometry(body)
             ahead, left = move_point(ahead, left, forward, aside, turn)
         up = height if ball.age == 0.0 else k.ball_radius
         pan, tilt = gaze_at_point(ahead, left, up, s)
     else:
-        pan, tilt = search(ball, memory, np.float64(percept.body.handedness), k, w)
+        pan, tilt = choose_search_gaze(ball, memory, np.float64(percept.body.handedness), k, w)
     gaze.pan = clip(pan, -k.head_pan_limit, k.head_pan_limit)
     gaze.tilt = clip(tilt, k.head_tilt_low, k.head_tilt_high)
 
@@ -77,7 +77,7 @@ def gaze_at_point(ahead, left, height, s):
 
 
 @compiled
-def search(ball, memory, handedness, k, w):
+def choose_search_gaze(ball, memory, handedness, k, w):
     """Return the pan and tilt [rad] of a head in search: sweeps between the pan limits at two tilts in turn.  MS07
 
     A sweep takes w.search_period. The first one begins on the side where the ball was believed last, low if it was

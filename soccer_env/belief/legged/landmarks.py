@@ -18,12 +18,17 @@ from math import cos, sin, sqrt, tan
 
 import numpy as np
 
-from soccer_env.belief.own_pose import conclude, go_on_blind, motion_since, particles_are_due
-from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle
-from soccer_env.compiled import compiled, records
+from soccer_env.belief.own_pose import (
+    estimate_and_resample,
+    move_without_measurements,
+    particles_are_due,
+    take_summed_motion,
+)
+from soccer_env.belief.particles import OUTLIER, bounded_cost, draw_from_sighting, move_particle
+from soccer_env.compiled import compiled, scratch_records
 from soccer_env.geometry import into_frame, point_of_frame
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, image_height, image_width
-from soccer_env.random_numbers import uniform
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.records.percepts import BLOBS, LANDMARKS
 from soccer_env.types import RobotStream
 
@@ -69,22 +74,22 @@ def believe_pose_legged(percept, own, crowded, memory, particles, noise, k, s, w
     """Update the own pose of a legged robot from the percept, by particles, landmarks and goals.  MH08"""
     if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
         return
-    view = records(1, LANDMARK_VIEW)[0]
-    seen = look_at_landmarks(percept, view, k, s, w)
+    view = scratch_records(1, LANDMARK_VIEW)[0]
+    seen = measure_landmarks(percept, view, k, s, w)
     hand = np.float64(percept.body.handedness)
     if seen == 0:
-        go_on_blind(own, memory, particles, noise, hand, k, w)
+        move_without_measurements(own, memory, particles, noise, hand, k, w)
         return
-    motion = motion_since(memory, k, w)
-    weigh_by_landmarks(particles, view, motion, noise, hand, k, w)
-    if conclude(own, memory, particles, seen, noise, w):
+    motion = take_summed_motion(memory, k, w)
+    weigh_particles_by_landmarks(particles, view, motion, noise, hand, k, w)
+    if estimate_and_resample(own, memory, particles, seen, noise, w):
         for i in range(particles.shape[0]):
             if particles[i].weight == 0.0:
                 draw_from_landmark(particles[i], view, noise, hand, k, w)
 
 
 @compiled
-def look_at_landmarks(percept, view, k, s, w):
+def measure_landmarks(percept, view, k, s, w):
     """Fill in the landmarks and goals in view; return how many measurements they give.
 
     A robot that lies on its side gets none. A landmark cut off at a side of the image is left out; a landmark cut off
@@ -166,7 +171,7 @@ def read_goal(blobs, goal, side, edge, pan, tilt, s):
 
 
 @compiled
-def weigh_by_landmarks(particles, view, motion, noise, hand, k, w):
+def weigh_particles_by_landmarks(particles, view, motion, noise, hand, k, w):
     """Move all particles, and store in each weight the cost of the robot's measurements for that pose.  MH08"""
     half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
     for i in range(particles.shape[0]):
@@ -187,10 +192,10 @@ def landmark_cost(sight, x, y, cosine, sine, w):
     """Return the cost of a landmark's measured bearing and range for a camera at x, y in a body with this heading."""
     ahead, left, far = direction_in_frame(sight.x - x, sight.y - y, cosine, sine)
     miss = 2.0 - 2.0 * (ahead * sight.ahead + left * sight.left)  # square of the chord [rad2]
-    cost = bounded(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
+    cost = bounded_cost(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
     if sight.far > 0.0:
         miss = (sight.far / far - 1.0) / w.pose_range_noise
-        cost += bounded(miss * miss, OUTLIER)
+        cost += bounded_cost(miss * miss, OUTLIER)
     return cost
 
 
@@ -200,15 +205,15 @@ def goal_cost(goal, x, y, cosine, sine, hand, k, w):
     across = goal.side * 0.5 * k.pitch_goal_width  # the left post as seen from the field
     along = goal.side * 0.5 * k.pitch_length - x
     ahead, left, _ = direction_in_frame(along, across - y, cosine, sine)
-    at_left = end_cost(ahead, left, goal.left_ahead, goal.left_left, goal.left_cut, 1.0, w)
+    at_left = goal_end_cost(ahead, left, goal.left_ahead, goal.left_left, goal.left_cut, 1.0, w)
     ahead, left, _ = direction_in_frame(along, -across - y, cosine, sine)
-    at_right = end_cost(ahead, left, goal.right_ahead, goal.right_left, goal.right_cut, -1.0, w)
+    at_right = goal_end_cost(ahead, left, goal.right_ahead, goal.right_left, goal.right_cut, -1.0, w)
     return at_left + at_right
 
 
 @compiled
-def end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
-    """Return the cost of a goal's end in direction (ahead, left) for a post in direction (post_ahead, post_left).
+def goal_end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
+    """Return how badly a goal whose end is seen in direction (ahead, left) fits a post in (post_ahead, post_left).
 
     Beyond the post, to the left for `outward` 1, nothing of the goal can be seen. Before the post an end costs little,
     since something may hide the rest, and nothing if the image's border cuts the goal off there.
@@ -217,8 +222,8 @@ def end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
     aside = outward * (post_ahead * left - post_left * ahead)
     square = max(2.0 - 2.0 * along, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise)
     if aside > 0.0 or along < 0.0:
-        return bounded(square, OUTLIER)
-    return 0.0 if cut == 1 else bounded(square, HIDDEN)
+        return bounded_cost(square, OUTLIER)
+    return 0.0 if cut == 1 else bounded_cost(square, HIDDEN)
 
 
 @compiled
@@ -233,7 +238,7 @@ def direction_in_frame(x, y, cosine, sine):
 def draw_from_landmark(particle, view, noise, hand, k, w):
     """Draw a new pose for a particle from one of the landmarks and goals in view.  MH08"""
     things = view.count + view.goals[0].seen + view.goals[1].seen
-    which = int(things * uniform(noise, PARTICLES))
+    which = int(things * draw_uniform(noise, PARTICLES))
     if which < view.count:
         one = view.sights[which]
         sight = (one.x, one.y, one.ahead, one.left, one.far, w.pose_range_noise, view.camera_x, view.camera_y)
@@ -242,4 +247,4 @@ def draw_from_landmark(particle, view, noise, hand, k, w):
         ahead, left = goal.left_ahead + goal.right_ahead, goal.left_left + goal.right_left
         x = 0.5 * goal.side * k.pitch_length
         sight = (x, 0.0, ahead, left, 0.0, 0.0, view.camera_x, view.camera_y)
-    draw_seeing(particle, sight, 0.5 * k.pitch_length, 0.5 * k.pitch_width, noise, hand)
+    draw_from_sighting(particle, sight, 0.5 * k.pitch_length, 0.5 * k.pitch_width, noise, hand)

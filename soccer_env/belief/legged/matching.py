@@ -27,7 +27,7 @@ EXPONENT_MOST = 300.0  # [1] e to the power of twice this is still a number
 
 
 @compiled
-def uncertainty_of(track, w):
+def track_uncertainty(track, w):
     """Return the uncertainty of a player in memory: 0.5 if it has just been seen, growing to 100.  MS32"""
     if track.present == 0:
         return w.uncertainty_most
@@ -35,7 +35,7 @@ def uncertainty_of(track, w):
 
 
 @compiled
-def falloff(value, power):
+def inverse_power(value, power):
     """Return value^-power for a value above zero and any power, bit-identical in compiled and plain Python."""
     return exp(min(-power * log(value), EXPONENT_MOST))
 
@@ -48,7 +48,7 @@ def angle_between(one, other):
 
 
 @compiled
-def likelihood(track, x, y, bearing, w):
+def match_likelihood(track, x, y, bearing, w):
     """Return the likelihood that a slot's player is the player seen at x, y [m], robot frame, bearing [rad].  MS30
 
     With `distance_power` 1, tried first, one player filled all slots; `angle_power` 0 leaves the angle out.  MS31
@@ -57,8 +57,8 @@ def likelihood(track, x, y, bearing, w):
         distance, angle = length(track.x - x, track.y - y), angle_between(track.bearing, bearing)
     else:
         distance, angle = w.empty_distance, w.empty_angle
-    near = falloff(max(distance, LEAST_DISTANCE), w.distance_power)
-    return uncertainty_of(track, w) * near * falloff(max(angle, LEAST_ANGLE), w.angle_power)
+    near = inverse_power(max(distance, LEAST_DISTANCE), w.distance_power)
+    return track_uncertainty(track, w) * near * inverse_power(max(angle, LEAST_ANGLE), w.angle_power)
 
 
 @compiled
@@ -72,7 +72,7 @@ def likeliest_slot(tracks, first, last, x, y, w):
     for slot in range(first, last):
         if tracks[slot].present == 1 and tracks[slot].age == 0.0:
             continue
-        value = likelihood(tracks[slot], x, y, bearing, w)
+        value = match_likelihood(tracks[slot], x, y, bearing, w)
         if value > best:
             likeliest, best = slot, value
     return likeliest

@@ -18,7 +18,7 @@ from math import atan2, cos, inf, sin
 import numpy as np
 
 from soccer_env.belief.legged.players import range_by_infrared
-from soccer_env.belief.legged.surface import half_a_body
+from soccer_env.belief.legged.surface import chest_to_middle
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.optics.head_camera import camera_place
@@ -32,15 +32,15 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
     """
     obstacle, body = belief.obstacle, percept.body
     obstacle.distance = obstacle.bearing = 0.0
-    if w.obstacle == 1 and body.active == 1 and body.upright == 1 and meets_somebody(percept, k, s, w):
-        reading = range_by_infrared(percept, np.float64(percept.tilt), k) - half_a_body(k)
-        if reading < w.obstacle_share * nearest_player(percept, tracks, k, s):
-            x, y = place_in_beam(percept, k, s)
+    if w.obstacle == 1 and body.active == 1 and body.upright == 1 and beam_meets_player(percept, k, s, w):
+        reading = range_by_infrared(percept, np.float64(percept.tilt), k) - chest_to_middle(k)
+        if reading < w.obstacle_share * nearest_player_distance(percept, tracks, k, s):
+            x, y = player_place_in_beam(percept, k, s)
             obstacle.distance, obstacle.bearing = length(x, y), atan2(y, x)
 
 
 @compiled
-def meets_somebody(percept, k, s, w):
+def beam_meets_player(percept, k, s, w):
     """Tell whether the beam meets a near thing, higher than the carpet, the ball and the boards.  MS49"""
     if not 0.0 < percept.infrared < w.player_infrared_far:
         return False
@@ -51,7 +51,7 @@ def meets_somebody(percept, k, s, w):
 
 
 @compiled
-def place_in_beam(percept, k, s):
+def player_place_in_beam(percept, k, s):
     """Return the place x, y [m], robot frame, of a player whose chest the beam meets."""
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     ahead, left, _ = camera_place(pan, tilt, s)
@@ -60,12 +60,12 @@ def place_in_beam(percept, k, s):
 
 
 @compiled
-def nearest_player(percept, tracks, k, s):
+def nearest_player_distance(percept, tracks, k, s):
     """Return the distance [m] from the camera to the surface of the nearest player in memory; inf without any.  MS49"""
     ahead, left, _ = camera_place(np.float64(percept.pan), np.float64(percept.tilt), s)
     nearest = inf
     for slot in range(k.teammate_slots + k.opponent_slots):
         if tracks[slot].present == 1:
             away = length(tracks[slot].x - ahead, tracks[slot].y - left)
-            nearest = min(nearest, max(away - half_a_body(k), 0.0))
+            nearest = min(nearest, max(away - chest_to_middle(k), 0.0))
     return nearest

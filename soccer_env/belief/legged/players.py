@@ -14,13 +14,13 @@ from math import atan2, cos, sin, tan
 
 import numpy as np
 
-from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_left, player_of
+from soccer_env.belief.legged.grouping import COMBINED, box_of_player, largest_blob_of_player, largest_ungrouped_blob
 from soccer_env.belief.legged.matching import likeliest_slot
-from soccer_env.belief.legged.surface import half_a_body
-from soccer_env.belief.odometry import motion_of
+from soccer_env.belief.legged.surface import chest_to_middle
+from soccer_env.belief.odometry import read_odometry
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
-from soccer_env.guards.ranges import COUNT, record
+from soccer_env.guards.ranges import COUNT, ranged_record
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
 from soccer_env.records.beliefs import clear_slots
@@ -30,7 +30,7 @@ SURE = 100.0  # confidence of what is seen, Sacks 2001, 2  MS03
 NEAREST = SLOTS["nearest"]
 SIDE = PLAYER_VIEWS["side"]
 
-PLAYERS_MEMORY = record(
+PLAYERS_MEMORY = ranged_record(
     [
         ("teammates", "i2", COUNT),  # told apart in this frame's picture, whether there was a slot for each or not
         ("opponents", "i2", COUNT),  # the same
@@ -51,35 +51,39 @@ def believe_players(percept, own, tracks, memory, k, s, w, table):
         clear_slots(tracks, 0, last)
     if w.player_odometry == 1:
         move_tracks(tracks, body, last)
-    grow_older(tracks, last, k, w)
+    age_tracks(tracks, last, k, w)
     memory.teammates = memory.opponents = 0
     if body.active == 1 and body.upright == 1:
-        memory.teammates = look(percept, percept.teammates, tracks, 0, k.teammate_slots, 1, k, s, w, table)
-        memory.opponents = look(percept, percept.opponents, tracks, k.teammate_slots, last, 0, k, s, w, table)
+        memory.teammates = remember_seen_players(
+            percept, percept.teammates, tracks, 0, k.teammate_slots, 1, k, s, w, table
+        )
+        memory.opponents = remember_seen_players(
+            percept, percept.opponents, tracks, k.teammate_slots, last, 0, k, s, w, table
+        )
 
 
 @compiled
 def move_tracks(tracks, body, last):
     """Correct all players in memory, in the robot frame, for the robot's own motion since the last frame.  MS36"""
-    forward, left, turn = motion_of(body)
+    forward, left, turn = read_odometry(body)
     if forward == 0.0 and left == 0.0 and turn == 0.0:
         return
     cosine, sine = cos(turn), sin(turn)
     for slot in range(last):
         if tracks[slot].present == 1:
             x, y = into_frame(tracks[slot].x - forward, tracks[slot].y - left, cosine, sine)
-            put_at(tracks[slot], x, y)
+            set_track_place(tracks[slot], x, y)
 
 
 @compiled
-def put_at(track, x, y):
+def set_track_place(track, x, y):
     """Set the place of a track: x, y [m] in the robot frame, and the paper's polar coordinates.  MS02"""
     track.x, track.y = x, y
     track.distance, track.bearing = length(x, y), atan2(y, x)
 
 
 @compiled
-def grow_older(tracks, last, k, w):
+def age_tracks(tracks, last, k, w):
     """Add a frame to the age of all tracks, and lower the confidence in unseen players.  MS03
 
     Players unseen for `ghost_time` are forgotten, unlike in the paper, where only another player frees a slot.
@@ -94,7 +98,7 @@ def grow_older(tracks, last, k, w):
 
 
 @compiled
-def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
+def remember_seen_players(percept, blobs, tracks, first, last, teammate, k, s, w, table):
     """Group the blobs of one colour into players and remember the players; return their number.  MS28
 
     Slots from `first` to before `last` are this team's. Players come largest blob first. The old memory keeps only the
@@ -103,27 +107,27 @@ def look(percept, blobs, tracks, first, last, teammate, k, s, w, table):
     done = seen = 0
     nearest_x = nearest_y = nearest = 0.0
     for _ in range(BLOBS):
-        i = largest_left(blobs, done)
+        i = largest_ungrouped_blob(blobs, done)
         if i < 0:
             break
         done |= 1 << i
-        if player_of(blobs, i, w.grouping) != i:
+        if largest_blob_of_player(blobs, i, w.grouping) != i:
             continue
         x, y = place_of_player(percept, blobs, i, k, s, w, table)
         seen += 1
         if w.slots != NEAREST:
-            remember(tracks, likeliest_slot(tracks, first, last, x, y, w), x, y, teammate)
+            remember_player(tracks, likeliest_slot(tracks, first, last, x, y, w), x, y, teammate)
         elif seen == 1 or length(x, y) < nearest:
             nearest_x = x
             nearest_y = y
             nearest = length(x, y)
     if w.slots == NEAREST and seen > 0 and first < last:
-        remember(tracks, first, nearest_x, nearest_y, teammate)
+        remember_player(tracks, first, nearest_x, nearest_y, teammate)
     return seen
 
 
 @compiled
-def remember(tracks, slot, x, y, teammate):
+def remember_player(tracks, slot, x, y, teammate):
     """Put a player seen at x, y [m], robot frame, into a slot; slot -1, no slot is left, does nothing."""
     if slot < 0:
         return
@@ -132,7 +136,7 @@ def remember(tracks, slot, x, y, teammate):
     track.teammate = teammate
     track.keeper = 0
     track.number = -1
-    put_at(track, x, y)
+    set_track_place(track, x, y)
     track.vx = track.vy = track.heading = 0.0
     track.confidence, track.age = SURE, 0.0
 
@@ -148,7 +152,7 @@ def place_of_player(percept, blobs, i, k, s, w, table):
     left, right, high, low = box_of_player(blobs, i, w)
     bearing, _ = direction_of_pixel(0.5 * (left + right), 0.5 * (high + low), pan, tilt, s)
     ahead, aside, _ = camera_place(pan, tilt, s)
-    if w.player_infrared == 1 and is_in_beam(percept, left, right, high, low, s, w):
+    if w.player_infrared == 1 and is_player_in_beam(percept, left, right, high, low, s, w):
         away = range_by_infrared(percept, tilt, k)
     else:
         away = range_by_height(high - low, w, table)
@@ -171,7 +175,7 @@ def range_by_height(height, w, table):
 
 
 @compiled
-def is_in_beam(percept, left, right, high, low, s, w):
+def is_player_in_beam(percept, left, right, high, low, s, w):
     """Tell whether a box [px] covers the picture's centre while the ranger measures a near thing.  MS35
 
     A centre within `centred` of the box counts as covered. A reading of 0 means no reading.
@@ -190,4 +194,4 @@ def range_by_infrared(percept, tilt, k):
     The paper takes "the reading from the infrared distance sensor", and so does `surface_distance` (surface.py); half a
     body is added because tracks hold middles, however they were measured.
     """
-    return np.float64(percept.infrared) * cos(tilt) + half_a_body(k)
+    return np.float64(percept.infrared) * cos(tilt) + chest_to_middle(k)

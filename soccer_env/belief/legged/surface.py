@@ -15,7 +15,7 @@ from soccer_env.geometry import length
 
 
 @compiled
-def half_a_body(k):
+def chest_to_middle(k):
     """Return the distance of a player's middle behind the surface that sensors measure [m]: its chest, assumed.
 
     The value is for the head-on view, the most common. From the side it is 3 cm less, from behind 2 cm more, but vision
@@ -30,4 +30,4 @@ def surface_distance(x, y, k):
 
     The camera is at its place in a level head that looks ahead; a lowered head moves it by up to 2 cm.
     """
-    return max(length(x - k.head_camera_ahead, y) - half_a_body(k), 0.0)
+    return max(length(x - k.head_camera_ahead, y) - chest_to_middle(k), 0.0)

@@ -11,17 +11,25 @@ from math import atan2, inf
 
 import numpy as np
 
-from soccer_env.belief.odometry import motion_of, move_point
-from soccer_env.belief.omni.tracking import FILTER, at_exposure, carry, correct, predict, reading_of, start
+from soccer_env.belief.odometry import move_point, read_odometry
+from soccer_env.belief.omni.tracking import (
+    FILTER,
+    correct_track,
+    place_at_exposure,
+    place_of_sighting,
+    predict,
+    start,
+    to_present_frame,
+)
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
-from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, record
+from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, ranged_record
 
 SURE = 100.0  # confidence of what is seen
 BALL_SPEED = 4.0  # [m/s] sd of the speed of a ball of which only one reading is known, assumed
 NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at this distance
 
-BALL_MEMORY = record(
+BALL_MEMORY = ranged_record(
     [
         ("x", "f8", NUMBER),  # [m] robot frame
         ("y", "f8", NUMBER),  # [m]
@@ -46,12 +54,12 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
     The picture counts as `frames` old: a reading is compared with the ball's state at the exposure.
     """
     body = percept.body
-    move_ball(memory, motions[body.frame % motions.shape[0]], body.kicked == 1, k, s, w)
+    predict_ball(memory, motions[body.frame % motions.shape[0]], body.kicked == 1, k, s, w)
     if percept.ball.seen == 1:
-        x, y = reading_of(percept.ball, motions, body.frame, frames)
-        take(memory, x, y, frames * k.dt, np.float64(percept.age), True, k, s, w)
+        x, y = place_of_sighting(percept.ball, motions, body.frame, frames)
+        correct_ball(memory, x, y, frames * k.dt, np.float64(percept.age), True, k, s, w)
     elif body.held == 1 and memory.held >= 1.0:  # the barrier errs now and then: one frame proves nothing
-        take(memory, k.body_front + k.ball_radius, 0.0, 0.0, 0.0, False, k, s, w)
+        correct_ball(memory, k.body_front + k.ball_radius, 0.0, 0.0, 0.0, False, k, s, w)
     else:
         memory.filter.surprises = 0  # no longer in a row
     memory.held = memory.held + 1.0 if body.held == 1 else 0.0
@@ -59,12 +67,12 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
         memory.confidence = max(memory.confidence - w.fading * k.dt, 0.0)
         if memory.confidence <= 0.0:  # its velocity is forgotten as well
             memory.vx = memory.vy = 0.0
-    fill_belief(believed, memory, own)
+    fill_ball_belief(believed, memory, own)
     believed.held = body.held
 
 
 @compiled
-def move_ball(memory, motion, kicked, k, s, w):
+def predict_ball(memory, motion, kicked, k, s, w):
     """Predict the rolling ball for a frame, relative to the moving robot; its own kick makes the speed uncertain."""
     filter = memory.filter
     memory.age += k.dt
@@ -72,8 +80,8 @@ def move_ball(memory, motion, kicked, k, s, w):
     if filter.readings == 0:
         return
     predict(memory, filter, motion, w.ball_agility, k.ball_rolling, k, s)
-    carry(memory, motion)
-    forward, left, turn = motion_of(motion)
+    to_present_frame(memory, motion)
+    forward, left, turn = read_odometry(motion)
     memory.raw_x, memory.raw_y = move_point(memory.raw_x, memory.raw_y, forward, left, turn)
     memory.odd_x, memory.odd_y = move_point(memory.odd_x, memory.odd_y, forward, left, turn)
     if kicked:
@@ -81,18 +89,20 @@ def move_ball(memory, motion, kicked, k, s, w):
 
 
 @compiled
-def take(memory, x, y, late, age, alone, k, s, w):
-    """Correct the ball with a reading (x, y) [m] of an age [s], counted as `late` [s]; `alone` may start a track.  MH06
+def correct_ball(memory, x, y, late, age, alone, k, s, w):
+    """Correct the ball with a reading (x, y) [m] of an age [s] that the team takes for `late` [s].  MH06
+
+    `alone`: this reading may start a track without a second one that agrees.
 
     A reading off by more than `surprise` is ignored, unless `surprise_count` of them in a row agree with each other:
     then the ball was kicked, or the track followed something else, and it starts anew.
     """
     filter = memory.filter
     memory.raw_x, memory.raw_y = x, y
-    was_x, was_y = at_exposure(memory, late)
+    was_x, was_y = place_at_exposure(memory, late)
     near = filter.readings > 0 and memory.confidence > 0.0 and length(x - was_x, y - was_y) <= w.surprise
     if near:
-        correct(memory, filter, x, y, late, max(memory.age - age, k.dt), s, w)
+        correct_track(memory, filter, x, y, late, max(memory.age - age, k.dt), s, w)
         filter.surprises = 0
     elif not (alone and filter.readings == 0):
         within = w.surprise + k.ball_top_speed * k.dt
@@ -109,7 +119,7 @@ def take(memory, x, y, late, age, alone, k, s, w):
 
 
 @compiled
-def fill_belief(believed, memory, own):
+def fill_ball_belief(believed, memory, own):
     """Fill in the belief from the tracked ball; radial and angular velocity are relative to the turning robot."""
     believed.distance = length(memory.raw_x, memory.raw_y)
     believed.bearing = atan2(memory.raw_y, memory.raw_x)

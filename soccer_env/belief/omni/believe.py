@@ -5,19 +5,19 @@
 
 import numpy as np
 
-from soccer_env.belief.believing import believe_kernel
+from soccer_env.belief.believing import make_belief_kernel
 from soccer_env.belief.omni.ball import BALL_MEMORY, believe_ball
 from soccer_env.belief.omni.field_lines import believe_pose_omni
 from soccer_env.belief.omni.players import READING, SLOTS, believe_players
 from soccer_env.belief.omni.radio import exchange_radio
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, note_motion
 from soccer_env.belief.own_pose import POSE_MEMORY, is_crowded
-from soccer_env.compiled import compiled, records
-from soccer_env.guards.ranges import record
+from soccer_env.compiled import compiled, scratch_records
+from soccer_env.guards.ranges import ranged_record
 from soccer_env.records.beliefs import TRACK, forget
 from soccer_env.records.percepts import OTHERS, POSE_TOLD
 
-OMNI_MEMORY = record(
+OMNI_MEMORY = ranged_record(
     [
         ("ball", BALL_MEMORY),
         ("pose", POSE_MEMORY),
@@ -30,23 +30,23 @@ OMNI_MEMORY = record(
 @compiled
 def make_scratch():
     """Return scratch arrays: readings of other players, a track and its filter."""
-    return records(OTHERS, READING), records(1, TRACK), records(1, FILTER)
+    return scratch_records(OTHERS, READING), scratch_records(1, TRACK), scratch_records(1, FILTER)
 
 
 @compiled
 def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table):
     """Update one robot's beliefs and memory from its percept; `gaze` is unused, since there is no head."""
     believe_pose_omni(percept, belief.own, is_crowded(tracks, k), memory.pose, particles, noise, k, s, w, table)
-    track_things(percept, belief, tracks, memory, scratch, k, s, w)
+    track_ball_and_players(percept, belief, tracks, memory, scratch, k, s, w)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # there is no ranger
 
 
 @compiled
-def track_things(percept, belief, tracks, memory, scratch, k, s, w):
+def track_ball_and_players(percept, belief, tracks, memory, scratch, k, s, w):
     """Update ball and players from the percept; a robot that is told a new place first forgets both.  MH06"""
     note_motion(memory.motions, percept.body)
     if percept.body.pose == POSE_TOLD:
-        forget_things(memory, tracks)
+        forget_ball_and_players(memory, tracks)
     frames = picture_age(percept, k, w)
     believe_ball(percept, belief.own, belief.ball, memory.ball, memory.motions, frames, k, s, w)
     believe_players(percept, tracks, memory.players, memory.motions, frames, scratch, k, s, w)
@@ -61,7 +61,7 @@ def picture_age(percept, k, w):
 
 
 @compiled
-def forget_things(memory, tracks):
+def forget_ball_and_players(memory, tracks):
     """Forget the ball and all players."""
     ball = memory.ball
     ball.x = ball.y = ball.vx = ball.vy = 0.0
@@ -73,4 +73,4 @@ def forget_things(memory, tracks):
         memory.players[slot].readings = memory.players[slot].surprises = 0
 
 
-believe_slice = believe_kernel(make_scratch, believe_robot, exchange_radio)
+believe_slice = make_belief_kernel(make_scratch, believe_robot, exchange_radio)

@@ -11,11 +11,17 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 
 from soccer_env.belief.odometry import move_point
-from soccer_env.belief.own_pose import conclude, field_of, go_on_blind, motion_since, particles_are_due
-from soccer_env.belief.particles import OUTLIER, bounded, draw_seeing, move_particle, scatter
-from soccer_env.compiled import compiled, records
+from soccer_env.belief.own_pose import (
+    estimate_and_resample,
+    field_half_size,
+    move_without_measurements,
+    particles_are_due,
+    take_summed_motion,
+)
+from soccer_env.belief.particles import OUTLIER, bounded_cost, draw_from_sighting, move_particle, scatter_particle
+from soccer_env.compiled import compiled, scratch_records
 from soccer_env.geometry import into_frame, length, point_of_frame
-from soccer_env.random_numbers import uniform
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.records.percepts import LINES
 from soccer_env.types import RobotStream
 
@@ -45,23 +51,23 @@ def believe_pose_omni(percept, own, crowded, memory, particles, noise, k, s, w, 
     """
     if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
         return
-    view = records(1, LINE_VIEW)[0]
-    seen = look_at_lines(percept, own, view, k, s, w)
+    view = scratch_records(1, LINE_VIEW)[0]
+    seen = measure_lines_and_goals(percept, own, view, k, s, w)
     hand = np.float64(percept.body.handedness)
     if seen == 0:
-        go_on_blind(own, memory, particles, noise, hand, k, w)
+        move_without_measurements(own, memory, particles, noise, hand, k, w)
         return
-    motion = motion_since(memory, k, w)
-    half_length, half_width = field_of(k)
-    weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table)
-    if conclude(own, memory, particles, seen, noise, w):
+    motion = take_summed_motion(memory, k, w)
+    half_length, half_width = field_half_size(k)
+    weigh_particles_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table)
+    if estimate_and_resample(own, memory, particles, seen, noise, w):
         for i in range(particles.shape[0]):
             if particles[i].weight == 0.0:
                 draw_from_goal(particles[i], view, half_length, half_width, noise, hand, w)
 
 
 @compiled
-def look_at_lines(percept, own, view, k, s, w):
+def measure_lines_and_goals(percept, own, view, k, s, w):
     """Fill in the lines and goals in view; return how many measurements they give.
 
     The picture is old when it arrives: its measurements are corrected for the robot's motion since the exposure.
@@ -98,7 +104,7 @@ def read_goal(sighting, goal, x, forward, aside, turn):
 
 
 @compiled
-def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
+def weigh_particles_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
     """Move all particles, and store in each weight the cost of the robot's measurements for that pose.  MH08"""
     grid, per_metre = table.nearest_line, 1.0 / table.cell
     columns, rows = grid.shape[0] // 2, grid.shape[1] // 2
@@ -114,7 +120,7 @@ def weigh_by_lines(particles, view, motion, half_length, half_width, noise, hand
             column = min(int(abs(at_x) * per_metre), columns - 1)
             row = min(int(abs(at_y) * per_metre), rows - 1)
             off = np.float64(grid[columns + column, rows + row])
-            cost += bounded(off * off * sharp, OUTLIER)
+            cost += bounded_cost(off * off * sharp, OUTLIER)
         for j in range(2):
             if view.goals[j].seen == 1:
                 cost += goal_cost(view.goals[j], x, y, cosine, sine, k, w)
@@ -131,7 +137,7 @@ def goal_cost(goal, x, y, cosine, sine, k, w):
     hidden = HIDDEN_SHARE * 0.5 * k.pitch_goal_width / far
     square = max(2.0 - 2.0 * straight, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise + hidden * hidden)
     miss = (goal.far / far - 1.0) / w.pose_range_noise
-    return bounded(square, OUTLIER) + bounded(miss * miss, OUTLIER)
+    return bounded_cost(square, OUTLIER) + bounded_cost(miss * miss, OUTLIER)
 
 
 @compiled
@@ -139,9 +145,9 @@ def draw_from_goal(particle, view, half_length, half_width, noise, hand, w):
     """Draw a new pose for a particle from a goal in view; without a goal, anywhere on the field.  MH08"""
     goals = view.goals[0].seen + view.goals[1].seen
     if goals == 0:
-        scatter(particle, half_length, half_width, noise, hand)
+        scatter_particle(particle, half_length, half_width, noise, hand)
         return
-    other = view.goals[0].seen == 0 or (goals == 2 and uniform(noise, PARTICLES) < 0.5)
+    other = view.goals[0].seen == 0 or (goals == 2 and draw_uniform(noise, PARTICLES) < 0.5)
     goal = view.goals[1] if other else view.goals[0]
     sight = (goal.x, 0.0, goal.ahead, goal.left, goal.far, w.pose_range_noise, 0.0, 0.0)
-    draw_seeing(particle, sight, half_length, half_width, noise, hand)
+    draw_from_sighting(particle, sight, half_length, half_width, noise, hand)

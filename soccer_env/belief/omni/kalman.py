@@ -13,9 +13,9 @@ four, and neither has to be turned when the robot turns (that the line of sight 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import AMOUNT, NUMBER, record
+from soccer_env.guards.ranges import AMOUNT, NUMBER, ranged_record
 
-COVARIANCE = record(
+COVARIANCE = ranged_record(
     [
         ("xx", "f4", AMOUNT),  # [m2]
         ("xv", "f4", NUMBER),  # [m2/s]

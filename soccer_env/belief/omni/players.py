@@ -13,7 +13,14 @@ from math import atan2
 
 import numpy as np
 
-from soccer_env.belief.omni.tracking import at_exposure, carry, correct, predict, reading_of, start
+from soccer_env.belief.omni.tracking import (
+    correct_track,
+    place_at_exposure,
+    place_of_sighting,
+    predict,
+    start,
+    to_present_frame,
+)
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
 from soccer_env.records.beliefs import UNKNOWN, forget
@@ -41,18 +48,18 @@ def believe_players(percept, tracks, filters, motions, frames, scratch, k, s, w)
     The picture counts as `frames` old; scratch: OTHERS READINGs, one TRACK and one FILTER.
     """
     readings, spare_tracks, spare_filters = scratch
-    move_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
+    predict_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
     count = read_players(percept, motions, frames, readings)
     mates, everyone = k.teammate_slots, k.teammate_slots + k.opponent_slots
-    follow_team(percept, tracks, filters, readings, count, 1, 0, mates, frames * k.dt, k, s, w)
-    follow_team(percept, tracks, filters, readings, count, 0, mates, everyone, frames * k.dt, k, s, w)
+    update_team_tracks(percept, tracks, filters, readings, count, 1, 0, mates, frames * k.dt, k, s, w)
+    update_team_tracks(percept, tracks, filters, readings, count, 0, mates, everyone, frames * k.dt, k, s, w)
     fade_players(tracks, filters, k, w)
     sort_players(tracks, filters, spare_tracks, spare_filters, 0, mates)
     sort_players(tracks, filters, spare_tracks, spare_filters, mates, everyone)
 
 
 @compiled
-def move_players(tracks, filters, motion, k, s, w):
+def predict_players(tracks, filters, motion, k, s, w):
     """Predict the tracked players for a frame in the frame of the moving robot."""
     for slot in range(tracks.shape[0]):
         track, filter = tracks[slot], filters[slot]
@@ -65,7 +72,7 @@ def move_players(tracks, filters, motion, k, s, w):
             start(track, filter, track.x, track.y, PLAYER_SPEED, s)
             track.vx, track.vy = vx, vy
         predict(track, filter, motion, w.player_agility, 0.0, k, s)
-        carry(track, motion)
+        to_present_frame(track, motion)
         track.age += k.dt
         if track.number != UNKNOWN:  # its heading was told
             track.heading = wrap(track.heading - np.float64(motion.turn))
@@ -77,26 +84,26 @@ def read_players(percept, motions, frames, readings):
     count = 0
     while count < OTHERS and percept.players[count].seen == 1:
         reading = readings[count]
-        reading.x, reading.y = reading_of(percept.players[count], motions, percept.body.frame, frames)
+        reading.x, reading.y = place_of_sighting(percept.players[count], motions, percept.body.frame, frames)
         reading.taken = 0
         count += 1
     return count
 
 
 @compiled
-def follow_team(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
+def update_team_tracks(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
     """Update the tracks of one team, slots `first` to before `last`, from the readings with its marker.  MH06"""
     age = np.float64(percept.age)
     measure_offsets(percept, tracks, readings, count, teammate, first, last, late)
     while True:
-        best, slot = nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
+        best, slot = nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
         if best < 0:
             break
         reading = readings[best]
         track = tracks[slot]
         filter = filters[slot]
         reading.taken, filter.seen = 1, 1
-        take(track, filter, reading.x, reading.y, reading.off[slot], late, age, k, s, w)
+        correct_player(track, filter, reading.x, reading.y, reading.off[slot], late, age, k, s, w)
     for best in range(count):
         if readings[best].taken == 0 and percept.players[best].teammate == teammate:
             add_player(tracks, filters, readings[best].x, readings[best].y, teammate, first, last, age, s)
@@ -107,13 +114,13 @@ def measure_offsets(percept, tracks, readings, count, teammate, first, last, lat
     """Fill in the distances [m] between the readings and the tracks of a team."""
     for slot in range(first, last):
         if tracks[slot].present == 1:
-            x, y = at_exposure(tracks[slot], late)
+            x, y = place_at_exposure(tracks[slot], late)
             for i in range(count):
                 readings[i].off[slot] = length(readings[i].x - x, readings[i].y - y)
 
 
 @compiled
-def nearest_pair(percept, tracks, filters, readings, count, teammate, first, last, gate):
+def nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, gate):
     """Return the nearest pair of a free reading and a free track within the gate, as indices; -1, -1 for none."""
     best = -1
     best_slot = -1
@@ -130,13 +137,13 @@ def nearest_pair(percept, tracks, filters, readings, count, teammate, first, las
 
 
 @compiled
-def take(track, filter, x, y, off, late, age, k, s, w):
+def correct_player(track, filter, x, y, off, late, age, k, s, w):
     """Correct a track with a reading; restart it after `surprise_count` readings in a row off by over `surprise`."""
     filter.surprises = filter.surprises + 1 if off > w.surprise else 0
     if filter.surprises >= w.surprise_count:
         start(track, filter, x, y, PLAYER_SPEED, s)
     elif filter.surprises == 0:
-        correct(track, filter, x, y, late, max(track.age - age, k.dt), s, w)
+        correct_track(track, filter, x, y, late, max(track.age - age, k.dt), s, w)
     else:
         filter.seen = 2  # it is there, but not where it was thought to be
         return
@@ -188,7 +195,7 @@ def sort_players(tracks, filters, spare_tracks, spare_filters, first, last):
     """Sort the tracks of a team, nearest first and empty slots last; their filters go with them."""
     for slot in range(first + 1, last):
         place = slot
-        while place > first and comes_before(tracks[place], tracks[place - 1]):
+        while place > first and is_sorted_before(tracks[place], tracks[place - 1]):
             spare_tracks[0], spare_filters[0] = tracks[place], filters[place]
             tracks[place], filters[place] = tracks[place - 1], filters[place - 1]
             tracks[place - 1], filters[place - 1] = spare_tracks[0], spare_filters[0]
@@ -196,6 +203,6 @@ def sort_players(tracks, filters, spare_tracks, spare_filters, first, last):
 
 
 @compiled
-def comes_before(one, other):
+def is_sorted_before(one, other):
     """Tell whether a track belongs before another: used before empty slots, then nearer before farther players."""
     return one.present == 1 and (other.present == 0 or one.distance < other.distance)

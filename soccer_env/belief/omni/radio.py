@@ -7,15 +7,24 @@ from math import inf
 
 import numpy as np
 
-from soccer_env.belief.omni.reports import adopt_ball, place_teammates, write_report
-from soccer_env.belief.talk import RADIO, REMEMBERED, SEEN, deliver, frames_between, hear, message_of, send
+from soccer_env.belief.omni.reports import adopt_reported_ball, place_teammates, write_report
+from soccer_env.belief.talk import (
+    RADIO,
+    REMEMBERED,
+    SEEN,
+    deliver_message,
+    frames_between,
+    hear_word,
+    message_dtype,
+    send_report,
+)
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import CONFIDENCE, ENDLESS, FLAG, LATELY, NUMBER, record
-from soccer_env.random_numbers import uniform
-from soccer_env.records.ball_words import word_for
+from soccer_env.guards.ranges import CONFIDENCE, ENDLESS, FLAG, LATELY, NUMBER, ranged_record
+from soccer_env.random_numbers import draw_uniform
+from soccer_env.records.ball_words import word_for_distance
 from soccer_env.records.beliefs import PLAYER_OR_UNKNOWN, WORDS
 
-REPORT = record(
+REPORT = ranged_record(
     [
         ("frame", "i4", LATELY),  # in which it was said
         ("word", "i2", WORDS),  # range of the speaker's distance to the ball
@@ -36,7 +45,7 @@ REPORT = record(
         ("ball_confidence", "f8", CONFIDENCE),  # [0, 100] in where it is on the field; 0: no ball is known
     ]
 )
-RADIO_MESSAGE = message_of(REPORT)
+RADIO_MESSAGE = message_dtype(REPORT)
 
 
 @compiled
@@ -53,11 +62,11 @@ def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
     for r in rows:
         message, frame = messages[r], np.int64(percepts[r].body.frame)
         message.fresh = 0
-        deliver(message, frame)
+        deliver_message(message, frame)
         if percepts[r].body.active == 1 and frame % pause == 0:
-            say_report(message.reports[1 - message.latest], beliefs[r])
-            send(message, frame, wait, uniform(noise[r], RADIO) < s.radio_loss)
-            deliver(message, frame)
+            write_radio_report(message.reports[1 - message.latest], beliefs[r])
+            send_report(message, frame, wait, draw_uniform(noise[r], RADIO) < s.radio_loss)
+            deliver_message(message, frame)
         fresh = fresh or message.fresh == 1
     scratch = np.empty((max(beliefs.shape[0], tracks.shape[1]) if fresh else 0, 4))
     for r in rows:
@@ -65,15 +74,15 @@ def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
         if fresh:
             place_teammates(beliefs[r].own, tracks[r], messages, r, frame, scratch, k, w, home, rows)
         if beliefs[r].ball.age >= w.shared_age:
-            adopt_ball(beliefs[r], messages, r, frame, k, w, home, rows)
-        hear(beliefs[r].heard, messages, r, frame, REMEMBERED * pause + wait, k, home, rows)
+            adopt_reported_ball(beliefs[r], messages, r, frame, k, w, home, rows)
+        hear_word(beliefs[r].heard, messages, r, frame, REMEMBERED * pause + wait, k, home, rows)
 
 
 @compiled
-def say_report(report, belief):
+def write_radio_report(report, belief):
     """Write the report that a robot sends by radio.  MH05"""
     ball = belief.ball
     seen = ball.confidence > 0.0 and ball.age < SEEN
     report.distance = ball.filtered_distance if seen else inf
-    report.word = word_for(report.distance)
+    report.word = word_for_distance(report.distance)
     write_report(report, belief)

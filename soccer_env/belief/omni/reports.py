@@ -52,16 +52,18 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
     axes = cos(own.heading), sin(own.heading)
     locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows)
     while True:
-        other, slot = nearest_pair(tracks, scratch, k, w, rows)
+        other, slot = nearest_report_and_track(tracks, scratch, k, w, rows)
         if other < 0:
             break
-        take_report(own, axes, tracks, slot, messages[other], scratch[other], scratch[slot], frame, k, w)
+        copy_report_to_track(own, axes, tracks, slot, messages[other], scratch[other], scratch[slot], frame, k, w)
     for other in rows:
         if scratch[other, 2] == 1.0:
-            slot = free_slot(tracks, messages[other], scratch, other, frame, k, w)
+            slot = slot_for_report(tracks, messages[other], scratch, other, frame, k, w)
             if slot >= 0:
                 tracks[slot].present, tracks[slot].confidence = 1, 0.0
-                take_report(own, axes, tracks, slot, messages[other], scratch[other], scratch[slot], frame, k, w)
+                copy_report_to_track(
+                    own, axes, tracks, slot, messages[other], scratch[other], scratch[slot], frame, k, w
+                )
 
 
 @compiled
@@ -77,7 +79,7 @@ def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
             other == r
             or (other < home) != (r < home)
             or message.fresh == 0
-            or told_confidence(report, frame, k, w) <= 0.0
+            or report_confidence(report, frame, k, w) <= 0.0
         ):
             continue
         late = (frame - report.frame) * k.dt if w.delay_compensation == 1 else 0.0
@@ -87,7 +89,7 @@ def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
 
 
 @compiled
-def nearest_pair(tracks, scratch, k, w, rows):
+def nearest_report_and_track(tracks, scratch, k, w, rows):
     """Return the nearest pair of an open report and a free track within the gate, as indices; -1, -1 for none.
 
     The gate is w.gate, wider for a distant team-mate, whose place depends on the error of the own heading.
@@ -110,14 +112,14 @@ def nearest_pair(tracks, scratch, k, w, rows):
 
 
 @compiled
-def free_slot(tracks, message, scratch, other, frame, k, w):
+def slot_for_report(tracks, message, scratch, other, frame, k, w):
     """Return the slot for a reported team-mate with no track near it, or -1.
 
     In this order: the team-mate's former slot; a free slot; the slot of the farthest team-mate, if that team-mate is
     farther away. A slot whose player the own camera has seen lately is never given to a merely reported player.
     """
     report = message.reports[message.latest]
-    confidence = told_confidence(report, frame, k, w)
+    confidence = report_confidence(report, frame, k, w)
     empty = -1
     last = -1
     farthest = length(scratch[other, 0], scratch[other, 1])
@@ -135,7 +137,7 @@ def free_slot(tracks, message, scratch, other, frame, k, w):
 
 
 @compiled
-def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
+def copy_report_to_track(own, axes, tracks, slot, message, place, taken, frame, k, w):
     """Copy a report into a track: number and heading; place and velocity unless the camera saw the player lately."""
     report, track = message.reports[message.latest], tracks[slot]
     place[2], taken[3] = 0.0, 1.0
@@ -146,7 +148,7 @@ def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
     track.keeper = report.keeper
     track.teammate = 1
     track.heading = wrap(report.heading - own.heading)
-    confidence = told_confidence(report, frame, k, w)
+    confidence = report_confidence(report, frame, k, w)
     if confidence >= track.confidence:
         track.x, track.y = place[0], place[1]
         track.vx, track.vy = into_frame(report.vx, report.vy, axes[0], axes[1])
@@ -155,7 +157,7 @@ def take_report(own, axes, tracks, slot, message, place, taken, frame, k, w):
 
 
 @compiled
-def told_confidence(report, frame, k, w):
+def report_confidence(report, frame, k, w):
     """Return the confidence in a team-mate's reported place, which fades with the report's age."""
     if report.confidence <= 0.0:
         return 0.0
@@ -166,7 +168,7 @@ def told_confidence(report, frame, k, w):
 
 
 @compiled
-def adopt_ball(belief, messages, r, frame, k, w, home, rows):
+def adopt_reported_ball(belief, messages, r, frame, k, w, home, rows):
     """Take over the ball of the most confident team-mate that has seen it more recently than the robot.  MH05
 
     Of equally confident team-mates the nearest to the ball counts, then the lowest number.
@@ -191,11 +193,11 @@ def adopt_ball(belief, messages, r, frame, k, w, home, rows):
         message = messages[best]
         report = message.reports[message.latest]
         elapsed = (frame - report.frame) * k.dt
-        believe_report(belief, report, elapsed, elapsed if w.delay_compensation == 1 else 0.0, TOLD * most, k)
+        fill_reported_ball(belief, report, elapsed, elapsed if w.delay_compensation == 1 else 0.0, TOLD * most, k)
 
 
 @compiled
-def believe_report(belief, report, elapsed, late, confidence, k):
+def fill_reported_ball(belief, report, elapsed, late, confidence, k):
     """Fill in the ball that a team-mate reported `elapsed` ago, rolled on and slowed down for `late` [s]."""
     own, ball = belief.own, belief.ball
     cosine, sine = cos(own.heading), sin(own.heading)

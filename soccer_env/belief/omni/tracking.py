@@ -10,13 +10,13 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from soccer_env.belief.odometry import motion_of, move_point
+from soccer_env.belief.odometry import move_point, read_odometry
 from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
-from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, Range, record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, Range, ranged_record
 from soccer_env.leagues.omni_sensors import FILTERS
-from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
+from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_parameters
 
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most
@@ -24,7 +24,7 @@ MOST_READINGS = 100  # at which the count of readings stops
 ROUNDING = 1.0 / 12.0  # [px2] variance of a whole pixel
 NEAREST = 1e-6  # [m] below which a line of sight has no direction
 
-FILTER = record(
+FILTER = ranged_record(
     [
         ("along", COVARIANCE),  # along the line of sight
         ("across", COVARIANCE),  # across it
@@ -35,7 +35,7 @@ FILTER = record(
     ]
 )
 
-MOTION = record(
+MOTION = ranged_record(
     [  # odometry of a frame, in the axes of the frame before
         ("forward", "f4", NUMBER),  # [m]
         ("left", "f4", NUMBER),  # [m]
@@ -52,21 +52,21 @@ def note_motion(motions, body):
 
 
 @compiled
-def reading_of(sighting, motions, frame, frames):
+def place_of_sighting(sighting, motions, frame, frames):
     """Convert a sighting in a picture some frames old to a place in the robot frame of now [m], for a still thing."""
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
     x, y = distance * cos(bearing), distance * sin(bearing)
     for back in range(frames - 1, -1, -1):
         motion = motions[(frame - back) % DELAYS]
-        forward, left, turn = motion_of(motion)
+        forward, left, turn = read_odometry(motion)
         x, y = move_point(x, y, forward, left, turn)
     return x, y
 
 
 @compiled
-def carry(thing, motion):
+def to_present_frame(thing, motion):
     """Convert a thing's place and velocity to the robot frame of now, without the thing's own motion."""
-    forward, left, turn = motion_of(motion)
+    forward, left, turn = read_odometry(motion)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
     thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
 
@@ -100,24 +100,24 @@ def start(thing, filter, x, y, speed, s):
 def reading_sd(distance, s):
     """Return the sd of a reading along and across the line of sight [m]: one pixel, mapped by the mirror.  MH02"""
     pixels = sqrt(s.pixel_noise * s.pixel_noise + ROUNDING)
-    along, across = metres_per_pixel(mirror_of(s), distance)
+    along, across = metres_per_pixel(mirror_parameters(s), distance)
     return pixels * along, pixels * across
 
 
 @compiled
-def at_exposure(thing, age):
+def place_at_exposure(thing, age):
     """Return the place [m] of a thing at the exposure of a picture `age` [s] old, in the robot frame of now."""
     return thing.x - age * thing.vx, thing.y - age * thing.vy
 
 
 @compiled
-def correct(thing, filter, x, y, age, elapsed, s, w):
+def correct_track(thing, filter, x, y, age, elapsed, s, w):
     """Correct a thing's state with a reading (x, y) [m], `age` [s] old: x = x + K y.  MH06
 
     elapsed: time since the last reading [s]. The filter chosen in the settings gives the gains; without a filter the
     reading replaces the state, with velocity 0.
     """
-    was_x, was_y = at_exposure(thing, age)
+    was_x, was_y = place_at_exposure(thing, age)
     distance = length(was_x, was_y)
     ux, uy = (was_x / distance, was_y / distance) if distance > NEAREST else (1.0, 0.0)
     along, across = (x - was_x) * ux + (y - was_y) * uy, (y - was_y) * ux - (x - was_x) * uy

@@ -8,10 +8,10 @@ whole.py      guards of these methods: one thread at a time, done whole or not a
 """
 
 from soccer_env.match.saving.branching import Branching
-from soccer_env.match.saving.saves import by_save, dump, open_save, parts, play_hash, restore, state_hash
-from soccer_env.match.saving.whole import calls_python, signals_wait, undoing, whole
+from soccer_env.match.saving.saves import dump, open_save, parts, play_hash, reduce_by_save, restore, state_hash
+from soccer_env.match.saving.whole import calls_python, guard_match_methods, make_undo, signals_wait
 
 __all__ = [
-    "Branching", "by_save", "calls_python", "dump", "open_save", "parts", "play_hash", "restore", "signals_wait",
-    "state_hash", "undoing", "whole",
+    "Branching", "reduce_by_save", "calls_python", "dump", "open_save", "parts", "play_hash", "restore", "signals_wait",
+    "state_hash", "make_undo", "guard_match_methods",
 ]  # fmt: skip

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.guards.checking import brief, is_number, refuse
-from soccer_env.match.saving.fitting import differences
-from soccer_env.match.saving.saves import as_bytes, kept
+from soccer_env.guards.checking import is_number, raise_not_allowed, short_repr
+from soccer_env.match.saving.fitting import describe_differences
+from soccer_env.match.saving.saves import as_bytes, saved_arrays
 from soccer_env.random_numbers import seeds_for, start_streams
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
@@ -23,43 +23,45 @@ def check_rows(what: str, rows: Any, count: int, once: bool = False) -> np.ndarr
     """Return one match number, or several, as an array (n,); ValueError names the first number not below `count`."""
     listed = [rows] if is_number(rows) else rows
     if isinstance(listed, (str, bytes)) or not isinstance(listed, (Iterable, np.ndarray)) or not np.iterable(listed):
-        refuse(what, "a match's number, or several", rows)
+        raise_not_allowed(what, "a match's number, or several", rows)
     numbers = list(listed)
     for row in numbers:
         if not is_number(row, whole=True) or not 0 <= row < count:
-            raise ValueError(f"{what} must be whole numbers from 0 to {count - 1}, got {brief(row)}")
+            raise ValueError(f"{what} must be whole numbers from 0 to {count - 1}, got {short_repr(row)}")
     if not numbers:
         raise ValueError(f"{what} must name at least one match, got none")
     if once and len(set(numbers)) < len(numbers):
-        raise ValueError(f"{what} must be different matches, got {brief(numbers)}")
+        raise ValueError(f"{what} must be different matches, got {short_repr(numbers)}")
     return np.array(numbers, np.int64)
 
 
 def check_fits(source: Match, target: Any) -> None:
     """Raise ValueError unless matches of `source` can go on in `target`."""
     if not isinstance(target, type(source)) and not isinstance(source, type(target)):
-        refuse("into", "a Match or None", target)
-    if source.played_by != target.played_by or layout(source) != layout(target):
-        differing = differences(
-            target.described_settings, source.described_settings, kinds_differ=layout(source) != layout(target)
+        raise_not_allowed("into", "a Match or None", target)
+    if source.play_fingerprint != target.play_fingerprint or saved_layout(source) != saved_layout(target):
+        differing = describe_differences(
+            target.described_settings,
+            source.described_settings,
+            kinds_differ=saved_layout(source) != saved_layout(target),
         )
         raise ValueError(f"into does not fit this match: {differing or 'the senses that somebody uses differ'}")
 
 
-def layout(match: Match) -> list[tuple[str, np.dtype, tuple[int, ...]]]:
+def saved_layout(match: Match) -> list[tuple[str, np.dtype, tuple[int, ...]]]:
     """Return for each saved array its name, its dtype and the shape of one match's part of it."""
-    return [(name, array.dtype, array.shape[1:]) for name, array in kept(match, memory=True).items()]
+    return [(name, array.dtype, array.shape[1:]) for name, array in saved_arrays(match, memory=True).items()]
 
 
 def copy_rows(source: Match, rows: np.ndarray, target: Match, at: np.ndarray) -> None:
     """Copy the records of matches `rows` of `source` over matches `at` of `target`, which may be the same Match."""
-    there = kept(target, memory=True)
-    for name, array in kept(source, memory=True).items():
+    there = saved_arrays(target, memory=True)
+    for name, array in saved_arrays(source, memory=True).items():
         if array.nbytes:
             as_bytes(there[name])[at] = as_bytes(array)[rows]
 
 
-def draw_anew(match: Match, rows: np.ndarray, seed: Any) -> None:
+def renew_random_streams(match: Match, rows: np.ndarray, seed: Any) -> None:
     """Give each of some matches new random streams of its own, drawn from a seed, until the end of its episode."""
     draw_streams(match.matches, match.robots, rows, seeds_for(seed, len(rows)))
 

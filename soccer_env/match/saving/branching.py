@@ -10,7 +10,7 @@ from weakref import WeakSet
 import numpy as np
 
 from soccer_env.guards.names import Made
-from soccer_env.match.arguments import MatchArguments, part_of
+from soccer_env.match.arguments import MatchArguments, select_fields
 from soccer_env.match.saving import branches, fitting, saves
 from soccer_env.random_numbers import seeds_for
 
@@ -37,7 +37,7 @@ class Branching:
         def _observe_own(self) -> None: ...
 
     @property
-    def played_by(self) -> tuple[str, list[Any]]:
+    def play_fingerprint(self) -> tuple[str, list[Any]]:
         """Return the fingerprint of the settings and the squads, which a save must agree with."""
         return self._fingerprint, [squad.describe() for squad in self.squads]
 
@@ -90,10 +90,10 @@ class Branching:
         numbers = None if rows is None else branches.check_rows("rows", rows, self.count, once=True)
         if not (self.started or numbers is None):
             raise RuntimeError("load: an error has interrupted the last call: load all matches, or call reset")
-        records = saves.opened(self, saved, rows=numbers)
+        records = saves.arrays_of_save(self, saved, rows=numbers)
         self.started = False
-        saves.fill(self, records, numbers)
-        self._go_on(np.arange(self.count) if numbers is None else numbers)
+        saves.fill_match(self, records, numbers)
+        self._prepare_to_continue(np.arange(self.count) if numbers is None else numbers)
 
     def branch(self, rows: Any, into: Self | None = None, *, at: Any = None, noise: int | None = None) -> Self:
         """Copy matches over matches of another Match, in memory; return that Match.
@@ -127,10 +127,10 @@ class Branching:
         self.started = False
         branches.copy_rows(other, rows, self, over)
         if noise is not None:
-            branches.draw_anew(self, over, noise)
-        self._go_on(over)
+            branches.renew_random_streams(self, over, noise)
+        self._prepare_to_continue(over)
 
-    def _go_on(self, rows: np.ndarray) -> None:
+    def _prepare_to_continue(self, rows: np.ndarray) -> None:
         """Rebuild the physics of matches whose records were just overwritten, clear their rewards, and observe them."""
         self.rebuild(rows.tolist())
         self.rewards[rows] = 0.0
@@ -145,11 +145,11 @@ class Branching:
 
     def __reduce__(self) -> Made:
         """Pickle the settings and a save: pickled and deep copies have the future of the original."""
-        return saves.by_save(self, type(self), self._changed_arguments())
+        return saves.reduce_by_save(self, type(self), self._changed_arguments())
 
     def _changed_arguments(self, **changes: Any) -> dict[str, Any]:
         """Return the constructor arguments of this Match with some changes, to build a copy."""
-        return {**part_of(self.arguments, MatchArguments), "seed": 0, "seeds": None, **changes}
+        return {**select_fields(self.arguments, MatchArguments), "seed": 0, "seeds": None, **changes}
 
     def state_hash(self, m: int | None = None) -> str:
         """Return a hash of the state of all matches, or of match m."""

@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.guards.checking import brief, is_number
+from soccer_env.guards.checking import is_number, short_repr
 from soccer_env.guards.names import Made
-from soccer_env.guards.ranges import outside
-from soccer_env.match.arguments import made_again, version
-from soccer_env.match.saving.fitting import differences
+from soccer_env.guards.ranges import first_out_of_range
+from soccer_env.match.arguments import rebuild_from_settings, version
+from soccer_env.match.saving.fitting import describe_differences
 from soccer_env.types import GAZE, RobotStream
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
@@ -45,34 +45,34 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
     return {**arrays, **memories, **chosen}
 
 
-def kept(match: Match, memory: bool) -> dict[str, np.ndarray]:
+def saved_arrays(match: Match, memory: bool) -> dict[str, np.ndarray]:
     """Return the arrays of a save: the arrays that the future depends on, and the statistics of play so far."""
     return parts(match, memory) | ({"statistics": match.statistics} if memory else {})
 
 
-def header_of(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> dict[str, Any]:
+def save_header(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> dict[str, Any]:
     """Return the header that a save of some arrays must have to be loaded."""
-    settings, teams = match.played_by if memory else ("", [])
+    settings, teams = match.play_fingerprint if memory else ("", [])
     return {
         "settings": settings,
         "teams": teams,
-        "parts": [[name, words_of(array.dtype), list(array.shape), array.nbytes] for name, array in arrays.items()],
+        "parts": [[name, dtype_text(array.dtype), list(array.shape), array.nbytes] for name, array in arrays.items()],
     }
 
 
 @functools.cache
-def words_of(dtype: np.dtype) -> str:
+def dtype_text(dtype: np.dtype) -> str:
     """Return a dtype as text, cached: numpy needs longer for the text of all records than the rest of a save."""
     return str(dtype)
 
 
 def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> bytes:
     """Return a save of all matches, or of some rows, as bytes: magic, length of the header, header, arrays, sha256."""
-    arrays = kept(match, memory)
+    arrays = saved_arrays(match, memory)
     if rows is not None:
         arrays = {name: array[rows] for name, array in arrays.items()}
     described = {"told": match.described_settings} if memory else {}
-    header = json.dumps({**header_of(match, arrays, memory), **described}).encode()
+    header = json.dumps({**save_header(match, arrays, memory), **described}).encode()
     contents = [array.tobytes() for array in arrays.values()]
     body = b"".join([MAGIC, len(header).to_bytes(4, "little"), header, *contents])
     return body + hashlib.sha256(body).digest()
@@ -80,19 +80,23 @@ def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> b
 
 def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> None:
     """Fill the arrays of a match, or of some rows, from a save; ValueError, and no change, if the save does not fit."""
-    fill(match, opened(match, saved, memory, rows), rows)
+    fill_match(match, arrays_of_save(match, saved, memory, rows), rows)
 
 
-def opened(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> dict[str, np.ndarray]:
+def arrays_of_save(
+    match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None
+) -> dict[str, np.ndarray]:
     """Return the arrays of a save by name; ValueError if the save does not fit the match."""
     body, start, header = open_save(saved)
-    count = matches_in(header, match.count, rows)
-    there = kept(match, memory)
+    count = count_saved_matches(header, match.count, rows)
+    there = saved_arrays(match, memory)
     wanted = {name: np.empty((count, *array.shape[1:]), array.dtype) for name, array in there.items()}
-    expected = json.loads(json.dumps(header_of(match, wanted, memory)))
+    expected = json.loads(json.dumps(save_header(match, wanted, memory)))
     for name, value in expected.items():
         if header.get(name) != value:
-            words = differences(header.get("told"), match.described_settings, header.get("parts") != expected["parts"])
+            words = describe_differences(
+                header.get("told"), match.described_settings, header.get("parts") != expected["parts"]
+            )
             raise ValueError(f"this save does not fit the match: {words or f'its {name} differ'}")
     loaded = {}
     for name, array in wanted.items():
@@ -105,9 +109,9 @@ def opened(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | Non
     return loaded
 
 
-def fill(match: Match, arrays: dict[str, np.ndarray], rows: np.ndarray | None = None) -> None:
+def fill_match(match: Match, arrays: dict[str, np.ndarray], rows: np.ndarray | None = None) -> None:
     """Write arrays of a save into a match."""
-    there = kept(match, memory="statistics" in arrays)
+    there = saved_arrays(match, memory="statistics" in arrays)
     for name, values in arrays.items():
         as_bytes(there[name])[slice(None) if rows is None else rows] = as_bytes(values)
 
@@ -117,7 +121,7 @@ def as_bytes(records: np.ndarray) -> np.ndarray:
     return records.view(np.dtype((np.void, records.dtype.itemsize)))
 
 
-def matches_in(header: dict[str, Any], there: int, rows: np.ndarray | None) -> int:
+def count_saved_matches(header: dict[str, Any], there: int, rows: np.ndarray | None) -> int:
     """Return the number of matches in a save; ValueError unless it is 1 or the number of rows."""
     try:
         count = header["parts"][0][2][0]
@@ -127,9 +131,9 @@ def matches_in(header: dict[str, Any], there: int, rows: np.ndarray | None) -> i
     if fits:
         return int(count)
     if rows is None:
-        raise ValueError(f"this save is of {brief(count)} matches, not {there}; name the rows to load it into")
+        raise ValueError(f"this save is of {short_repr(count)} matches, not {there}; name the rows to load it into")
     raise ValueError(
-        f"rows must be as many as the matches of the save, {brief(count)}, got {len(rows)}; one fits any number"
+        f"rows must be as many as the matches of the save, {short_repr(count)}, got {len(rows)}; one fits any number"
     )
 
 
@@ -158,7 +162,7 @@ def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
 def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
     """Raise ValueError if a number of a save cannot come from this match."""
     for name, array in arrays.items():
-        field = outside(array, len(match.agents))
+        field = first_out_of_range(array, len(match.agents))
         if field:
             raise ValueError(f"this save is damaged: {field} of {name} is out of range")
     robots = arrays["robots"]
@@ -169,10 +173,10 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
     if ((length > LONGEST) & (length < inf)).any():
         raise ValueError("this save is damaged: half_length of matches is out of range")
     if robots["caught_by"].any():
-        check_caught(robots, bool(match.batch.constants["legs"][0]))
+        check_caught_legs(robots, bool(match.batch.constants["legs"][0]))
 
 
-def check_caught(robots: np.ndarray, legs: bool) -> None:
+def check_caught_legs(robots: np.ndarray, legs: bool) -> None:
     """Raise ValueError unless every caught leg of robots (M, R) is held by another robot, and both are on the pitch."""
     holder, active = robots["caught_by"] - 1, robots["active"] == 1
     held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
@@ -183,21 +187,21 @@ def check_caught(robots: np.ndarray, legs: bool) -> None:
 # Copies by pickle, cloudpickle and copy.deepcopy
 
 
-def by_save(match: Any, make: Callable[..., Any], settings: dict[str, Any]) -> Made:
+def reduce_by_save(match: Any, make: Callable[..., Any], settings: dict[str, Any]) -> Made:
     """Return the value of `__reduce__` for a match that `make` builds from settings; the match's physics is rebuilt."""
     LOG.info("a match is copied: its physics is rebuilt from its records, as by save()")
-    return loaded_again, (version(), make, settings, match.save())
+    return rebuild_from_save, (version(), make, settings, match.save())
 
 
-def loaded_again(made_by: str, make: Callable[..., Any], settings: dict[str, Any], saved: bytes) -> Any:
-    """Rebuild a pickled match from settings and a save; ValueError as for `made_again`."""
+def rebuild_from_save(made_by: str, make: Callable[..., Any], settings: dict[str, Any], saved: bytes) -> Any:
+    """Rebuild a pickled match from settings and a save; ValueError as for `rebuild_from_settings`."""
 
     def make_and_load(**settings: Any) -> Any:
         match = make(**settings)
         match.load(saved)
         return match
 
-    return made_again(made_by, make_and_load, settings)
+    return rebuild_from_settings(made_by, make_and_load, settings)
 
 
 def state_hash(match: Match, m: int | None = None) -> str:

@@ -5,9 +5,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from soccer_env.guards.turns import GoBack, in_turn
-from soccer_env.match.saving.saves import kept
-from soccer_env.scenes import is_own
+from soccer_env.guards.turns import GoBack, guard_methods
+from soccer_env.match.saving.saves import saved_arrays
+from soccer_env.scenes import is_user_scene
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 T = TypeVar("T")
@@ -16,19 +16,19 @@ METHODS = (*CHANGING, "rebuild", "save", "branch")
 UNMOVED = ("step", "decide")  # methods that move the physics of a match only if its step or episode changes
 
 
-def whole(kind: type[T]) -> type[T]:
+def guard_match_methods(kind: type[T]) -> type[T]:
     """Guard the methods of the class Match: one thread at a time runs them, and an error undoes them."""
-    return in_turn(kind, METHODS, calls_python, undoing)
+    return guard_methods(kind, METHODS, calls_python, make_undo)
 
 
-def undoing(match: Match, doing: str) -> GoBack | None:
+def make_undo(match: Match, doing: str) -> GoBack | None:
     """Return a function that restores the present state of a match; None at the first reset.
 
     Physics that has moved is rebuilt as by a load.
     """
     if match.batch.physics.spaces[0] is None:
         return None
-    arrays = shown(match) if doing in CHANGING else {"matches": match.matches}
+    arrays = mutable_arrays(match) if doing in CHANGING else {"matches": match.matches}
     before = {name: array.copy() for name, array in arrays.items()}
     ended, final, recorder, started = match.ended, match.final, match.recorder, match.started
     written = recorder.length() if recorder is not None else None
@@ -48,19 +48,19 @@ def undoing(match: Match, doing: str) -> GoBack | None:
     return go_back
 
 
-def shown(match: Match) -> dict[str, np.ndarray]:
+def mutable_arrays(match: Match) -> dict[str, np.ndarray]:
     """Return by name the arrays of a match that a step, reset or load changes."""
-    seen = dict(leaves("observations", match.observations))
-    return {**kept(match, True), "rewards": match.rewards, "terms": match.terms, **seen}
+    seen = dict(observation_arrays("observations", match.observations))
+    return {**saved_arrays(match, True), "rewards": match.rewards, "terms": match.terms, **seen}
 
 
-def leaves(name: str, observations: Any) -> Iterator[tuple[str, np.ndarray]]:
+def observation_arrays(name: str, observations: Any) -> Iterator[tuple[str, np.ndarray]]:
     """Yield name and array for each array of the observations, which may be nested dicts of arrays."""
     if isinstance(observations, np.ndarray):
         yield name, observations
     else:
         for key, part in observations.items():
-            yield from leaves(f"{name} {key}", part)
+            yield from observation_arrays(f"{name} {key}", part)
 
 
 def signals_wait(match: Match, doing: str) -> bool:
@@ -71,5 +71,5 @@ def signals_wait(match: Match, doing: str) -> bool:
 def calls_python(match: Match) -> bool:
     """Tell whether a match calls a team, an observation, a reward or a scene that is written in plain Python."""
     settings = match.settings
-    own = not isinstance(settings.observe, str) or bool(settings.rewards.extra) or is_own(settings.scene)
+    own = not isinstance(settings.observe, str) or bool(settings.rewards.extra) or is_user_scene(settings.scene)
     return own or not all(squad.compiled for squad in match.squads)

@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.perception.legged.occlusion import PIECES
 from soccer_env.perception.legged.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
-from soccer_env.random_numbers import GOLDEN, mix, normal, uniform
+from soccer_env.random_numbers import GOLDEN, draw_normal, draw_uniform, mix_bits
 from soccer_env.records.percepts import BLOBS, LANDMARKS
 from soccer_env.types import RobotStream
 
@@ -30,29 +30,29 @@ TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
 
 @compiled
-def deliver(sketch, percept, state, noise, s):
+def deliver_blobs(sketch, percept, state, noise, s):
     """Fill in the blobs of a percept from a sketch; a robot's scale error of sizes is drawn once an episode.  MS04"""
     if state.scale == 0.0:
-        state.scale = max(1.0 + s.scale_error * normal(noise, CAMERA_NOISE), SCALE_LEAST)
-    miss(sketch, BALL, noise, s.ball_miss)
+        state.scale = max(1.0 + s.scale_error * draw_normal(noise, CAMERA_NOISE), SCALE_LEAST)
+    miss_pieces(sketch, BALL, noise, s.ball_miss)
     add_spots(sketch, TEAMMATES, noise, s)
     add_spots(sketch, OPPONENTS, noise, s)
     add_patches(sketch)
     miss_players(sketch, noise, s)
-    report(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)
-    report(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.sticker_miss, s)
-    report(sketch, OPPONENTS, percept.opponents, state.scale, noise, s.sticker_miss, s)
-    report(sketch, OWN_GOAL, percept.own_goal, state.scale, noise, s.landmark_miss, s)
-    report(sketch, OPPONENT_GOAL, percept.opponent_goal, state.scale, noise, s.landmark_miss, s)
+    report_blobs(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)
+    report_blobs(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.sticker_miss, s)
+    report_blobs(sketch, OPPONENTS, percept.opponents, state.scale, noise, s.sticker_miss, s)
+    report_blobs(sketch, OWN_GOAL, percept.own_goal, state.scale, noise, s.landmark_miss, s)
+    report_blobs(sketch, OPPONENT_GOAL, percept.opponent_goal, state.scale, noise, s.landmark_miss, s)
     report_landmarks(sketch, percept.landmarks, state.scale, noise, s)
 
 
 @compiled
-def miss(sketch, kind, noise, probability):
+def miss_pieces(sketch, kind, noise, probability):
     """Remove the pieces of a kind that the vision misses in this frame, with one random draw for each piece.  MS37"""
     kept, count = 0, sketch.counts[kind]
     for i in range(count):
-        if uniform(noise, CAMERA_NOISE) >= probability:
+        if draw_uniform(noise, CAMERA_NOISE) >= probability:
             if kept < i:
                 sketch.pieces[kind, kept] = sketch.pieces[kind, i]
             kept += 1
@@ -67,7 +67,7 @@ def miss_players(sketch, noise, s):
     kept_of_mates = kept_of_opponents = 0
     for i in range(sketch.body_count):
         body = sketch.bodies[i]
-        if body.pieces == 0 or uniform(noise, CAMERA_NOISE) < s.player_miss:
+        if body.pieces == 0 or draw_uniform(noise, CAMERA_NOISE) < s.player_miss:
             continue
         kind, kept = (TEAMMATES, kept_of_mates) if body.teammate == 1 else (OPPONENTS, kept_of_opponents)
         for j in range(body.first, body.first + body.pieces):
@@ -89,12 +89,12 @@ def add_spots(sketch, kind, noise, s):
     disadvantage, and swapping the teams would change a match.
     """
     for i in range(sketch.counts[kind]):
-        if uniform(noise, FALSE_BLOBS) >= s.red_as_orange or sketch.counts[BALL] >= PIECES:
+        if draw_uniform(noise, FALSE_BLOBS) >= s.red_as_orange or sketch.counts[BALL] >= PIECES:
             continue
         sticker, spot = sketch.pieces[kind, i], sketch.pieces[BALL, sketch.counts[BALL]]
         width, height = sticker.left - sticker.right, sticker.high - sticker.low
-        spot.right = sticker.right + (1.0 - SPOT) * width * uniform(noise, FALSE_BLOBS)
-        spot.low = sticker.low + (1.0 - SPOT) * height * uniform(noise, FALSE_BLOBS)
+        spot.right = sticker.right + (1.0 - SPOT) * width * draw_uniform(noise, FALSE_BLOBS)
+        spot.low = sticker.low + (1.0 - SPOT) * height * draw_uniform(noise, FALSE_BLOBS)
         spot.left, spot.high = spot.right + SPOT * width, spot.low + SPOT * height
         spot.area = SPOT * SPOT * sticker.area
         sketch.counts[BALL] += 1
@@ -110,7 +110,7 @@ def add_patches(sketch):
 
 
 @compiled
-def report(sketch, kind, blobs, scale, noise, missed, s):
+def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
     """Fill in the four largest blobs of a kind, largest first; each piece is missed with probability `missed`.  MS04
 
     [Sacks 2001, 2] Regions of any colour below the least area are dropped, as vision libraries do.  MS14
@@ -118,14 +118,14 @@ def report(sketch, kind, blobs, scale, noise, missed, s):
     if sketch.counts[kind] == 0 and blobs[0].area == 0:
         return  # no pieces now, and no blobs left from the frame before
     if missed > 0.0:
-        miss(sketch, kind, noise, missed)
+        miss_pieces(sketch, kind, noise, missed)
     pieces, count = sketch.pieces[kind], sketch.counts[kind]
     if count > 1:
         count = merge(pieces, count)
         put_largest_first(pieces, count, sketch.spare_piece)
     kept = 0
     for i in range(min(count, BLOBS)):
-        measure(sketch.camera, pieces[i], blobs[kept], scale, noise, s)
+        measure_blob(sketch.camera, pieces[i], blobs[kept], scale, noise, s)
         if blobs[kept].area < sketch.camera.least_area:
             continue
         place = kept
@@ -135,7 +135,7 @@ def report(sketch, kind, blobs, scale, noise, missed, s):
         kept += 1
     for i in range(kept, BLOBS):
         if blobs[i].area > 0:
-            clear(blobs[i])
+            clear_blob(blobs[i])
 
 
 @compiled
@@ -143,12 +143,12 @@ def report_landmarks(sketch, blobs, scale, noise, s):
     """Fill in the blob of each landmark; the left one of a pair is drawn first, in a mirrored match the right one."""
     for i in range(LANDMARKS):
         index = i if sketch.camera.handedness > 0.0 else i + 1 - 2 * (i % 2)
-        if sketch.landmarks[index].area > 0.0 and uniform(noise, CAMERA_NOISE) >= s.landmark_miss:
-            measure(sketch.camera, sketch.landmarks[index], blobs[index], scale, noise, s)
+        if sketch.landmarks[index].area > 0.0 and draw_uniform(noise, CAMERA_NOISE) >= s.landmark_miss:
+            measure_blob(sketch.camera, sketch.landmarks[index], blobs[index], scale, noise, s)
             if blobs[index].area < sketch.camera.least_area:
-                clear(blobs[index])
+                clear_blob(blobs[index])
         elif blobs[index].area > 0:
-            clear(blobs[index])
+            clear_blob(blobs[index])
 
 
 @compiled
@@ -157,7 +157,7 @@ def merge(pieces, count):
     i = 0
     while i < count:
         j = i + 1
-        while j < count and not touch(pieces[i], pieces[j]):
+        while j < count and not pieces_touch(pieces[i], pieces[j]):
             j += 1
         if j == count:
             i += 1
@@ -173,7 +173,7 @@ def merge(pieces, count):
 
 
 @compiled
-def touch(one, other):
+def pieces_touch(one, other):
     """Tell whether two pieces are so close that they make one blob."""
     return (
         one.right < other.left + TOUCHING
@@ -204,16 +204,16 @@ def swap(things, one, other, spare):
 
 
 @compiled
-def measure(camera, piece, blob, scale, noise, s):
-    """Fill in the blob that the vision makes of a piece: whole pixels, at least one, within the picture.
+def measure_blob(camera, piece, blob, scale, noise, s):
+    """Fill in the blob that the vision makes of a visible coloured piece of a thing: whole pixels, within the picture.
 
     Size and place vary at random by s.dither [px]; a piece that is cut off at an edge of the picture stays at the edge.
     """
     width, height = piece.left - piece.right, piece.high - piece.low
-    columns = pixels(width * scale + s.dither * bell(noise), 2.0 * camera.half_width)
-    rows = pixels(height * scale + s.dither * bell(noise), 2.0 * camera.half_height)
-    u = 0.5 * (piece.left + piece.right) + s.dither * bell(noise)
-    v = 0.5 * (piece.high + piece.low) + s.dither * bell(noise)
+    columns = round_to_pixels(width * scale + s.dither * draw_bell_curve(noise), 2.0 * camera.half_width)
+    rows = round_to_pixels(height * scale + s.dither * draw_bell_curve(noise), 2.0 * camera.half_height)
+    u = 0.5 * (piece.left + piece.right) + s.dither * draw_bell_curve(noise)
+    v = 0.5 * (piece.high + piece.low) + s.dither * draw_bell_curve(noise)
     left = place_edge(u, columns, piece.left, piece.right, camera.half_width)
     high = place_edge(v, rows, piece.high, piece.low, camera.half_height)
     blob.high, blob.low = int(high), int(high - rows)
@@ -225,7 +225,7 @@ def measure(camera, piece, blob, scale, noise, s):
 
 
 @compiled
-def pixels(size, most):
+def round_to_pixels(size, most):
     """Round a size to whole pixels, from 1 to the size of the picture."""
     return min(max(floor(size + 0.5), 1.0), most)
 
@@ -241,18 +241,18 @@ def place_edge(middle, count, high, low, border):
 
 
 @compiled
-def bell(noise):
+def draw_bell_curve(noise):
     """Draw from a bell curve of mean 0 and deviation 1: the sum of the eight bytes of one draw.
 
-    Ten times cheaper than `normal`, and close to the normal distribution; no value lies beyond 4.9.
+    Ten times cheaper than `draw_normal`, and close to the normal distribution; no value lies beyond 4.9.
     """
     noise[CAMERA_NOISE] = noise[CAMERA_NOISE] + GOLDEN
-    bits = mix(noise[CAMERA_NOISE])
+    bits = mix_bits(noise[CAMERA_NOISE])
     pairs = (bits & BYTES) + ((bits >> np.uint64(8)) & BYTES)  # four sums of two, each in 16 bits
     return (np.float64((pairs * ONES) >> np.uint64(48)) - MIDDLE) * UNIT
 
 
 @compiled
-def clear(blob):
+def clear_blob(blob):
     """Mark a blob as absent."""
     blob.left = blob.right = blob.high = blob.low = blob.area = 0

@@ -12,8 +12,8 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length, point_of_frame
-from soccer_env.optics.head_camera import tilted
-from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, in_view
+from soccer_env.optics.head_camera import tilt_point
+from soccer_env.perception.legged.camera import from_camera, in_view, update_pose_angles
 from soccer_env.perception.legged.infrared import hull_edges
 from soccer_env.perception.legged.outlines import (
     CORNERS,
@@ -21,10 +21,10 @@ from soccer_env.perception.legged.outlines import (
     add_lower,
     add_upper,
     begin_outline,
-    enclose,
     end_outline,
     project_box,
     put_corner,
+    set_convex_hull,
 )
 
 TRUNK, HEAD = 0, 1  # boxes of a body
@@ -102,7 +102,7 @@ def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
                 continue
             ahead, left = from_camera(camera, robot.x, robot.y)
             if in_view(camera, ahead, left, rectangle.middle, rectangle.extent):
-                bring_up_to_date(poses[other], robot, camera.handedness)
+                update_pose_angles(poses[other], robot, camera.handedness)
                 bodies[count].teammate = teammate
                 put_trunk(camera, ahead, left, poses[other], rectangle, s, bodies[count].boxes[TRUNK])
                 put_head(camera, ahead, left, poses[other], rectangle, s, bodies[count])
@@ -131,13 +131,13 @@ def put_head(camera, ahead, left, pose, rectangle, s, body):
     trunk = body.boxes[TRUNK]
     half = 0.5 * s.head_size
     head.cosine, head.sine = into_frame(pose.gaze_cosine, pose.gaze_sine, camera.cosine, camera.sine)
-    forward, rise = tilted(s.camera_ahead - half, s.camera_up, pose.level, pose.steep, 0.0)
+    forward, rise = tilt_point(s.camera_ahead - half, s.camera_up, pose.level, pose.steep, 0.0)
     head.ahead = ahead + s.neck_ahead * trunk.cosine + forward * head.cosine
     head.left = left + s.neck_ahead * trunk.sine + forward * head.sine
     head.half_length = head.half_width = half
     head.low, head.high = s.neck_height + rise - half, s.neck_height + rise + half
     above = s.head_sticker_middle - s.neck_height
-    crown_forward, crown_rise = tilted(s.sticker_head_x, above, pose.level, pose.steep, 0.0)
+    crown_forward, crown_rise = tilt_point(s.sticker_head_x, above, pose.level, pose.steep, 0.0)
     body.crown, body.crown_ahead = s.neck_height + crown_rise, crown_forward - forward
     body.tilt = pose.tilt
     place_box(camera, head, rectangle.head_radius, rectangle.head_extent)
@@ -172,7 +172,7 @@ def trace_box(camera, box, tracing, outline):
     box.traced = 1
     first, count = faces_seen(box)
     if nearest < LENS or count == 0:
-        enclose(outline, tracing.points, project_box(camera, tracing))
+        set_convex_hull(outline, tracing.points, project_box(camera, tracing))
     else:
         follow_edges(camera, box, tracing.corners, outline, first, count)
 
@@ -196,7 +196,7 @@ def faces_seen(box):
 
 
 @compiled
-def ring(i):
+def upper_corner(i):
     """Return the i-th upper corner of a box, counter-clockwise from the one ahead and left: 0, 1, 3, 2."""
     return (i & 3) ^ ((i & 3) >> 1)
 
@@ -208,16 +208,16 @@ def follow_edges(camera, box, corners, outline, first, count):
     Seen from above, the far edges of the top and the near edges of the bottom bound the box; from below, the reverse.
     """
     from_above, over_belly = camera.height > box.high, camera.height > box.low
-    right, left = ring(first + count), ring(first)
+    right, left = upper_corner(first + count), upper_corner(first)
     begin_outline(outline, corners[right], corners[right + LOW])
     for i in range(1, 4 - count):  # the far corners, from right to left
-        corner = ring(first + count + i)
+        corner = upper_corner(first + count + i)
         if from_above:
             add_upper(outline, corners[corner])
         if not over_belly:
             add_lower(outline, corners[corner + LOW])
     if count == 2:  # the near corner
-        corner = ring(first + 1)
+        corner = upper_corner(first + 1)
         if not from_above:
             add_upper(outline, corners[corner])
         if over_belly:

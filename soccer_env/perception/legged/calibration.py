@@ -58,17 +58,19 @@ def calibrate(league: League) -> np.ndarray:
     """Return the (1,) record of tables for a league's camera.  [Sacks 2001, 3.1.1, 4.1.2]  MS09, MS33"""
     tables, s = np.zeros(1, CALIBRATION), league.sensors
     ranges = np.arange(round((FARTHEST - NEAREST) / STEP) + 1) * STEP + NEAREST
-    ball = look_at(league, ranges, league.ball.radius, BALL, 0.0)
-    tables["ball_width"] = table_of(ranges, ball["width"])
-    tables["ball_height"] = table_of(ranges, ball["height"])
+    ball = rendered_sizes(league, ranges, league.ball.radius, BALL, 0.0)
+    tables["ball_width"] = range_table(ranges, ball["width"])
+    tables["ball_height"] = range_table(ranges, ball["height"])
     trunk, middle = s.trunk_sticker_middle, 0.5 * (s.trunk_sticker_middle + s.head_sticker_middle)
     for view, heading in (("player_front", HEAD_ON), ("player_side", FROM_THE_SIDE)):
-        tables[view] = table_of(ranges, look_at(league, ranges, trunk, OPPONENTS, heading)["height"])
-        tables[view + "_all"] = table_of(ranges, look_at(league, ranges, middle, OPPONENTS, heading)["together"])
+        tables[view] = range_table(ranges, rendered_sizes(league, ranges, trunk, OPPONENTS, heading)["height"])
+        tables[view + "_all"] = range_table(
+            ranges, rendered_sizes(league, ranges, middle, OPPONENTS, heading)["together"]
+        )
     return tables
 
 
-def look_at(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
+def rendered_sizes(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
     """Return the SIZE of a kind of thing at each range; the camera aims at the thing, `height` [m] above the ground."""
     match = np.zeros(1, MATCH)
     ball = np.zeros(1, BALL_RECORD)
@@ -79,12 +81,12 @@ def look_at(league: League, ranges: np.ndarray, height: float, kind: int, headin
     robots["heading"][0, 1] = heading
     ball["x"], robots["x"][0, 1] = ASIDE, ASIDE
     sizes = np.zeros(len(ranges), SIZE)
-    render(match, ball, robots, constants_of(league), league.sensors.record(), ranges, height, kind, sizes)
+    render_sizes(match, ball, robots, constants_of(league), league.sensors.record(), ranges, height, kind, sizes)
     return sizes
 
 
 @compiled
-def render(matches, balls, robots, constants, sensors, ranges, height, kind, sizes):
+def render_sizes(matches, balls, robots, constants, sensors, ranges, height, kind, sizes):
     """Fill in the sizes of the ball, or of robot 1, in the picture of robot 0 at each range."""
     k = constants[0]
     s = sensors[0]
@@ -123,7 +125,7 @@ def measure_pieces(sketch, kind, size):
         size.together = high - low
 
 
-def table_of(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+def range_table(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     """Return the range [m] for each whole size [px], interpolated between rendered sizes, never growing with the size.
 
     Beyond both ends the last two ranges are extrapolated in inverse proportion to the size; size 0 reads as size 1.

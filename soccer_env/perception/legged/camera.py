@@ -16,7 +16,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, out_of_frame
-from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width, tilted
+from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width, tilt_point
 
 POSE = np.dtype(
     [  # directions of a robot and its head, computed once a step for all robots; mirrored with the handedness
@@ -73,7 +73,7 @@ def face_ahead(pose):
 
 
 @compiled
-def bring_up_to_date(pose, robot, handedness):
+def update_pose_angles(pose, robot, handedness):
     """Compute sines and cosines of a robot's angles in its cached pose, if the angles have changed."""
     heading, pan = handedness * robot.heading, handedness * robot.pan
     if pose.heading == heading and pose.pan == pan and pose.tilt == robot.tilt:
@@ -88,7 +88,7 @@ def bring_up_to_date(pose, robot, handedness):
 @compiled
 def point_camera(camera, robot, pose, handedness, s):
     """Set the camera's place and axes for a robot's head: the `camera_place` in the field frame.  MS08"""
-    forward, rise = tilted(s.camera_ahead, s.camera_up, pose.level, pose.steep, 0.0)
+    forward, rise = tilt_point(s.camera_ahead, s.camera_up, pose.level, pose.steep, 0.0)
     camera.handedness, camera.height = handedness, s.neck_height + rise
     camera.x = robot.x + s.neck_ahead * pose.cosine + forward * pose.gaze_cosine
     camera.y = handedness * robot.y + s.neck_ahead * pose.sine + forward * pose.gaze_sine
@@ -104,7 +104,7 @@ def from_camera(camera, x, y):
 
 
 @compiled
-def axes_of(camera, ahead, left, height):
+def to_camera_axes(camera, ahead, left, height):
     """Convert a point to its depth along the optical axis, and its distances left of and above that axis [m]."""
     up = height - camera.height
     return ahead * camera.level + up * camera.steep, left, up * camera.level - ahead * camera.steep
@@ -113,7 +113,7 @@ def axes_of(camera, ahead, left, height):
 @compiled
 def in_view(camera, ahead, left, height, radius):
     """Tell whether part of a sphere may be in the picture: inside the view's four planes and before the lens."""
-    depth, left, above = axes_of(camera, ahead, left, height)
+    depth, left, above = to_camera_axes(camera, ahead, left, height)
     return (
         depth > -radius
         and abs(left) * camera.side_cosine - depth * camera.side_sine < radius

@@ -11,9 +11,15 @@ from math import cos, inf, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, out_of_frame, point_of_frame
-from soccer_env.optics.head_camera import camera_place, tilted
-from soccer_env.perception.legged.solids import reach_boards, reach_box, reach_carpet, reach_post, reach_sphere
-from soccer_env.random_numbers import normal
+from soccer_env.optics.head_camera import camera_place, tilt_point
+from soccer_env.perception.legged.solids import (
+    distance_to_boards,
+    distance_to_box,
+    distance_to_carpet,
+    distance_to_post,
+    distance_to_sphere,
+)
+from soccer_env.random_numbers import draw_normal
 from soccer_env.types import RobotStream
 
 INFRARED = int(RobotStream.INFRARED)
@@ -29,9 +35,9 @@ def measure_range(match, ball, robots, k, s, r):
     robot = robots[r]
     if robot.active == 0:
         return 0.0
-    lateral = s.infrared_pointing * match.handedness * normal(robot.noise, INFRARED)
-    vertical = s.infrared_pointing * normal(robot.noise, INFRARED)
-    error = normal(robot.noise, INFRARED)
+    lateral = s.infrared_pointing * match.handedness * draw_normal(robot.noise, INFRARED)
+    vertical = s.infrared_pointing * draw_normal(robot.noise, INFRARED)
+    error = draw_normal(robot.noise, INFRARED)
     distance = trace_beam(ball, robots, k, s, r, lateral, vertical)
     if distance == inf:
         return 0.0
@@ -58,8 +64,8 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
     cosine, sine = cos(robot.heading), sin(robot.heading)
     x, y = point_of_frame(robot.x, robot.y, x, y, cosine, sine)
     dx, dy = out_of_frame(dx, dy, cosine, sine)
-    nearest = min(reach_carpet(z, dz), reach_boards(x, y, z, dx, dy, dz, k, s))
-    nearest = min(nearest, reach_sphere(x - ball.x, y - ball.y, z - k.ball_radius, dx, dy, dz, k.ball_radius))
+    nearest = min(distance_to_carpet(z, dz), distance_to_boards(x, y, z, dx, dy, dz, k, s))
+    nearest = min(nearest, distance_to_sphere(x - ball.x, y - ball.y, z - k.ball_radius, dx, dy, dz, k.ball_radius))
     level = max(sqrt(dx * dx + dy * dy), 1e-9)
     extent = robot_extent(k, s)
     for other in range(robots.shape[0]):
@@ -71,7 +77,7 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
             continue  # the beam passes it by, or it lies behind
         if ahead > (nearest * level + extent) * level:
             continue  # it lies beyond the thing that the beam has met already
-        nearest = min(nearest, reach_robot(-to_x, -to_y, z, dx, dy, dz, robots[other], k, s))
+        nearest = min(nearest, distance_to_robot(-to_x, -to_y, z, dx, dy, dz, robots[other], k, s))
     return nearest
 
 
@@ -91,7 +97,7 @@ def robot_extent(k, s):
 
 
 @compiled
-def reach_robot(x, y, z, dx, dy, dz, other, k, s):
+def distance_to_robot(x, y, z, dx, dy, dz, other, k, s):
     """Return the distance along a ray to a robot [m]; the ray starts at x, y from the robot, in the field's axes."""
     cosine, sine = cos(other.heading), sin(other.heading)
     x, y = into_frame(x, y, cosine, sine)
@@ -100,39 +106,39 @@ def reach_robot(x, y, z, dx, dy, dz, other, k, s):
     middle, half_length = 0.5 * (front + back), 0.5 * (front - back)
     half_height = 0.5 * (s.trunk_height - s.trunk_low)
     high = z - s.trunk_low - half_height
-    trunk = reach_box(x - middle, y, high, dx, dy, dz, half_length, half_width, half_height)
-    head = reach_head(x, y, z, dx, dy, dz, other, s)
-    return min(trunk, head, reach_legs(x, y, z, dx, dy, dz, back, k, s))
+    trunk = distance_to_box(x - middle, y, high, dx, dy, dz, half_length, half_width, half_height)
+    head = distance_to_head(x, y, z, dx, dy, dz, other, s)
+    return min(trunk, head, distance_to_legs(x, y, z, dx, dy, dz, back, k, s))
 
 
 @compiled
-def reach_head(x, y, z, dx, dy, dz, other, s):
+def distance_to_head(x, y, z, dx, dy, dz, other, s):
     """Return the distance to a robot's head [m], robot frame: an upright cube that turns with the pan, moves with the
     tilt and has the camera in the middle of its face.
     """
     half = 0.5 * s.head_size
-    ahead, height = tilted(s.camera_ahead - half, s.camera_up, cos(other.tilt), sin(other.tilt), s.neck_height)
+    ahead, height = tilt_point(s.camera_ahead - half, s.camera_up, cos(other.tilt), sin(other.tilt), s.neck_height)
     cosine, sine = cos(other.pan), sin(other.pan)
     x, y = into_frame(x - s.neck_ahead, y, cosine, sine)
     dx, dy = into_frame(dx, dy, cosine, sine)
-    return reach_box(x - ahead, y, z - height, dx, dy, dz, half, half, half)
+    return distance_to_box(x - ahead, y, z - height, dx, dy, dz, half, half, half)
 
 
 @compiled
-def reach_legs(x, y, z, dx, dy, dz, back, k, s):
+def distance_to_legs(x, y, z, dx, dy, dz, back, k, s):
     """Return the distance to the nearest of a robot's four legs below the trunk [m], robot frame."""
     left = k.body_tip_y
     hind = k.body_hind_x if k.body_hind_y > 0.0 else back + k.body_tip_radius
     hind_left = k.body_hind_y if k.body_hind_y > 0.0 else left
     radius = k.body_tip_radius
     fore = min(
-        reach_post(x - k.body_tip_x, y - left, z, dx, dy, dz, radius, s.trunk_low),
-        reach_post(x - k.body_tip_x, y + left, z, dx, dy, dz, radius, s.trunk_low),
+        distance_to_post(x - k.body_tip_x, y - left, z, dx, dy, dz, radius, s.trunk_low),
+        distance_to_post(x - k.body_tip_x, y + left, z, dx, dy, dz, radius, s.trunk_low),
     )
     return min(
         fore,
-        reach_post(x - hind, y - hind_left, z, dx, dy, dz, radius, s.trunk_low),
-        reach_post(x - hind, y + hind_left, z, dx, dy, dz, radius, s.trunk_low),
+        distance_to_post(x - hind, y - hind_left, z, dx, dy, dz, radius, s.trunk_low),
+        distance_to_post(x - hind, y + hind_left, z, dx, dy, dz, radius, s.trunk_low),
     )
 
 

@@ -35,24 +35,24 @@ def put_trunk_stickers(body, s, stickers):
     if x > trunk.half_length:
         width, height = 0.5 * s.jersey * s.sticker_chest_width, 0.5 * s.jersey * s.sticker_chest_height
         for i in range(s.trunk_stickers):
-            aside = place_in_row(i, s.sticker_chest_apart, s)
-            count = put_across(trunk, trunk.half_length, aside, middle, width, height, stickers, count)
+            aside = sticker_offset(i, s.sticker_chest_apart, s)
+            count = add_end_sticker(trunk, trunk.half_length, aside, middle, width, height, stickers, count)
     elif x < -trunk.half_length:
         width, height = 0.5 * s.jersey * s.sticker_rump_width, 0.5 * s.jersey * s.sticker_rump_height
         for i in range(s.trunk_stickers):
-            aside = place_in_row(i, s.sticker_rump_apart, s)
-            count = put_across(trunk, -trunk.half_length, aside, middle, width, height, stickers, count)
+            aside = sticker_offset(i, s.sticker_rump_apart, s)
+            count = add_end_sticker(trunk, -trunk.half_length, aside, middle, width, height, stickers, count)
     if abs(y) > trunk.half_width:
         width, height = 0.5 * s.jersey * s.sticker_flank_width, 0.5 * s.jersey * s.sticker_flank_height
         side = trunk.half_width if y > 0.0 else -trunk.half_width
         for i in range(s.trunk_stickers):
-            ahead = place_in_row(i, s.sticker_flank_apart, s)
-            count = put_along(trunk, ahead, side, middle, width, height, stickers, count)
+            ahead = sticker_offset(i, s.sticker_flank_apart, s)
+            count = add_side_sticker(trunk, ahead, side, middle, width, height, stickers, count)
     return count
 
 
 @compiled
-def place_in_row(i, apart, s):
+def sticker_offset(i, apart, s):
     """Return the offset [m] of sticker i from the middle of its face; neighbours are `apart` [m].  MS37"""
     return apart * (i - 0.5 * (s.trunk_stickers - 1))
 
@@ -65,15 +65,15 @@ def put_head_stickers(body, s, stickers):
     x, y = in_box_axes(head, 0.0, 0.0)
     if abs(x) > head.half_length:
         face = head.half_length if x > 0.0 else -head.half_length
-        count = put_across(head, face, 0.0, body.crown, width, height, stickers, count)
+        count = add_end_sticker(head, face, 0.0, body.crown, width, height, stickers, count)
     if abs(y) > head.half_width:
         side = head.half_width if y > 0.0 else -head.half_width
-        count = put_along(head, body.crown_ahead, side, body.crown, width, height, stickers, count)
+        count = add_side_sticker(head, body.crown_ahead, side, body.crown, width, height, stickers, count)
     return count
 
 
 @compiled
-def put_across(box, x, y, middle, half_width, half_height, stickers, count):
+def add_end_sticker(box, x, y, middle, half_width, half_height, stickers, count):
     """Add a sticker on the front or the back of a box; return the number of stickers."""
     sticker = stickers[count]
     sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
@@ -83,7 +83,7 @@ def put_across(box, x, y, middle, half_width, half_height, stickers, count):
 
 
 @compiled
-def put_along(box, x, y, middle, half_width, half_height, stickers, count):
+def add_side_sticker(box, x, y, middle, half_width, half_height, stickers, count):
     """Add a sticker on a side of a box; return the number of stickers."""
     sticker = stickers[count]
     sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)

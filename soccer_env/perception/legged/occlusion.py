@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame, length
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes, trace_box
-from soccer_env.perception.legged.outlines import OUTLINE, chain_at, piece_at
+from soccer_env.perception.legged.outlines import OUTLINE, chain_height, segment_at
 
 PIECES = 96  # pieces of a kind that a sketch has room for: the stickers of 11 others, and some cuts
 COLUMNS = 176  # of a thing, at most
@@ -142,10 +142,10 @@ def covers(outline, other):
         return False
     lower, upper = outline.lower, outline.upper
     return (
-        chain_at(upper, other.right) >= other.high
-        and chain_at(upper, other.left) >= other.high
-        and chain_at(lower, other.right) <= other.low
-        and chain_at(lower, other.left) <= other.low
+        chain_height(upper, other.right) >= other.high
+        and chain_height(upper, other.left) >= other.high
+        and chain_height(lower, other.right) <= other.low
+        and chain_height(lower, other.left) <= other.low
     )
 
 
@@ -229,14 +229,14 @@ def fill_columns(target, columns, count, right, width, border):
     i = j = 0
     for at in range(count):
         u, column = right + (at + 0.5) * width, columns[at]
-        i, j = piece_at(lower, i, lower_last, u), piece_at(upper, j, upper_last, u)
-        low, high = height_on(lower[i], u), height_on(upper[j], u)
+        i, j = segment_at(lower, i, lower_last, u), segment_at(upper, j, upper_last, u)
+        low, high = segment_height(lower[i], u), segment_height(upper[j], u)
         column.low, column.high = max(low, -border), min(high, border)
         column.second_low = column.second_high = 0.0
 
 
 @compiled
-def height_on(point, u):
+def segment_height(point, u):
     """Return the height v [px] at u [px] on the segment of a chain that begins at `point`."""
     return point.v + point.slope * (u - point.u)
 
@@ -251,13 +251,13 @@ def hide_columns(outline, columns, count, right, width):
     i = j = 0
     for at in range(first, last):
         u = right + (at + 0.5) * width
-        i, j = piece_at(lower, i, lower_last, u), piece_at(upper, j, upper_last, u)
-        low, high = height_on(lower[i], u), height_on(upper[j], u)
-        hide(columns[at], low, high)
+        i, j = segment_at(lower, i, lower_last, u), segment_at(upper, j, upper_last, u)
+        low, high = segment_height(lower[i], u), segment_height(upper[j], u)
+        hide_interval(columns[at], low, high)
 
 
 @compiled
-def hide(column, low, high):
+def hide_interval(column, low, high):
     """Remove the interval low ... high [px] from a column, which may become two parts; a third part is dropped."""
     if column.second_low < column.second_high:
         if low <= column.second_low:
@@ -278,7 +278,7 @@ def hide(column, low, high):
 
 
 @compiled
-def bend_round(camera, target, depth, beside, above, beyond):
+def fill_sphere_ellipse(camera, target, depth, beside, above, beyond):
     """Fill in the ellipse that a sphere makes in the picture.
 
     The sphere's middle c is at depth, beside, above [m] in camera axes; `beyond` is |c|^2 less the square of the

@@ -12,7 +12,7 @@ from math import inf
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.perception.legged.camera import axes_of
+from soccer_env.perception.legged.camera import to_camera_axes
 
 LENS = 0.01  # [m] depth at which things that reach behind the lens are cut off, assumed
 CORNERS = 8  # of a box
@@ -45,7 +45,7 @@ TRACING = np.dtype([("corners", CORNER, (CORNERS,)), ("points", POINT, (POINTS,)
 @compiled
 def put_corner(camera, corner, ahead, left, height):
     """Convert a corner [m] to camera axes and, if it lies before the lens, project it; return its depth [m]."""
-    corner.depth, corner.left, corner.above = axes_of(camera, ahead, left, height)
+    corner.depth, corner.left, corner.above = to_camera_axes(camera, ahead, left, height)
     if corner.depth >= LENS:
         scale = 1.0 / corner.depth
         corner.u, corner.v = camera.focal_x * corner.left * scale, camera.focal_y * corner.above * scale
@@ -125,7 +125,7 @@ def project_box(camera, tracing):
             count = add_point(points, count, corners[i].u, corners[i].v)
         for bit in (1, 2, 4):
             if i & bit == 0:
-                count = add_cut(camera, points, count, corners[i], corners[i + bit])
+                count = add_lens_cut(camera, points, count, corners[i], corners[i + bit])
     return count
 
 
@@ -138,7 +138,7 @@ def project_rectangle(camera, tracing):
     for i in range(4):
         if corners[i].depth >= LENS:
             count = add_point(points, count, corners[i].u, corners[i].v)
-        count = add_cut(camera, points, count, corners[i], corners[(i + 1) % 4])
+        count = add_lens_cut(camera, points, count, corners[i], corners[(i + 1) % 4])
     return count
 
 
@@ -150,7 +150,7 @@ def add_point(points, count, u, v):
 
 
 @compiled
-def add_cut(camera, points, count, one, other):
+def add_lens_cut(camera, points, count, one, other):
     """Append the point where an edge between two corners passes the lens, if it does; return the number of points."""
     if (one.depth < LENS) == (other.depth < LENS):
         return count
@@ -160,7 +160,7 @@ def add_cut(camera, points, count, one, other):
 
 
 @compiled
-def enclose(outline, points, count):
+def set_convex_hull(outline, points, count):
     """Set the outline to the convex hull of the points; sorts the points.  [Andrew 1979, monotone chain]"""
     sort_points(points, count)
     outline.upper.count = outline.lower.count = 0
@@ -168,8 +168,8 @@ def enclose(outline, points, count):
     outline.right = outline.low = inf
     for i in range(count):
         u, v = points[i].u, points[i].v
-        keep_convex(outline.lower, u, v, 1.0)
-        keep_convex(outline.upper, u, v, -1.0)
+        add_convex_point(outline.lower, u, v, 1.0)
+        add_convex_point(outline.upper, u, v, -1.0)
         outline.left, outline.right = max(outline.left, u), min(outline.right, u)
         outline.high, outline.low = max(outline.high, v), min(outline.low, v)
 
@@ -188,7 +188,7 @@ def sort_points(points, count):
 
 
 @compiled
-def keep_convex(chain, u, v, side):
+def add_convex_point(chain, u, v, side):
     """Add a point to a chain and drop the points that now lie within; side 1: the lower chain, -1: the upper one."""
     points = chain.points
     while chain.count >= 2:
@@ -200,7 +200,7 @@ def keep_convex(chain, u, v, side):
 
 
 @compiled
-def piece_at(points, at, last, u):
+def segment_at(points, at, last, u):
     """Return the index of a chain's segment at column u [px], searched from `at` to `last`; u lies in the outline."""
     while at < last and points[at + 1].u < u:
         at += 1
@@ -208,8 +208,8 @@ def piece_at(points, at, last, u):
 
 
 @compiled
-def chain_at(chain, u):
+def chain_height(chain, u):
     """Return the v of a chain at column u [px], which lies in the outline."""
     points = chain.points
-    at = piece_at(points, 0, chain.count - 2, u)
+    at = segment_at(points, 0, chain.count - 2, u)
     return points[at].v + points[at].slope * (u - points[at].u)

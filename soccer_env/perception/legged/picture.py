@@ -7,10 +7,10 @@ the picture (jersey.py, scenery.py, sketch.py), which parts are hidden (occlusio
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of
-from soccer_env.perception.legged.blobs import clear, deliver
+from soccer_env.geometry import attack_direction
+from soccer_env.perception.legged.blobs import clear_blob, deliver_blobs
 from soccer_env.perception.legged.bodies import HEAD, TRUNK, find_bodies
-from soccer_env.perception.legged.camera import bring_up_to_date, from_camera, point_camera
+from soccer_env.perception.legged.camera import from_camera, point_camera, update_pose_angles
 from soccer_env.perception.legged.jersey import is_lowered, put_head_stickers, put_trunk_stickers
 from soccer_env.perception.legged.scenery import draw_goals, draw_landmarks, draw_patches
 from soccer_env.perception.legged.sketch import BALL, KINDS, OPPONENTS, TEAMMATES, draw_panel, draw_sphere
@@ -27,16 +27,16 @@ def take_picture(match, ball, robots, percept, state, k, s, r, sketches):
         clear_picture(percept)
         return
     draw_scene(match, ball, robots, k, s, r, sketches[0])
-    deliver(sketches[0], percept, state, robot.noise, s)
+    deliver_blobs(sketches[0], percept, state, robot.noise, s)
 
 
 @compiled
 def draw_scene(match, ball, robots, k, s, r, sketch):
     """Draw the scene before robot r's camera, without noise."""
-    camera, side = sketch.camera, direction_of(match, robots[r].team)
+    camera, side = sketch.camera, attack_direction(match, robots[r].team)
     for kind in range(KINDS):
         sketch.counts[kind] = 0
-    bring_up_to_date(sketch.poses[r], robots[r], match.handedness)
+    update_pose_angles(sketch.poses[r], robots[r], match.handedness)
     point_camera(camera, robots[r], sketch.poses[r], match.handedness, s)
     sketch.body_count = find_bodies(camera, robots, r, sketch.poses, sketch.hull, s, sketch.bodies)
     ahead, left = from_camera(camera, ball.x, ball.y)
@@ -68,6 +68,6 @@ def clear_picture(percept):
     """Remove all blobs from a percept."""
     for blobs in (percept.ball, percept.teammates, percept.opponents, percept.own_goal, percept.opponent_goal):
         for i in range(blobs.shape[0]):
-            clear(blobs[i])
+            clear_blob(blobs[i])
     for i in range(percept.landmarks.shape[0]):
-        clear(percept.landmarks[i])
+        clear_blob(percept.landmarks[i])

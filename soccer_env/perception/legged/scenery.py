@@ -12,7 +12,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.perception.legged.camera import from_camera, in_view
 from soccer_env.perception.legged.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
-from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, TO_UNIT, mix
+from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, TO_UNIT, mix_bits
 from soccer_env.records.percepts import LANDMARKS
 
 PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # keeps the places of patches independent of the noise streams of a seed
@@ -81,9 +81,9 @@ def draw_patches(sketch, match, side, k, s):
 
     Patches stand in opposite pairs, so that each team sees the same pattern from its own side.
     """
-    key = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1)) ^ PATCH_KEY
+    key = mix_bits(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1)) ^ PATCH_KEY
     for pair in range(int(s.patches) // 2):
-        x, y, height = patch_place(mix(key + MIX_1 * np.uint64(pair + 1)), k, s)
+        x, y, height = patch_place(mix_bits(key + MIX_1 * np.uint64(pair + 1)), k, s)
         for here in (side, -side):
             draw_patch(sketch, here * x, here * y * match.handedness, height, k, s)
 
@@ -93,15 +93,15 @@ def patch_place(bits, k, s):
     """Return where a patch stands [m]: x, y on a rectangle round the boards, and its height."""
     length_away = 0.5 * k.pitch_length + k.pitch_band_end + s.patch_away
     width_away = 0.5 * k.pitch_width + k.pitch_band_side + s.patch_away
-    along = 2.0 * (length_away + width_away) * unit(bits)  # half round suffices: the other half is opposite
-    height = s.patch_low + (s.patch_high - s.patch_low) * unit(mix(bits ^ MIX_2))
+    along = 2.0 * (length_away + width_away) * unit_fraction(bits)  # half round suffices: the other half is opposite
+    height = s.patch_low + (s.patch_high - s.patch_low) * unit_fraction(mix_bits(bits ^ MIX_2))
     if along < 2.0 * length_away:
         return along - length_away, width_away, height
     return length_away, along - 2.0 * length_away - width_away, height
 
 
 @compiled
-def unit(bits):
+def unit_fraction(bits):
     """Return 64 mixed bits as a number in [0, 1)."""
     return np.float64(bits >> np.uint64(11)) * TO_UNIT
 

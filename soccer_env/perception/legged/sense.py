@@ -4,15 +4,15 @@
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.guards.ranges import NUMBER, record
+from soccer_env.guards.ranges import NUMBER, ranged_record
 from soccer_env.perception.body import POSE_ERROR
 from soccer_env.perception.legged.infrared import measure_range
 from soccer_env.perception.legged.picture import take_picture
 from soccer_env.perception.legged.sketch import make_sketch
 from soccer_env.perception.legged.touch import feel_touch
-from soccer_env.perception.sensing import sense_kernel
+from soccer_env.perception.sensing import make_sensor_kernel
 
-LEGGED_SENSOR_STATE = record(
+LEGGED_SENSOR_STATE = ranged_record(
     [  # state of the sensors that they do not deliver
         ("pose_error", POSE_ERROR),
         ("scale", "f4", NUMBER),  # [1] of the sizes that the camera reports, drawn once an episode; 0: not yet
@@ -29,4 +29,4 @@ def sense_robot(match, ball, robots, r, percept, state, pending, sketches, k, s)
     percept.infrared = measure_range(match, ball, robots, k, s, r)
 
 
-sense_slice = sense_kernel(make_sketch, sense_robot)
+sense_slice = make_sensor_kernel(make_sketch, sense_robot)

@@ -11,10 +11,18 @@ from math import inf, pi, sqrt
 
 import numpy as np
 
-from soccer_env.compiled import compiled, records
+from soccer_env.compiled import compiled, scratch_records
 from soccer_env.leagues.legged_sensors import STICKERS_MOST
 from soccer_env.perception.legged.bodies import BODY, RECTANGLE, measure_hull
-from soccer_env.perception.legged.camera import CAMERA, POSE, axes_of, face_ahead, in_view, open_camera, sphere_box
+from soccer_env.perception.legged.camera import (
+    CAMERA,
+    POSE,
+    face_ahead,
+    in_view,
+    open_camera,
+    sphere_box,
+    to_camera_axes,
+)
 from soccer_env.perception.legged.occlusion import (
     COLUMN,
     COLUMNS,
@@ -23,8 +31,8 @@ from soccer_env.perception.legged.occlusion import (
     PIECES,
     TARGET,
     add_piece,
-    bend_round,
     cut_into_pieces,
+    fill_sphere_ellipse,
     find_hiders,
 )
 from soccer_env.perception.legged.outlines import (
@@ -32,10 +40,10 @@ from soccer_env.perception.legged.outlines import (
     OUTLINE,
     TRACING,
     begin_outline,
-    enclose,
     end_outline,
     project_rectangle,
     put_corner,
+    set_convex_hull,
 )
 from soccer_env.records.percepts import BLOB, LANDMARKS, OTHERS
 from soccer_env.types import MAX_TEAM
@@ -82,7 +90,7 @@ SKETCH = np.dtype(
 @compiled
 def make_sketch(k, s):
     """Return an empty sketch (1,) with the constants of a league's robots and their camera filled in."""
-    sketches = records(1, SKETCH)
+    sketches = scratch_records(1, SKETCH)
     open_camera(sketches[0].camera, s)
     measure_hull(sketches[0].hull, k, s)
     for r in range(2 * MAX_TEAM):
@@ -99,7 +107,7 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     """
     camera, target = sketch.camera, sketch.target
     outline = target.outline
-    if not box_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
+    if not project_panel(camera, panel, sketch.tracing, outline) or is_outside(camera, outline):
         return
     target.ahead, target.left, target.low, target.high = panel.ahead, panel.left, panel.low, panel.high
     target.across = panel.across
@@ -109,7 +117,7 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
     if hiders == HIDDEN:
         return
     if hiders == 0 and is_inside(camera, outline):
-        add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, quadrangle(sketch.tracing))
+        add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, quadrangle_area(sketch.tracing))
         return
     trace_panel(sketch.tracing, outline)
     target.is_round = 0
@@ -117,7 +125,7 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
 
 
 @compiled
-def box_panel(camera, panel, tracing, outline):
+def project_panel(camera, panel, tracing, outline):
     """Project a panel and fill in its bounding box; return whether any part of the panel lies before the lens.
 
     `trace_panel` computes the chains for the few panels that need them; a panel cut off at the lens gets them here.
@@ -134,7 +142,7 @@ def box_panel(camera, panel, tracing, outline):
     if farthest < LENS:
         return False
     if nearest < LENS:
-        enclose(outline, tracing.points, project_rectangle(camera, tracing))
+        set_convex_hull(outline, tracing.points, project_rectangle(camera, tracing))
         return True
     one, other = (0, 2) if corners[0].u < corners[3].u else (2, 0)  # at the right end and at the left one
     outline.right = min(corners[one].u, corners[one + 1].u)
@@ -146,10 +154,10 @@ def box_panel(camera, panel, tracing, outline):
 
 @compiled
 def trace_panel(tracing, outline):
-    """Trace the chains of a panel that `box_panel` has projected."""
+    """Trace the chains of a panel that `project_panel` has projected."""
     corners = tracing.corners
     if min(min(corners[0].depth, corners[1].depth), min(corners[2].depth, corners[3].depth)) < LENS:
-        return  # `box_panel` has traced them already
+        return  # `project_panel` has traced them already
     if corners[0].u < corners[3].u:
         begin_outline(outline, corners[1], corners[0])
         end_outline(outline, corners[2], corners[3])
@@ -159,7 +167,7 @@ def trace_panel(tracing, outline):
 
 
 @compiled
-def quadrangle(tracing):
+def quadrangle_area(tracing):
     """Return the area [px] of the quadrangle of the first four corners: half the cross product of the diagonals."""
     a, b, c, d = tracing.corners[0], tracing.corners[1], tracing.corners[2], tracing.corners[3]
     return 0.5 * abs((c.u - a.u) * (d.v - b.v) - (c.v - a.v) * (d.u - b.u))
@@ -193,7 +201,7 @@ def draw_sphere(sketch, ahead, left, radius, kind):
     camera, target = sketch.camera, sketch.target
     if not in_view(camera, ahead, left, radius, radius):
         return
-    depth, beside, above = axes_of(camera, ahead, left, radius)
+    depth, beside, above = to_camera_axes(camera, ahead, left, radius)
     beyond = depth * depth + beside * beside + above * above - radius * radius
     if depth <= radius + LENS or beyond <= 0.0:  # beside the lens or round it
         return
@@ -213,5 +221,5 @@ def draw_sphere(sketch, ahead, left, radius, kind):
         area = pi * radius * radius * sqrt(beyond) / (inner * sqrt(inner)) * camera.focal_x * camera.focal_y
         add_piece(sketch, kind, outline.left, outline.right, outline.high, outline.low, area)
         return
-    bend_round(camera, target, depth, beside, above, beyond)
+    fill_sphere_ellipse(camera, target, depth, beside, above, beyond)
     cut_into_pieces(sketch, kind, hiders)

@@ -13,7 +13,7 @@ LEAST = 1e-12  # [1] least size of a direction's component as a divisor
 
 
 @compiled
-def steep(component):
+def nonzero_divisor(component):
     """Return a component of a direction, moved away from zero to serve as a divisor."""
     if -LEAST < component < LEAST:
         return -LEAST if component < 0.0 else LEAST
@@ -21,7 +21,7 @@ def steep(component):
 
 
 @compiled
-def reach_sphere(x, y, z, dx, dy, dz, radius):
+def distance_to_sphere(x, y, z, dx, dy, dz, radius):
     """Return the distance along the ray to a sphere about the origin [m]."""
     outside = x * x + y * y + z * z - radius * radius
     if outside <= 0.0:
@@ -34,9 +34,9 @@ def reach_sphere(x, y, z, dx, dy, dz, radius):
 
 
 @compiled
-def reach_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
+def distance_to_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
     """Return the distance along the ray to a box about the origin with its edges along the axes [m]."""
-    dx, dy, dz = steep(dx), steep(dy), steep(dz)
+    dx, dy, dz = nonzero_divisor(dx), nonzero_divisor(dy), nonzero_divisor(dz)
     # Where the ray enters and leaves each of the three slabs whose common part is the box.
     x_reach, y_reach, z_reach = half_length / abs(dx), half_width / abs(dy), half_height / abs(dz)
     enter = max(-x / dx - x_reach, -y / dy - y_reach, -z / dz - z_reach)
@@ -45,7 +45,7 @@ def reach_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
 
 
 @compiled
-def reach_post(x, y, z, dx, dy, dz, radius, height):
+def distance_to_post(x, y, z, dx, dy, dz, radius, height):
     """Return the distance along the ray [m] to an upright cylinder on the origin, from the side or from above."""
     level = max(dx * dx + dy * dy, LEAST)
     outside = x * x + y * y - radius * radius
@@ -53,7 +53,7 @@ def reach_post(x, y, z, dx, dy, dz, radius, height):
     inside = along * along - level * outside
     if inside < 0.0:
         return inf
-    root, fall = sqrt(inside), steep(dz)
+    root, fall = sqrt(inside), nonzero_divisor(dz)
     half = 0.5 * height / abs(fall)
     middle = (0.5 * height - z) / fall
     enter, leave = max((along - root) / level, middle - half), min((along + root) / level, middle + half)
@@ -61,31 +61,31 @@ def reach_post(x, y, z, dx, dy, dz, radius, height):
 
 
 @compiled
-def reach_carpet(z, dz):
+def distance_to_carpet(z, dz):
     """Return the distance along the ray to the ground [m]."""
     return max(z, 0.0) / -dz if dz < -LEAST else inf
 
 
 @compiled
-def reach_boards(x, y, z, dx, dy, dz, k, s):
+def distance_to_boards(x, y, z, dx, dy, dz, k, s):
     """Return the distance along the ray, from within, to the boards of a walled pitch or the walls of a goal [m].
 
     Boards are s.board_height high, goals s.goal_height; a pitch without boards has goals alone.
     """
-    dx, dy = steep(dx), steep(dy)
+    dx, dy = nonzero_divisor(dx), nonzero_divisor(dy)
     end = (0.5 * k.pitch_length - (x if dx > 0.0 else -x)) / abs(dx)  # to the goal line ahead
     side = (0.5 * k.pitch_width - (y if dy > 0.0 else -y)) / abs(dy)  # to the touchline ahead
     if k.walled == 1 and side <= end:
-        return low_enough(side, z + side * dz, s.board_height)
+        return distance_if_low(side, z + side * dz, s.board_height)
     if abs(y + max(end, 0.0) * dy) > 0.5 * k.pitch_goal_width:
-        return low_enough(end, z + end * dz, s.board_height) if k.walled == 1 else inf
+        return distance_if_low(end, z + end * dz, s.board_height) if k.walled == 1 else inf
     back = end + k.pitch_goal_depth / abs(dx)
     net = (0.5 * k.pitch_goal_width - (y if dy > 0.0 else -y)) / abs(dy)
     distance = min(back, net)
-    return low_enough(distance, z + distance * dz, s.goal_height)
+    return distance_if_low(distance, z + distance * dz, s.goal_height)
 
 
 @compiled
-def low_enough(distance, height, most):
+def distance_if_low(distance, height, most):
     """Return the distance if it is positive and the ray's height there lies between 0 and `most`, else inf."""
     return distance if distance >= 0.0 and 0.0 <= height <= most else inf

@@ -18,7 +18,7 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import into_frame
-from soccer_env.optics.head_camera import tilted
+from soccer_env.optics.head_camera import tilt_point
 
 LEGS = 4
 GAP = 0.004  # [m] a ball this near presses the switch, assumed: the gap of a touch
@@ -51,7 +51,7 @@ def chin_touches(ball, robot, k, s):
     if robot.fallen > 0.0 or x * x + y * y > near * near:
         return False
     below = s.camera_up - 0.5 * s.head_size
-    forward, height = tilted(s.camera_ahead, below, cos(robot.tilt), sin(robot.tilt), s.neck_height)
+    forward, height = tilt_point(s.camera_ahead, below, cos(robot.tilt), sin(robot.tilt), s.neck_height)
     x, y = into_frame(x, y, cos(robot.heading), sin(robot.heading))
     x -= s.neck_ahead + forward * cos(robot.pan)
     y -= forward * sin(robot.pan)

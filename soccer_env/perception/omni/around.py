@@ -25,7 +25,7 @@ NEAREST = 1e-9  # [m] below which a distance is not divided by
 
 
 @compiled
-def survey(robots, r, k, around):
+def find_bodies_around(robots, r, k, around):
     """Fill `around` with the other active robots as seen from robot r; return their number.
 
     Team-mates come first, then opponents, each by number: the same order on both sides of the field.

@@ -25,7 +25,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.leagues.omni_sensors import COLOUR_TABLES
-from soccer_env.random_numbers import GOLDEN, TO_UNIT, mix, normal
+from soccer_env.random_numbers import GOLDEN, TO_UNIT, draw_normal, mix_bits
 from soccer_env.types import RobotStream
 
 LIGHT = int(RobotStream.LIGHT)
@@ -41,7 +41,7 @@ def brightness(match, s):
     """Return the brightness of a match's light now [1]: a slow sine whose phase follows from the seed.  MH07"""
     if s.light_drift <= 0.0:
         return 0.0
-    bits = mix(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1))
+    bits = mix_bits(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1))
     start = np.float64(bits >> np.uint64(11)) * TO_UNIT
     return s.light_drift * sin(2.0 * pi * (match.clock / s.light_period + start))
 
@@ -49,11 +49,11 @@ def brightness(match, s):
 @compiled
 def measure_light(light, s, noise):
     """Return the brightness of the picture [1]; constant light is known exactly."""
-    return light + LIGHT_NOISE * normal(noise, LIGHT) if s.light_drift > 0.0 else light
+    return light + LIGHT_NOISE * draw_normal(noise, LIGHT) if s.light_drift > 0.0 else light
 
 
 @compiled
-def begin_table(table, measured, s, told):
+def begin_colour_table(table, measured, s, told):
     """Return the brightness [1] to which the colour table is adapted before a picture.  MH07
 
     A robot that has just been told its pose (`told`) needs no table: its first picture trains one. The fixed table
@@ -65,7 +65,7 @@ def begin_table(table, measured, s, told):
 
 
 @compiled
-def train_table(table, measured, s, dt, placed):
+def train_colour_table(table, measured, s, dt, placed):
     """Return the brightness [1] to which the colour table is adapted after a picture; `placed`: pose known.  MH07"""
     off = measured - table
     if s.colour_table != ADAPTIVE or not placed or abs(off) > CLASS_SPREAD * s.table_width:
@@ -74,7 +74,7 @@ def train_table(table, measured, s, dt, placed):
 
 
 @compiled
-def recognised(light, table, s):
+def recognised_share(light, table, s):
     """Return the share of pixels that keep their colour class [1]: one half at a difference of `table_width`.  MH07"""
     difference = (light - table) / s.table_width
     return exp(-min(log(2.0) * difference * difference, DARKEST))

@@ -11,10 +11,10 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import out_of_frame
-from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_parameters
 from soccer_env.perception.omni.around import body_radius
 from soccer_env.perception.omni.sightings import CAMERA, to_pixel
-from soccer_env.random_numbers import uniform
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.records.percepts import LINES
 
 LINE_MAP = np.dtype(
@@ -57,18 +57,18 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
 
     MH02, MH07, MH08
     """
-    see_how_far(map.free, around, count, k, s)
+    fill_view_lengths(map.free, around, count, k, s)
     cosine, sine = cos(robot.heading), sin(robot.heading)
-    chance, mirror = (1.0 - s.line_miss) * colour, mirror_of(s)
+    chance, mirror = (1.0 - s.line_miss) * colour, mirror_parameters(s)
     seen = 0
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
         dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)
-        distance = first_line(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
+        distance = first_line_distance(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
         lines[i] = 0.0
         if distance < map.free[i]:
             # the line is seen if the draw is below `chance`; within that range the draw is even and gives the noise
-            draw = uniform(noise, CAMERA)
+            draw = draw_uniform(noise, CAMERA)
             if draw < chance:
                 radius = image_radius(mirror, distance) + s.pixel_noise * SPAN * (draw / chance - 0.5)
                 lines[i] = ground_distance(mirror, max(to_pixel(radius), 0.0))
@@ -77,7 +77,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
 
 
 @compiled
-def see_how_far(free, around, count, k, s):
+def fill_view_lengths(free, around, count, k, s):
     """Fill in the length of the view in each direction [m]: to `line_range`, or to a robot that blocks it."""
     for i in range(s.lines):
         free[i] = s.line_range
@@ -92,7 +92,7 @@ def see_how_far(free, around, count, k, s):
 
 
 @compiled
-def first_line(x, y, dx, dy, map, circle, nearest, farthest):
+def first_line_distance(x, y, dx, dy, map, circle, nearest, farthest):
     """Return the distance [m] at which a ray first meets a line beyond `nearest`, or `farthest`."""
     best = farthest
     if abs(dx) > PARALLEL:

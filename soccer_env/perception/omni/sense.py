@@ -7,28 +7,28 @@ A robot that was just placed gets its first pictures without delay: pictures on 
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from soccer_env.compiled import compiled, records
-from soccer_env.guards.ranges import NUMBER, record
-from soccer_env.perception.body import POSE_ERROR, light_barrier
-from soccer_env.perception.omni.around import AROUND, survey
+from soccer_env.compiled import compiled, scratch_records
+from soccer_env.guards.ranges import NUMBER, ranged_record
+from soccer_env.perception.body import POSE_ERROR, sense_light_barrier
+from soccer_env.perception.omni.around import AROUND, find_bodies_around
 from soccer_env.perception.omni.lighting import (
     LEAST_LINES,
-    begin_table,
+    begin_colour_table,
     brightness,
     measure_light,
-    recognised,
-    train_table,
+    recognised_share,
+    train_colour_table,
 )
 from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
 from soccer_env.perception.omni.lines import TABLES, line_tables
-from soccer_env.perception.omni.sightings import clear, find_ball, find_goals, find_players
-from soccer_env.perception.sensing import sense_kernel
+from soccer_env.perception.omni.sightings import clear_sighting, find_ball, find_goals, find_players
+from soccer_env.perception.sensing import make_sensor_kernel
 from soccer_env.records.percepts import NO_POSE, POSE_TOLD
 from soccer_env.types import MAX_TEAM
 
 __all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
 
-OMNI_SENSOR_STATE = record(
+OMNI_SENSOR_STATE = ranged_record(
     [  # state of the sensors that they do not deliver
         ("pose_error", POSE_ERROR),
         ("table", "f4", NUMBER),  # [1] the light that the colour table is made for, trained up to the latest picture
@@ -39,7 +39,7 @@ OMNI_SENSOR_STATE = record(
 @compiled
 def make_scratch(k, s):
     """Return scratch arrays: the bodies round the robot, and the map of the pitch's lines for the camera."""
-    around, maps = records(2 * MAX_TEAM, AROUND), records(1, LINE_MAP)
+    around, maps = scratch_records(2 * MAX_TEAM, AROUND), scratch_records(1, LINE_MAP)
     draw_map(maps[0], k, s)
     return around, maps
 
@@ -47,13 +47,15 @@ def make_scratch(k, s):
 @compiled
 def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):
     """Fill in the percept of robot r; pending (camera_delay,) holds the pictures on their way."""
-    light_barrier(robots[r], percept.body, s)
+    sense_light_barrier(robots[r], percept.body, s)
     around, maps = scratch
-    look(match, ball, robots, r, percept, state, pending, brightness(match, s), around, maps[0], k, s)
+    take_and_deliver_picture(
+        match, ball, robots, r, percept, state, pending, brightness(match, s), around, maps[0], k, s
+    )
 
 
 @compiled
-def look(match, ball, robots, r, percept, state, pending, light, around, map, k, s):
+def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, light, around, map, k, s):
     """Take a picture, and deliver the one that is due.  MH02"""
     late, robot = pending.shape[0], robots[r]
     if late == 0:
@@ -66,12 +68,12 @@ def look(match, ball, robots, r, percept, state, pending, light, around, map, k,
             pending[i].body.active = 0
     due = slot.body.active == 1 and slot.body.frame + late == match.step
     if due:
-        hand_over(slot, percept)
+        copy_picture(slot, percept)
     take_picture(match, ball, robots, r, slot, state, percept.body.pose, light, around, map, k, s)
     slot.body.frame, slot.body.active = match.step, robot.active
     percept.age = late * k.dt if due else 0.0
     if not due:
-        hand_over(slot, percept)
+        copy_picture(slot, percept)
 
 
 @compiled
@@ -79,50 +81,50 @@ def take_picture(match, ball, robots, r, picture, state, pose, light, around, ma
     """Fill in the camera's picture of this frame; its colour table learns from it, delivered or not.  MH07"""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
-    state.table = begin_table(state.table, picture.light, s, match.step == 0 or pose == POSE_TOLD)
+    state.table = begin_colour_table(state.table, picture.light, s, match.step == 0 or pose == POSE_TOLD)
     if robot.active == 0:
         clear_picture(picture)
         return
-    colour = recognised(light, state.table, s)
-    count = survey(robots, r, k, around)
+    colour = recognised_share(light, state.table, s)
+    count = find_bodies_around(robots, r, k, around)
     find_ball(ball, robot, picture, around, count, k, s, robot.noise, handedness, colour)
     find_players(picture, around, count, k, s, robot.noise, handedness, colour)
     find_goals(match, robot, picture, around, count, k, s, robot.noise, handedness, colour)
     lines = find_lines(robot, picture.lines, around, count, map, k, s, robot.noise, handedness, colour)
     placed = pose != NO_POSE or lines >= LEAST_LINES
-    state.table = train_table(state.table, picture.light, s, k.dt, placed)
+    state.table = train_colour_table(state.table, picture.light, s, k.dt, placed)
 
 
 @compiled
 def clear_picture(picture):
     """Remove everything from a picture: a robot that is sent off stands beside the field and sees nothing."""
-    clear(picture.ball)
-    clear(picture.own_goal)
-    clear(picture.opponent_goal)
+    clear_sighting(picture.ball)
+    clear_sighting(picture.own_goal)
+    clear_sighting(picture.opponent_goal)
     for i in range(picture.players.shape[0]):
-        clear(picture.players[i])
+        clear_sighting(picture.players[i])
     picture.lines[:] = 0.0
 
 
 @compiled
-def hand_over(picture, percept):
+def copy_picture(picture, percept):
     """Copy a picture into the percept."""
-    copy(picture.ball, percept.ball)
-    copy(picture.own_goal, percept.own_goal)
-    copy(picture.opponent_goal, percept.opponent_goal)
+    copy_sighting(picture.ball, percept.ball)
+    copy_sighting(picture.own_goal, percept.own_goal)
+    copy_sighting(picture.opponent_goal, percept.opponent_goal)
     for i in range(picture.players.shape[0]):
         if picture.players[i].seen == 0 and percept.players[i].seen == 0:
             break
-        copy(picture.players[i], percept.players[i])
+        copy_sighting(picture.players[i], percept.players[i])
     percept.lines[:] = picture.lines
     percept.light = picture.light
 
 
 @compiled
-def copy(one, other):
+def copy_sighting(one, other):
     """Copy a sighting."""
     other.distance, other.bearing = one.distance, one.bearing
     other.seen, other.teammate = one.seen, one.teammate
 
 
-sense_slice = sense_kernel(make_scratch, sense_robot)
+sense_slice = make_sensor_kernel(make_scratch, sense_robot)

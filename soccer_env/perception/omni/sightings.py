@@ -12,10 +12,10 @@ slower, and lines and goals give the own place to centimetres.
 from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, direction_of, into_frame, length, wrap
-from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
+from soccer_env.geometry import attack_direction, clip, into_frame, length, wrap
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_parameters
 from soccer_env.perception.omni.around import body_radius, half_angle, visible_part
-from soccer_env.random_numbers import uniform
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.types import RobotStream
 
 CAMERA = int(RobotStream.CAMERA)
@@ -34,19 +34,19 @@ def to_pixel(place):
 
 
 @compiled
-def clear(sighting):
+def clear_sighting(sighting):
     """Mark a sighting as absent."""
     sighting.seen = sighting.teammate = 0
     sighting.distance = sighting.bearing = 0.0
 
 
 @compiled
-def find(sighting, distance, bearing, farthest, s, noise, handedness):
+def measure_sighting(sighting, distance, bearing, farthest, s, noise, handedness):
     """Measure a thing at a noisy, whole pixel of the picture; return whether it lies within `farthest` [px].  MH02"""
-    mirror = mirror_of(s)
+    mirror = mirror_parameters(s)
     radius = image_radius(mirror, distance)
-    error = s.pixel_noise * sqrt(-2.0 * log(1.0 - uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
-    turn = 2.0 * pi * uniform(noise, CAMERA)
+    error = s.pixel_noise * sqrt(-2.0 * log(1.0 - draw_uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
+    turn = 2.0 * pi * draw_uniform(noise, CAMERA)
     ahead = to_pixel(radius * cos(bearing) + error * cos(turn))
     # Straight behind is half a turn to either side: to the left, or in a mirrored match to the right.
     left = handedness * to_pixel(handedness * radius * sin(bearing) + error * sin(turn))
@@ -59,7 +59,7 @@ def find(sighting, distance, bearing, farthest, s, noise, handedness):
 
 
 @compiled
-def chance(distance, reach, miss, s):
+def sighting_probability(distance, reach, miss, s):
     """Return the probability that a frame shows a thing [1]: 1 - `miss` nearby, half as much at `reach` [m]."""
     return (1.0 - miss) / (1.0 + exp(clip((distance - reach) / s.detection_width, -STEEPEST, STEEPEST)))
 
@@ -72,7 +72,7 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
     rim seems farther. A ball without colour is found by its shape, more rarely, in any light.
     """
     sighting = percept.ball
-    clear(sighting)
+    clear_sighting(sighting)
     cosine, sine = cos(robot.heading), sin(robot.heading)
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
@@ -82,10 +82,10 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
         half = half_angle(k.ball_radius, distance)
         aside, share = visible_part(around, count, bearing, half, distance, FOOT, k, s, handedness)
         recognised = kept if s.ball_coloured == 1 else UNCOLOURED
-        shown = share * recognised * chance(distance, s.ball_range, s.ball_miss, s)
-        if share > 0.0 and uniform(noise, CAMERA) < shown:
+        shown = share * recognised * sighting_probability(distance, s.ball_range, s.ball_miss, s)
+        if share > 0.0 and draw_uniform(noise, CAMERA) < shown:
             seems = distance + (1.0 - kept) * k.ball_radius
-            find(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
+            measure_sighting(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
     mistake_for_ball(sighting, s, noise, handedness)
 
 
@@ -93,12 +93,12 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
 def mistake_for_ball(sighting, s, noise, handedness):
     """Add a rare false ball in a random direction; the nearer of ball and false ball looks larger and is taken."""
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
-    if rate <= 0.0 or uniform(noise, FALSE_BLOBS) >= rate:
+    if rate <= 0.0 or draw_uniform(noise, FALSE_BLOBS) >= rate:
         return
-    mirror = mirror_of(s)
+    mirror = mirror_parameters(s)
     nearest = image_radius(mirror, s.hidden_radius)
-    radius = nearest + (0.5 * s.image - nearest) * uniform(noise, FALSE_BLOBS)
-    bearing = handedness * pi * (1.0 - 2.0 * uniform(noise, FALSE_BLOBS))
+    radius = nearest + (0.5 * s.image - nearest) * draw_uniform(noise, FALSE_BLOBS)
+    bearing = handedness * pi * (1.0 - 2.0 * draw_uniform(noise, FALSE_BLOBS))
     distance = ground_distance(mirror, radius)
     if sighting.seen == 0 or distance < sighting.distance:
         sighting.distance = distance
@@ -115,21 +115,23 @@ def find_players(percept, around, count, k, s, noise, handedness, colour):
         aside, share = visible_part(around, count, other.bearing, other.half, other.distance, FOOT, k, s, handedness)
         if share <= 0.0:
             continue
-        if uniform(noise, CAMERA) >= share * colour * chance(other.distance, s.player_range, s.player_miss, s):
+        if draw_uniform(noise, CAMERA) >= share * colour * sighting_probability(
+            other.distance, s.player_range, s.player_miss, s
+        ):
             continue
         seems = other.distance + (1.0 - colour) * body_radius(k)
-        if find(players[seen], seems, other.bearing + aside, 0.5 * s.image, s, noise, handedness):
+        if measure_sighting(players[seen], seems, other.bearing + aside, 0.5 * s.image, s, noise, handedness):
             players[seen].teammate = other.teammate
-            sink(players, seen)
+            insert_by_distance(players, seen)
             seen += 1
     for j in range(seen, players.shape[0]):
         if players[j].seen == 0:
             break
-        clear(players[j])
+        clear_sighting(players[j])
 
 
 @compiled
-def sink(players, last):
+def insert_by_distance(players, last):
     """Move the player at index `last` forward to its place by distance, behind players at equal distance."""
     one = players[last]
     distance = one.distance
@@ -147,7 +149,7 @@ def sink(players, last):
 @compiled
 def find_goals(match, robot, percept, around, count, k, s, noise, handedness, colour):
     """Fill in the sightings of the own goal and of the opponents' goal.  MH02"""
-    end = 0.5 * direction_of(match, robot.team) * k.pitch_length
+    end = 0.5 * attack_direction(match, robot.team) * k.pitch_length
     find_goal(percept.own_goal, robot, -end, around, count, k, s, noise, handedness, colour)
     find_goal(percept.opponent_goal, robot, end, around, count, k, s, noise, handedness, colour)
 
@@ -159,15 +161,15 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
     A goal is 1 m tall: it is visible from everywhere, over the heads of robots that are not near. Where its foot lies
     beyond the picture's edge, it is measured as if the picture went on (assumed).
     """
-    clear(sighting)
+    clear_sighting(sighting)
     distance, middle = length(x - robot.x, -robot.y), wrap(atan2(-robot.y, x - robot.x) - robot.heading)
     one = wrap(bearing_of(robot, x, 0.5 * k.pitch_goal_width) - middle)
     other = wrap(bearing_of(robot, x, -0.5 * k.pitch_goal_width) - middle)
     half = 0.5 * abs(one - other)
     centre = middle + 0.5 * (one + other)
     aside, share = visible_part(around, count, centre, half, distance, GOAL_HEIGHT, k, s, handedness)
-    if share > 0.0 and uniform(noise, CAMERA) < share * colour * (1.0 - s.goal_miss):
-        find(sighting, distance, centre + aside, inf, s, noise, handedness)
+    if share > 0.0 and draw_uniform(noise, CAMERA) < share * colour * (1.0 - s.goal_miss):
+        measure_sighting(sighting, distance, centre + aside, inf, s, noise, handedness)
 
 
 @compiled

@@ -27,10 +27,10 @@ from numpy.typing import NDArray
 
 from soccer_env.compiled import compiled, config
 from soccer_env.physics.engine.memory import BODY_ANGLE, BODY_OMEGA, BODY_VX, BODY_VY, BODY_X, BODY_Y, number_at, store
-from soccer_env.physics.engine.prefetch import fetch_spans, note_step, spans_at
+from soccer_env.physics.engine.prefetch import count_space_step, prefetch_spans, spans_at
 from soccer_env.physics.engine.pymunk_parts import ffi, lib
 from soccer_env.physics.solver.records import MOST_ROBOTS
-from soccer_env.physics.solver.rounds import lead_off, solver_at
+from soccer_env.physics.solver.rounds import drive_free_robots, solver_at
 
 Links = Any  # array (M,) of LINK; Any because mypy knows no record fields
 
@@ -165,7 +165,7 @@ def advance(links: Links, m: int, substeps: int, dt: float) -> None:
     substep = dt / substeps  # [s]
     _call_step(link.set_time_step, link.space, substep)  # see `keep_impulses`
     if link.solver != 0:
-        lead_off(solver_at(link.solver), dt)
+        drive_free_robots(solver_at(link.solver), dt)
     for _ in range(substeps):
         _call_step(link.step, link.space, substep)
 
@@ -178,15 +178,15 @@ def step_match(links: Links, m: int, substeps: int, dt: float) -> None:
     read_bodies(links, m)
     link = links[m]
     if link.spans != 0:
-        note_step(spans_at(link.spans), np.int64(link.space))
+        count_space_step(spans_at(link.spans), np.int64(link.space))
 
 
 @compiled
-def fetch(links: Links, m: int) -> bool:
+def prefetch_step(links: Links, m: int) -> bool:
     """Prefetch the memory of match m's next step into the cache; return False if match or spans do not exist."""
     if m >= len(links) or links[m].spans == 0:
         return False
-    fetch_spans(spans_at(links[m].spans))
+    prefetch_spans(spans_at(links[m].spans))
     return True
 
 
@@ -194,7 +194,7 @@ def fetch(links: Links, m: int) -> bool:
 def advance_slice(links: Links, substeps: NDArray[np.int64], dt: float, first: int, last: int) -> None:
     """Step the matches first, ..., last - 1, match m by dt [s] in substeps[m] substeps."""
     for m in range(first, last):
-        fetch(links, m + 1)
+        prefetch_step(links, m + 1)
         step_match(links, m, substeps[m], dt)
 
 

@@ -49,7 +49,7 @@ MOTOR_RATE = 104  # a number of eight bytes that only the functions of the class
 # Reading and writing at an address
 
 
-def _load(kind: Any) -> Any:
+def _make_loader(kind: Any) -> Any:
     def typed(typing_context: Any, address: Any) -> Any:
         def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             place = builder.inttoptr(arguments[0], context.get_value_type(kind).as_pointer())
@@ -60,7 +60,7 @@ def _load(kind: Any) -> Any:
     return intrinsic(typed)
 
 
-def _store(kind: Any) -> Any:
+def _make_storer(kind: Any) -> Any:
     def typed(typing_context: Any, address: Any, value: Any) -> Any:
         def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             place = builder.inttoptr(arguments[0], context.get_value_type(kind).as_pointer())
@@ -90,8 +90,8 @@ if config.DISABLE_JIT:
     store: Any = _python_store("double", float)
     store_count: Any = _python_store("int", int)
 else:
-    number_at, address_at, count_at = _load(types.float64), _load(types.uintp), _load(types.int32)
-    store, store_count = _store(types.float64), _store(types.int32)
+    number_at, address_at, count_at = _make_loader(types.float64), _make_loader(types.uintp), _make_loader(types.int32)
+    store, store_count = _make_storer(types.float64), _make_storer(types.int32)
 
 
 def record_reader(dtype: np.dtype) -> Any:

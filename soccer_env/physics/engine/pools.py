@@ -51,43 +51,44 @@ def layout_fits() -> bool:
     space.add(*bodies, *moving, *walls)
     space.step(1e-9)
     at = address_of(space)
-    arbiter = _at(address_of(bodies[0]) + BODY_ARBITERS)
+    arbiter = _struct_at(address_of(bodies[0]) + BODY_ARBITERS)
     return (
-        _at(at + SPACE_SHAPE_IDS) == len(moving) + len(walls)
-        and _items(_at(at + SPACE_BODIES)) == [address_of(body) for body in bodies]
-        and _leaves(_at(at + SPACE_DYNAMIC)) == {address_of(shape) for shape in moving}
-        and _leaves(_at(at + SPACE_STATIC)) == {address_of(shape) for shape in walls}
-        and [_at(_at(address_of(shape))) & 0xFF for shape in (*moving, *walls)] == [0, POLYGON, 1, POLYGON]
-        and _at(address_of(walls[1]) + POLYGON_COUNT) & 0xFF == len(box)
-        and _items(_at(at + SPACE_ARBITERS)) == [arbiter] == _set_items(_at(at + SPACE_CACHED))
-        and _items(_at(at + SPACE_CONSTRAINTS)) == []
-        and arbiter not in _items(_at(at + SPACE_POOLED))
+        _struct_at(at + SPACE_SHAPE_IDS) == len(moving) + len(walls)
+        and _array_items(_struct_at(at + SPACE_BODIES)) == [address_of(body) for body in bodies]
+        and _tree_leaves(_struct_at(at + SPACE_DYNAMIC)) == {address_of(shape) for shape in moving}
+        and _tree_leaves(_struct_at(at + SPACE_STATIC)) == {address_of(shape) for shape in walls}
+        and [_struct_at(_struct_at(address_of(shape))) & 0xFF for shape in (*moving, *walls)]
+        == [0, POLYGON, 1, POLYGON]
+        and _struct_at(address_of(walls[1]) + POLYGON_COUNT) & 0xFF == len(box)
+        and _array_items(_struct_at(at + SPACE_ARBITERS)) == [arbiter] == _set_items(_struct_at(at + SPACE_CACHED))
+        and _array_items(_struct_at(at + SPACE_CONSTRAINTS)) == []
+        and arbiter not in _array_items(_struct_at(at + SPACE_POOLED))
         and ffi.sizeof("cpArbiter") == ARBITER_SIZE
-        and _at(_at(at + SPACE_CONTACTS) + CONTACTS_NEXT) == _at(at + SPACE_CONTACTS)
+        and _struct_at(_struct_at(at + SPACE_CONTACTS) + CONTACTS_NEXT) == _struct_at(at + SPACE_CONTACTS)
     )
 
 
-def _at(address: int) -> int:
+def _struct_at(address: int) -> int:
     return int(ffi.cast("uintptr_t *", address)[0])
 
 
-def _count(address: int) -> int:
+def _item_count(address: int) -> int:
     return int(ffi.cast("int *", address)[0])
 
 
-def _items(array: int) -> list[int]:
-    return [_at(_at(array + ARRAY_ITEMS) + 8 * i) for i in range(_count(array))]
+def _array_items(array: int) -> list[int]:
+    return [_struct_at(_struct_at(array + ARRAY_ITEMS) + 8 * i) for i in range(_item_count(array))]
 
 
 def _set_items(hash_set: int) -> list[int]:
     items = []
-    for i in range(_count(hash_set + SET_ROOM)):
-        place = _at(_at(hash_set + SET_TABLE) + 8 * i)
+    for i in range(_item_count(hash_set + SET_ROOM)):
+        place = _struct_at(_struct_at(hash_set + SET_TABLE) + 8 * i)
         while place != 0:
-            items.append(_at(place))
-            place = _at(place + BIN_NEXT)
+            items.append(_struct_at(place))
+            place = _struct_at(place + BIN_NEXT)
     return items
 
 
-def _leaves(tree: int) -> set[int]:
-    return {_at(leaf) for leaf in _set_items(_at(tree + TREE_LEAVES))}
+def _tree_leaves(tree: int) -> set[int]:
+    return {_struct_at(leaf) for leaf in _set_items(_struct_at(tree + TREE_LEAVES))}

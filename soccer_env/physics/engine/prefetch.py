@@ -53,7 +53,7 @@ _fetch_line: Any = (lambda address: None) if config.DISABLE_JIT else intrinsic(_
 
 
 @compiled
-def fetch_spans(spans):
+def prefetch_spans(spans):
     """Fetch all spans of a match into the cache."""
     for i in range(spans.count):
         at = spans.span[i].at
@@ -62,7 +62,7 @@ def fetch_spans(spans):
 
 
 @compiled
-def fetch_row(array, m, size):
+def prefetch_row(array, m, size):
     """Fetch the first `size` bytes of row m of an array into the cache."""
     at = np.int64(array.ctypes.data) + m * array.strides[0]
     for byte in range(0, size, LINE):
@@ -70,49 +70,51 @@ def fetch_row(array, m, size):
 
 
 @compiled
-def pointer(at):
+def signed_pointer(at):
     """Return the pointer at an address as a signed number: numba adds unsigned and signed numbers as floats."""
     return np.int64(address_at(at))
 
 
 @compiled
-def note_step(spans, space):
+def count_space_step(spans, space):
     """Count a control step of a Space, and after step 1, 2, 4, 8, ... rebuild the list of its spans."""
     spans.steps += 1
     if spans.steps & (spans.steps - 1) == 0:
-        note_space(spans, space)
+        list_space_spans(spans, space)
 
 
 @compiled
-def note_space(spans, space):
+def list_space_spans(spans, space):
     """List the spans of memory that the steps of a Space touch."""
     spans.count = 0
-    add(spans, space, pools.SPACE_SIZE)
-    note_items(spans, pointer(space + pools.SPACE_BODIES), pools.BODY_SIZE)
-    note_solver(spans, pointer(space + pools.SPACE_CONSTRAINTS), count_at(pointer(space + pools.SPACE_BODIES)) - 1)
-    shapes = note_shapes(spans, pointer(space + pools.SPACE_DYNAMIC))
-    note_nodes(spans, pointer(space + pools.SPACE_DYNAMIC), shapes)
-    static = pointer(space + pools.SPACE_STATIC)
-    note_nodes(spans, static, count_at(pointer(static + pools.TREE_LEAVES)))
-    note_contacts(spans, pointer(space + pools.SPACE_CONTACTS))
-    note_items(spans, pointer(space + pools.SPACE_ARBITERS), pools.ARBITER_SIZE)
-    note_set(spans, pointer(space + pools.SPACE_CACHED), USUAL_ARBITERS)
-    note_pooled(spans, pointer(space + pools.SPACE_POOLED))
+    add_span(spans, space, pools.SPACE_SIZE)
+    add_item_spans(spans, signed_pointer(space + pools.SPACE_BODIES), pools.BODY_SIZE)
+    add_solver_spans(
+        spans, signed_pointer(space + pools.SPACE_CONSTRAINTS), count_at(signed_pointer(space + pools.SPACE_BODIES)) - 1
+    )
+    shapes = add_shape_spans(spans, signed_pointer(space + pools.SPACE_DYNAMIC))
+    add_node_spans(spans, signed_pointer(space + pools.SPACE_DYNAMIC), shapes)
+    static = signed_pointer(space + pools.SPACE_STATIC)
+    add_node_spans(spans, static, count_at(signed_pointer(static + pools.TREE_LEAVES)))
+    add_contact_spans(spans, signed_pointer(space + pools.SPACE_CONTACTS))
+    add_item_spans(spans, signed_pointer(space + pools.SPACE_ARBITERS), pools.ARBITER_SIZE)
+    add_hash_set_spans(spans, signed_pointer(space + pools.SPACE_CACHED), USUAL_ARBITERS)
+    add_free_arbiter_spans(spans, signed_pointer(space + pools.SPACE_POOLED))
 
 
 @compiled
-def note_solver(spans, constraints, robots):
+def add_solver_spans(spans, constraints, robots):
     """Add the constraint of our part of the solver, if there is one, and its SOLVER and STANCE records to the spans."""
-    note_items(spans, constraints, pools.CONSTRAINT_SIZE)
+    add_item_spans(spans, constraints, pools.CONSTRAINT_SIZE)
     if count_at(constraints) == 1:
-        constraint = pointer(pointer(constraints + pools.ARRAY_ITEMS))
-        solver = pointer(constraint + MOTOR_RATE)
-        add(spans, solver, SOLVER_SIZE)
-        add(spans, pointer(solver + SOLVER_STANCES), robots * STANCE_SIZE)
+        constraint = signed_pointer(signed_pointer(constraints + pools.ARRAY_ITEMS))
+        solver = signed_pointer(constraint + MOTOR_RATE)
+        add_span(spans, solver, SOLVER_SIZE)
+        add_span(spans, signed_pointer(solver + SOLVER_STANCES), robots * STANCE_SIZE)
 
 
 @compiled
-def add(spans, at, size):
+def add_span(spans, at, size):
     """Add `size` bytes at an address to the last span if they adjoin it, else as a new span."""
     if at == 0 or size <= 0:
         return
@@ -131,92 +133,96 @@ def add(spans, at, size):
 
 
 @compiled
-def note_items(spans, array, size):
+def add_item_spans(spans, array, size):
     """Add a cpArray of addresses, and `size` bytes at each address, to the spans."""
-    items, count = pointer(array + pools.ARRAY_ITEMS), count_at(array)
-    add(spans, array, pools.ARRAY_SIZE)
-    add(spans, items, max(8 * count, 8))
+    items, count = signed_pointer(array + pools.ARRAY_ITEMS), count_at(array)
+    add_span(spans, array, pools.ARRAY_SIZE)
+    add_span(spans, items, max(8 * count, 8))
     for i in range(count):
-        add(spans, pointer(items + 8 * i), size)
+        add_span(spans, signed_pointer(items + 8 * i), size)
 
 
 @compiled
-def note_shapes(spans, tree):
+def add_shape_spans(spans, tree):
     """Add the shapes of a tree, and the hash set of its leaves, to the spans; return the number of shapes."""
-    leaves = pointer(tree + pools.TREE_LEAVES)
-    table, count = pointer(leaves + pools.SET_TABLE), 0
+    leaves = signed_pointer(tree + pools.TREE_LEAVES)
+    table, count = signed_pointer(leaves + pools.SET_TABLE), 0
     for i in range(count_at(leaves + pools.SET_ROOM)):
-        place = pointer(table + 8 * i)
+        place = signed_pointer(table + 8 * i)
         while place != 0:
-            shape = pointer(pointer(place))
-            kind = count_at(pointer(shape))
-            add(spans, shape, pools.SHAPE_SIZES[kind])
+            shape = signed_pointer(signed_pointer(place))
+            kind = count_at(signed_pointer(shape))
+            add_span(spans, shape, pools.SHAPE_SIZES[kind])
             if kind == pools.POLYGON:
-                add(
+                add_span(
                     spans,
-                    pointer(shape + pools.POLYGON_PLANES),
+                    signed_pointer(shape + pools.POLYGON_PLANES),
                     2 * pools.PLANE_SIZE * count_at(shape + pools.POLYGON_COUNT),
                 )
             count += 1
-            place = pointer(place + pools.BIN_NEXT)
-    note_set(spans, leaves, count)
+            place = signed_pointer(place + pools.BIN_NEXT)
+    add_hash_set_spans(spans, leaves, count)
     return count
 
 
 @compiled
-def note_nodes(spans, tree, leaves):
+def add_node_spans(spans, tree, leaves):
     """Add a tree with its nodes (its first pool) and its pairs of neighbours (the other pools) to the spans."""
-    add(spans, tree, pools.TREE_SIZE)
-    buffers = pointer(tree + pools.TREE_BUFFERS)
+    add_span(spans, tree, pools.TREE_SIZE)
+    buffers = signed_pointer(tree + pools.TREE_BUFFERS)
     for i in range(count_at(buffers)):
         used = 2 * leaves if i == 0 else leaves
-        note_pool(spans, pointer(pointer(buffers + pools.ARRAY_ITEMS) + 8 * i), used * pools.NODE_SIZE)
+        add_pool_spans(
+            spans, signed_pointer(signed_pointer(buffers + pools.ARRAY_ITEMS) + 8 * i), used * pools.NODE_SIZE
+        )
 
 
 @compiled
-def note_set(spans, hash_set, items):
+def add_hash_set_spans(spans, hash_set, items):
     """Add the memory of a hash set, and of the bins of `items` items, to the spans that are prefetched."""
-    add(spans, hash_set, pools.SET_SIZE)
-    add(spans, pointer(hash_set + pools.SET_TABLE), 8 * count_at(hash_set + pools.SET_ROOM))
-    buffers = pointer(hash_set + pools.SET_BUFFERS)
+    add_span(spans, hash_set, pools.SET_SIZE)
+    add_span(spans, signed_pointer(hash_set + pools.SET_TABLE), 8 * count_at(hash_set + pools.SET_ROOM))
+    buffers = signed_pointer(hash_set + pools.SET_BUFFERS)
     for i in range(count_at(buffers)):
-        note_pool(spans, pointer(pointer(buffers + pools.ARRAY_ITEMS) + 8 * i), items * pools.BIN_SIZE)
+        add_pool_spans(
+            spans, signed_pointer(signed_pointer(buffers + pools.ARRAY_ITEMS) + 8 * i), items * pools.BIN_SIZE
+        )
 
 
 @compiled
-def note_pool(spans, buffer, used):
+def add_pool_spans(spans, buffer, used):
     """Add the head of a pool's buffer, and the last `used` bytes of the buffer, to the spans."""
-    add(spans, buffer, LINE)
-    add(spans, buffer + pools.BUFFER_SIZE - used, used)
+    add_span(spans, buffer, LINE)
+    add_span(spans, buffer + pools.BUFFER_SIZE - used, used)
 
 
 @compiled
-def note_contacts(spans, newest):
+def add_contact_spans(spans, newest):
     """Add the heads of the buffers of contacts, which Chipmunk uses in turn, to the spans."""
     place = newest
     while place != 0:
-        add(spans, place, pools.CONTACTS_SIZE)
-        place = pointer(place + pools.CONTACTS_NEXT)
+        add_span(spans, place, pools.CONTACTS_SIZE)
+        place = signed_pointer(place + pools.CONTACTS_NEXT)
         if place == newest:
             break
 
 
 @compiled
-def note_pooled(spans, array):
+def add_free_arbiter_spans(spans, array):
     """Add the free arbiters that Chipmunk takes next, and the top of the stack of their addresses, to the spans.
     The lowest address on the stack is that of the arbiters' buffer.
     """
-    items, count = pointer(array + pools.ARRAY_ITEMS), count_at(array)
-    add(spans, array, pools.ARRAY_SIZE)
+    items, count = signed_pointer(array + pools.ARRAY_ITEMS), count_at(array)
+    add_span(spans, array, pools.ARRAY_SIZE)
     if count > USUAL_ARBITERS:
-        add(spans, items + 8 * (count - USUAL_ARBITERS), 8 * USUAL_ARBITERS)
+        add_span(spans, items + 8 * (count - USUAL_ARBITERS), 8 * USUAL_ARBITERS)
         used = USUAL_ARBITERS * pools.ARBITER_SIZE
-        add(spans, pointer(items) + pools.BUFFER_SIZE - used, used)
+        add_span(spans, signed_pointer(items) + pools.BUFFER_SIZE - used, used)
 
 
 # For the class that owns the Spaces
 
 
-def is_useful(matches: int) -> bool:
+def is_prefetch_useful(matches: int) -> bool:
     """Tell whether a batch of `matches` matches gains from prefetching, and this pymunk has the expected structs."""
     return matches >= FEWEST_MATCHES and pools.layout_fits()

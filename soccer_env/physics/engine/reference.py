@@ -43,7 +43,7 @@ def write_slice(links, first, last):
 
 
 @compiled
-def bare_slice(links, substeps, dt, first, last):
+def step_bare_slice(links, substeps, dt, first, last):
     """Call cpSpaceStep for a slice of matches, and nothing else."""
     for m in range(first, last):
         advance(links, m, substeps[m], dt)

@@ -46,7 +46,7 @@ WALLS, ROUNDS, SHAPES = 0, 1, 2  # columns of a seat: how many static shapes, ro
 
 
 @compiled
-def reseat(links, seats, shapes, functions, bodies, velocities, rows):
+def reset_spaces(links, seats, shapes, functions, bodies, velocities, rows):
     """Reset the Spaces of the matches in `rows`, with ball and robots placed by `bodies`."""
     for m in rows:
         take_out, put_in = functions[0], functions[1]
@@ -81,7 +81,7 @@ def place_bodies(links, bodies, velocities, m):
 
 
 @compiled
-def forget(memory, first, address, rows):
+def reset_solver_records(memory, first, address, rows):
     """Reset the solver's records of the matches in `rows`, as words (M, n), to the initial values, except addresses."""
     for m in rows:
         for i in range(len(first)):
@@ -89,7 +89,7 @@ def forget(memory, first, address, rows):
                 memory[m, i] = first[i]
 
 
-class Memory:
+class SolverMemory:
     """The solver's records of M matches, and their initial values, equal in all matches except for addresses."""
 
     def __init__(self, records: NDArray[Any]) -> None:
@@ -107,10 +107,10 @@ class Memory:
 
     def put_back(self, rows: NDArray[np.int64]) -> None:
         """Reset the records of the matches in `rows` to their initial values."""
-        forget(self.words, self.first, self.address, rows)
+        reset_solver_records(self.words, self.first, self.address, rows)
 
 
-class Seats:
+class SpaceResetter:
     """The data that resets the Spaces of M matches: the addresses of their shapes, and the solver's initial values."""
 
     def __init__(self, matches: int, solvers: NDArray[Any], stances: NDArray[Any]) -> None:
@@ -118,7 +118,7 @@ class Seats:
         self.seats = np.zeros((matches, 3), np.int64)
         self.shapes = np.zeros((matches, 0), np.uint64)  # addresses, in the order of adding
         self.functions = shape_functions()
-        self._memories = Memory(solvers), Memory(stances)
+        self._memories = SolverMemory(solvers), SolverMemory(stances)
 
     def remember(self, m: int, space: pymunk.Space) -> None:
         """Store the data that resets match m's Space, which was never stepped and has our part of the solver."""
@@ -136,4 +136,4 @@ class Seats:
         """Reset the Spaces of the matches in `rows`, with ball and robots placed by `bodies`."""
         for memory in self._memories:
             memory.put_back(rows)
-        reseat(links, self.seats, self.shapes, self.functions, bodies, velocities, rows)
+        reset_spaces(links, self.seats, self.shapes, self.functions, bodies, velocities, rows)

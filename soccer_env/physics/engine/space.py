@@ -14,7 +14,16 @@ import pymunk
 
 from soccer_env.leagues.league import League, Pitch
 from soccer_env.leagues.robot import Body
-from soccer_env.physics.engine.surfaces import BALL, BALL_WALL, BODY, BODY_WALL, Surface, Surfaces, finish, surfaces_of
+from soccer_env.physics.engine.surfaces import (
+    BALL,
+    BALL_WALL,
+    BODY,
+    BODY_WALL,
+    Surface,
+    Surfaces,
+    finish_shape,
+    surfaces_of,
+)
 from soccer_env.physics.solver.records import OVERLAP_LEFT
 
 BOARD = 0.5  # [m] thickness of boards, so that nothing passes through one within a substep
@@ -31,10 +40,10 @@ def build_space(league: League, ball: Any, robots: Any) -> pymunk.Space:
     space.collision_slop = league.substeps.slop
     space.collision_bias = OVERLAP_LEFT
     surfaces = surfaces_of(league.materials)
-    space.add(*surroundings(space.static_body, league, surfaces))
+    space.add(*static_shapes(space.static_body, league, surfaces))
     ball_body = pymunk.Body(league.ball.mass, league.ball.shell * league.ball.mass * league.ball.radius**2)
     ball_body.position, ball_body.angle = (float(ball["x"]), float(ball["y"])), float(ball["angle"])
-    space.add(ball_body, finish(pymunk.Circle(ball_body, league.ball.radius), surfaces.ball, BALL))
+    space.add(ball_body, finish_shape(pymunk.Circle(ball_body, league.ball.radius), surfaces.ball, BALL))
     ball_body.velocity = float(ball["vx"]), float(ball["vy"])
     ball_body.angular_velocity = float(ball["spin"])
     for robot in robots:
@@ -59,12 +68,12 @@ def robot_shapes(body: pymunk.Body, league: League, surface: Surface) -> list[py
     """Return the shapes of a robot: its disc or capsule, or its hull with its posts."""
     outline = league.body
     shapes = [trunk(body, outline)]
-    if not loose_posts(outline):
+    if not posts_outside_space(outline):
         shapes += [pymunk.Circle(body, outline.tip_radius, place) for place in outline.posts]
-    return [finish(shape, surface, BODY) for shape in shapes]
+    return [finish_shape(shape, surface, BODY) for shape in shapes]
 
 
-def loose_posts(outline: Body) -> tuple[tuple[float, float], ...]:
+def posts_outside_space(outline: Body) -> tuple[tuple[float, float], ...]:
     """Return the posts [m] of a body that are not shapes in the Space: all posts, or none if the body is a hull."""
     return () if outline.corners else outline.posts
 
@@ -79,11 +88,15 @@ def trunk(body: pymunk.Body, outline: Body) -> pymunk.Shape:
     return pymunk.Circle(body, outline.disc_radius, (outline.disc_x, 0.0))
 
 
-def surroundings(static: pymunk.Body, league: League, surfaces: Surfaces) -> list[pymunk.Shape]:
+def static_shapes(static: pymunk.Body, league: League, surfaces: Surfaces) -> list[pymunk.Shape]:
     """Return the shapes of boards, posts and nets: first the copies for the ball, then the copies for robots."""
     kinds = ((surfaces.board, boards), (surfaces.post, goal_posts), (surfaces.net, nets))
-    of_ball = [finish(shape, surface, BALL_WALL) for surface, make in kinds for shape in make(static, league.pitch)]
-    of_robots = [finish(shape, surfaces.edge, BODY_WALL) for _, make in kinds for shape in make(static, league.pitch)]
+    of_ball = [
+        finish_shape(shape, surface, BALL_WALL) for surface, make in kinds for shape in make(static, league.pitch)
+    ]
+    of_robots = [
+        finish_shape(shape, surfaces.edge, BODY_WALL) for _, make in kinds for shape in make(static, league.pitch)
+    ]
     return of_ball + of_robots
 
 
@@ -93,13 +106,13 @@ def boards(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
     near = pitch.length / 2 if pitch.walled else pitch.length / 2 + max(pitch.band_end, pitch.goal_depth)
     far = near + BOARD + (pitch.goal_depth if pitch.walled else 0.0)
     shapes = [
-        box(static, end * near, end * far, side * pitch.goal_width / 2, side * (half_width + BOARD))
+        static_box(static, end * near, end * far, side * pitch.goal_width / 2, side * (half_width + BOARD))
         for end in (1, -1)
         for side in (1, -1)
     ]
     for side in (1, -1):
         face, back = side * half_width, side * (half_width + BOARD)
-        shapes.append(box(static, -half_length - BOARD, half_length + BOARD, face, back))
+        shapes.append(static_box(static, -half_length - BOARD, half_length + BOARD, face, back))
     return shapes
 
 
@@ -119,10 +132,10 @@ def goal_posts(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
 def nets(static: pymunk.Body, pitch: Pitch) -> list[pymunk.Shape]:
     """Return the shapes of the backs of the goals."""
     near, half = pitch.length / 2 + pitch.goal_depth, pitch.goal_width / 2
-    return [box(static, end * near, end * (near + BOARD), -half, half) for end in (1, -1)]
+    return [static_box(static, end * near, end * (near + BOARD), -half, half) for end in (1, -1)]
 
 
-def box(static: pymunk.Body, x1: float, x2: float, y1: float, y2: float) -> pymunk.Shape:
+def static_box(static: pymunk.Body, x1: float, x2: float, y1: float, y2: float) -> pymunk.Shape:
     """Return a static rectangle between two values of x and of y [m]."""
     left, right, low, high = min(x1, x2), max(x1, x2), min(y1, y2), max(y1, y2)
     return pymunk.Poly(static, [(left, low), (right, low), (right, high), (left, high)])

@@ -23,12 +23,12 @@ from numpy.typing import ArrayLike, NDArray
 from pymunk import batch as pymunk_batch
 from pymunk.batch import BodyFields
 
-from soccer_env.guards.interrupts import HeldBack
+from soccer_env.guards.interrupts import SignalsHeld
 from soccer_env.leagues.league import League
 from soccer_env.physics.engine import chipmunk, prefetch
 from soccer_env.physics.engine.memory import address_of
 from soccer_env.physics.engine.pools import layout_fits
-from soccer_env.physics.engine.reseat import Seats
+from soccer_env.physics.engine.reseat import SpaceResetter
 from soccer_env.physics.solver import rounds
 from soccer_env.physics.solver.records import LAST_CONTACT, POST_CONTACT, POST_CONTACTS, SOLVER, STANCE
 
@@ -63,10 +63,10 @@ class SpaceBatch:
         self.solvers = np.zeros(matches, SOLVER)
         room = matches, POST_CONTACTS * bodies
         self._room = np.zeros((matches, bodies - 1), STANCE), np.zeros(room, POST_CONTACT), np.zeros(room, LAST_CONTACT)
-        self.spans = np.zeros(matches if prefetch.is_useful(matches) else 0, prefetch.SPANS)
+        self.spans = np.zeros(matches if prefetch.is_prefetch_useful(matches) else 0, prefetch.SPANS)
         self.links = chipmunk.make_links(self.bodies, self.velocities) if self.backend == "c" else None
         reusable = self.links is not None and layout_fits()
-        self.seats = Seats(matches, self.solvers, self._room[0]) if reusable else None
+        self.seats = SpaceResetter(matches, self.solvers, self._room[0]) if reusable else None
         self._read_buffer, self._write_buffer = pymunk_batch.Buffer(), pymunk_batch.Buffer()
         self._lock = threading.Lock()  # around the buffers
 
@@ -76,21 +76,21 @@ class SpaceBatch:
     def __del__(self) -> None:
         if sys is None or sys.is_finalizing():  # pymunk itself may be gone
             return
-        with HeldBack(later=True):
+        with SignalsHeld(later=True):
             self.__dict__.pop("spaces", None)
             for kept in self.__dict__.get("_kept", ()):
                 while kept:
-                    drop(kept)
+                    free_first_space(kept)
 
     def set_space(self, m: int, space: pymunk.Space) -> None:
         """Set the Space of match m, and read its bodies; the batch keeps the Space alive until it is replaced."""
         _check_space(space, self.size)
-        with HeldBack():
+        with SignalsHeld():
             self._kept[m].append(space)  # first, so that a Space in `links` is alive whatever raises below
             self._link(m, space)
             self.spaces[m] = space
             while len(self._kept[m]) > 1:
-                drop(self._kept[m])
+                free_first_space(self._kept[m])
         self.bodies[m] = self.velocities[m] = 0.0
         self.read_bodies(m)
 
@@ -107,12 +107,12 @@ class SpaceBatch:
         if self.seats is not None:
             self.seats.known[m] = False
 
-    def take_part(self, m: int, league: League, constants: NDArray[Any]) -> None:
+    def attach_solver(self, m: int, league: League, constants: NDArray[Any]) -> None:
         """Attach our part of the solver to match m's Space; the caller keeps the league's constants (1,) in place."""
         if self.links is not None:
             self.links["solver"][m] = self.solvers[m : m + 1].ctypes.data
-        room = rounds.Room(*(array[m] for array in self._room))
-        rounds.attach(self._space(m), self.solvers[m : m + 1], room, league, constants)
+        room = rounds.SolverArrays(*(array[m] for array in self._room))
+        rounds.attach_solver(self._space(m), self.solvers[m : m + 1], room, league, constants)
         if self.seats is not None:
             self.seats.remember(m, self._space(m))
 
@@ -151,7 +151,7 @@ class SpaceBatch:
             self.write_velocities(m)
             if counts[m] > 0:
                 chipmunk.keep_impulses(self._space(m), dt / int(counts[m]))
-                rounds.lead_off(self.solvers[m], dt)
+                rounds.drive_free_robots(self.solvers[m], dt)
             for _ in range(counts[m]):
                 self._space(m).step(dt / int(counts[m]))
             self.read_bodies(m)
@@ -207,7 +207,7 @@ def _check_space(space: pymunk.Space, bodies: int) -> None:
         raise ValueError("the Space must neither let bodies sleep nor be threaded")
 
 
-def drop(spaces: list[pymunk.Space]) -> None:
+def free_first_space(spaces: list[pymunk.Space]) -> None:
     """Remove the first Space from a list; free it at once with its parts, unless it is referenced elsewhere.
 
     Each of pymunk's bodies, shapes and constraints holds a handle of itself: a reference cycle that only Python's
@@ -233,11 +233,11 @@ def default_backend() -> Backend:
         warnings.warn(f"pymunk {pymunk.version} is not the one known; physics is slower", RuntimeWarning, stacklevel=3)
         return "batch"
     known = sys.platform == "linux" and platform.machine() == "x86_64"
-    with HeldBack():
-        return "c" if known or _collision("c") == _collision("batch") else "batch"
+    with SignalsHeld():
+        return "c" if known or _simulate_collision("c") == _simulate_collision("batch") else "batch"
 
 
-def _collision(backend: Backend) -> bytes:
+def _simulate_collision(backend: Backend) -> bytes:
     """Simulate a short collision and return the bodies at its end."""
     space = pymunk.Space()
     space.add(pymunk.Segment(space.static_body, (1.0, -1.0), (1.0, 1.0), 0.05))

@@ -54,19 +54,19 @@ class Surfaces(NamedTuple):
 def surfaces_of(materials: Materials) -> Surfaces:
     """Return factors whose products are the pairs of a league's materials."""
     pairs = {name: Surface(pair.elasticity, pair.friction) for name, pair in materials.pairs().items()}
-    square = at_least(materials.robot_robot)
+    square = bounded_numbers(materials.robot_robot)
     robot = Surface(sqrt(square.elasticity), sqrt(square.friction))
-    ball = at_least(materials.ball_robot).over(robot)
+    ball = bounded_numbers(materials.ball_robot).over(robot)
     board, post, net = (pairs[f"ball_{what}"].over(ball) for what in ("board", "post", "net"))
     return Surfaces(robot, ball, board, post, net, pairs["robot_board"].over(robot))
 
 
-def at_least(pair: Pair) -> Surface:
+def bounded_numbers(pair: Pair) -> Surface:
     """Return the numbers of a pair, each at least LEAST, so that other numbers can be divided by them."""
     return Surface(max(pair.elasticity, LEAST), max(pair.friction, LEAST))
 
 
-def finish(shape: pymunk.Shape, surface: Surface, category: int) -> pymunk.Shape:
+def finish_shape(shape: pymunk.Shape, surface: Surface, category: int) -> pymunk.Shape:
     """Set a shape's surface, its category and the categories that it collides with; return the shape."""
     shape.elasticity, shape.friction = surface
     shape.filter = pymunk.ShapeFilter(categories=category, mask=MEETS[category])

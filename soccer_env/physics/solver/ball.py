@@ -50,7 +50,7 @@ from soccer_env.physics.solver.records import MOST_CONTACTS
 
 
 @compiled
-def look_at_ball(solver):
+def list_ball_contacts(solver):
     """List the contacts of the ball, and set the level share of the friction in each."""
     solver.ball_contact_count = 0
     arbiter = address_at(solver.ball + BODY_ARBITERS)
@@ -66,7 +66,7 @@ def look_at_ball(solver):
 
 
 @compiled
-def touches_of_ball(solver):
+def count_ball_contacts(solver):
     """Return the number of things that the ball touches in this substep."""
     count = solver.ball_contact_count
     for i in range(solver.contact_count):
@@ -77,15 +77,15 @@ def touches_of_ball(solver):
 @compiled
 def share_friction(solver, contact, arbiter, first):
     """Reduce the friction of a contact in Chipmunk to its level share."""
-    level = slip_across(arbiter)
-    upright = roll_along(solver, arbiter, first)
+    level = level_slip(arbiter)
+    upright = roll_speed_at_contact(solver, arbiter, first)
     slip = length(level, upright)
     if slip > 0.0:
         store(arbiter + ARBITER_FRICTION, contact.friction * abs(level) / slip)
 
 
 @compiled
-def slip_across(arbiter):
+def level_slip(arbiter):
     """Return the velocity [m/s] of B's surface over A's, level and across the normal, where they touch."""
     a, b = address_at(arbiter + ARBITER_BODY_A), address_at(arbiter + ARBITER_BODY_B)
     point = address_at(arbiter + ARBITER_CONTACTS)
@@ -96,7 +96,7 @@ def slip_across(arbiter):
 
 
 @compiled
-def roll_along(solver, arbiter, first):
+def roll_speed_at_contact(solver, arbiter, first):
     """Return the speed [m/s] at which the ball's surface moves down where it touches: its roll along the normal."""
     nx, ny = number_at(arbiter + ARBITER_NORMAL), number_at(arbiter + ARBITER_NORMAL + 8)
     along = solver.roll_x * nx + solver.roll_y * ny
@@ -104,7 +104,7 @@ def roll_along(solver, arbiter, first):
 
 
 @compiled
-def take_roll(solver):
+def slow_roll_by_contacts(solver):
     """Slow the ball's roll by the friction of all its contacts in this substep, each along its normal."""
     for i in range(solver.ball_contact_count):
         contact = solver.ball_contacts[i]

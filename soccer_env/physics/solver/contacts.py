@@ -51,7 +51,7 @@ def keep_impulses(solver):
 
 
 @compiled
-def forget(contact):
+def clear_impulses(contact):
     """Set the impulses of a contact of robots that hold each other to zero, so that the rounds only take energy out.
 
     Impulses of the last substep would add energy, since held robots turn and nearly equal contacts converge slowly.
@@ -60,7 +60,7 @@ def forget(contact):
 
 
 @compiled
-def normal(x, y, gap):
+def unit_normal(x, y, gap):
     """Return the unit vector along (x, y), a vector of length `gap` [m]; (1, 0) at length 0."""
     return (x / gap, y / gap) if gap > 0.0 else (1.0, 0.0)
 
@@ -92,22 +92,22 @@ def add_contact(solver, key, a, b):
 
 
 @compiled
-def aim(solver, contact, nx, ny, x, y, gap, elasticity, friction):
+def set_contact_targets(solver, contact, nx, ny, x, y, gap, elasticity, friction):
     """Set a contact's geometry at x, y [m] and its targets: velocity after the blow, speed that undoes the overlap."""
     a, b = contact.a, contact.b
     contact.nx, contact.ny, contact.friction = nx, ny, friction
     contact.ax, contact.ay = x - number_at(a + BODY_X), y - number_at(a + BODY_Y)
     contact.bx, contact.by = x - number_at(b + BODY_X), y - number_at(b + BODY_Y)
-    contact.mass_along = 1.0 / softness(contact, nx, ny)
-    contact.mass_across = 1.0 / softness(contact, -ny, nx)
-    contact.skew = skew(contact, nx, ny)
-    vx, vy = slip_of(contact)
+    contact.mass_along = 1.0 / inverse_effective_mass(contact, nx, ny)
+    contact.mass_across = 1.0 / inverse_effective_mass(contact, -ny, nx)
+    contact.skew = cross_inverse_mass(contact, nx, ny)
+    vx, vy = contact_slip(contact)
     contact.target = -elasticity * (vx * nx + vy * ny)
     contact.repair = -solver.repair * min(0.0, gap + solver.slop)
 
 
 @compiled
-def softness(contact, x, y):
+def inverse_effective_mass(contact, x, y):
     """Return the change of the relative velocity along a direction per unit of impulse in that direction [1/kg]."""
     a, b = contact.a, contact.b
     turn_a, turn_b = contact.ax * y - contact.ay * x, contact.bx * y - contact.by * x
@@ -120,7 +120,7 @@ def softness(contact, x, y):
 
 
 @compiled
-def skew(contact, nx, ny):
+def cross_inverse_mass(contact, nx, ny):
     """Return the change of the relative velocity across a normal per unit of impulse along the normal [1/kg]."""
     along_a, across_a = contact.ax * ny - contact.ay * nx, contact.ax * nx + contact.ay * ny
     along_b, across_b = contact.bx * ny - contact.by * nx, contact.bx * nx + contact.by * ny
@@ -129,7 +129,7 @@ def skew(contact, nx, ny):
 
 
 @compiled
-def slip_of(contact):
+def contact_slip(contact):
     """Return the velocity [m/s] of B's surface over A's where they touch."""
     a, b = contact.a, contact.b
     turn_a, turn_b = number_at(a + BODY_OMEGA), number_at(b + BODY_OMEGA)
@@ -141,7 +141,7 @@ def slip_of(contact):
 @compiled
 def share_with_roll(solver, contact):
     """Set the level share of the friction of a contact with the ball, see `solver/ball.py`."""
-    vx, vy = slip_of(contact)
+    vx, vy = contact_slip(contact)
     level = vy * contact.nx - vx * contact.ny
     slip = length(level, solver.roll_x * contact.nx + solver.roll_y * contact.ny)
     contact.level = abs(level) / slip if slip > 0.0 else 1.0
@@ -154,7 +154,7 @@ def resume_posts(solver, share):
         contact = contact_at(solver.contacts + i * CONTACT_BYTES)
         contact.push *= share
         contact.rub *= share
-        give(contact, contact.push, contact.rub)
+        apply_impulses(contact, contact.push, contact.rub)
 
 
 @compiled
@@ -163,21 +163,21 @@ def solve_posts(solver):
     for i in range(solver.contact_count):
         contact = contact_at(solver.contacts + i * CONTACT_BYTES)
         part(contact)
-        vx, vy = slip_of(contact)
+        vx, vy = contact_slip(contact)
         along, across = vx * contact.nx + vy * contact.ny, vy * contact.nx - vx * contact.ny
         if contact.held == 1:
-            push, rub = hold(contact, along, across)
+            push, rub = held_leg_impulses(contact, along, across)
         else:
             push = max(contact.push + (contact.target - along) * contact.mass_along, 0.0)
             most = contact.friction * contact.level * push
             rub = clip(contact.rub - across * contact.mass_across, -most, most)
-        give(contact, push - contact.push, rub - contact.rub)
+        apply_impulses(contact, push - contact.push, rub - contact.rub)
         contact.push = push
         contact.rub = rub
 
 
 @compiled
-def hold(contact, along, across):
+def held_leg_impulses(contact, along, across):
     """Return the impulses along and across the normal that let a held leg only move straight out of its gap.
 
     Both are solved at once, since each changes the other: in turn they would not agree within the rounds of a substep.
@@ -191,7 +191,7 @@ def hold(contact, along, across):
 
 
 @compiled
-def give(contact, push, rub):
+def apply_impulses(contact, push, rub):
     """Apply the impulses [N s] of a contact, along the normal and across it, to its two bodies."""
     x, y = push * contact.nx - rub * contact.ny, push * contact.ny + rub * contact.nx
     a, b = contact.a, contact.b

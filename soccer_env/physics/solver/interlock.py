@@ -15,7 +15,7 @@ from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of
 from soccer_env.physics.block import is_blocking
 from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
-from soccer_env.physics.solver.contacts import add_contact, aim, contact_key, forget, stance_of
+from soccer_env.physics.solver.contacts import add_contact, clear_impulses, contact_key, set_contact_targets, stance_of
 from soccer_env.physics.solver.posts import place_posts
 
 GAPS = 4  # between two neighbouring legs: the fore ones, the hind ones, the left, the right
@@ -45,14 +45,14 @@ def catch_legs(robots, r, k, handedness):
             x, y = stance(k, leg, handedness)
             x, y = point_of_frame(away_x, away_y, x, y, cosine, sine)
             ahead, left = into_frame(x, y, its_cosine, its_sine)
-            gap = gap_at(k, ahead, left, handedness)
+            gap = leg_gap_at(k, ahead, left, handedness)
             if gap >= 0:
                 robot.caught_by, robot.caught_leg, robot.caught_gap = other + 1, leg, gap
                 return
 
 
 @compiled
-def gap_at(k, ahead, left, handedness):
+def leg_gap_at(k, ahead, left, handedness):
     """Return the index of the gap between a robot's legs in which a point [m], robot frame, lies; -1: in none."""
     for gap in range(GAPS):
         if gap_distance(k, gap, ahead, left, handedness) < k.body_tip_radius:
@@ -72,7 +72,7 @@ def gap_distance(k, gap, ahead, left, handedness):
 
 
 @compiled
-def way_out(gap, handedness):
+def way_out_of_gap(gap, handedness):
     """Return the unit vector out of a gap between two legs, in the frame of the legs' robot."""
     if gap < 2:
         return (1.0, 0.0) if gap == 0 else (-1.0, 0.0)
@@ -85,14 +85,14 @@ def hold_caught(solver, k):
     solver.holds = 0
     for r in range(solver.robots):
         other = stance_of(solver, r).caught_by - 1
-        if other >= 0 and is_held(solver, k, r):
-            mutual = stance_of(solver, other).caught_by - 1 == r and is_held(solver, k, other)
+        if other >= 0 and is_leg_held(solver, k, r):
+            mutual = stance_of(solver, other).caught_by - 1 == r and is_leg_held(solver, k, other)
             if not mutual or r < other:
                 hold_leg(solver, k, r, other, mutual)
 
 
 @compiled
-def is_held(solver, k, r):
+def is_leg_held(solver, k, r):
     """Tell whether the caught leg of a robot is still within a leg's width of the gap in which it was caught."""
     robot = stance_of(solver, r)
     body = stance_of(solver, robot.caught_by - 1).body
@@ -114,25 +114,25 @@ def hold_leg(solver, k, r, other, mutual):
     solver.holds += 1
     robot.meets = 1
     holder.meets = 1
-    x, y, nx, ny = hold_at(solver, r)
+    x, y, nx, ny = held_leg_place(solver, r)
     if mutual:
-        its_x, its_y, its_nx, its_ny = hold_at(solver, other)
+        its_x, its_y, its_nx, its_ny = held_leg_place(solver, other)
         x, y = 0.5 * (x + its_x), 0.5 * (y + its_y)
         size = length(nx - its_nx, ny - its_ny)
         if size > 1e-6:
             nx, ny = (nx - its_nx) / size, (ny - its_ny) / size
     contact = add_contact(solver, contact_key(r, robot.caught_leg, other, HOLD), robot.body, holder.body)
     contact.held = 1
-    forget(contact)
-    aim(solver, contact, nx, ny, x, y, 0.0, 0.0, 0.0)
+    clear_impulses(contact)
+    set_contact_targets(solver, contact, nx, ny, x, y, 0.0, 0.0, 0.0)
 
 
 @compiled
-def hold_at(solver, r):
+def held_leg_place(solver, r):
     """Return the position of robot r's caught leg [m, m] and the unit vector into the gap, field frame."""
     robot = stance_of(solver, r)
     body = stance_of(solver, robot.caught_by - 1).body
-    out_x, out_y = way_out(robot.caught_gap, solver.handedness)
+    out_x, out_y = way_out_of_gap(robot.caught_gap, solver.handedness)
     nx, ny = out_of_frame(-out_x, -out_y, number_at(body + BODY_COS), number_at(body + BODY_SIN))
     leg = robot.posts[robot.caught_leg]
     return leg.field_x, leg.field_y, nx, ny

@@ -15,18 +15,18 @@ from math import exp, log
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
-from soccer_env.physics.block import leg_back, most_reach, paw_out, share_along
+from soccer_env.physics.block import leg_vector, most_reach, nearest_leg_fraction, paw_shift
 from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import TIPS
 from soccer_env.physics.solver.contacts import (
     add_contact,
-    aim,
+    clear_impulses,
     contact_key,
-    forget,
     keep_impulses,
-    normal,
+    set_contact_targets,
     share_with_roll,
     stance_of,
+    unit_normal,
 )
 from soccer_env.physics.solver.records import OVERLAP_LEFT
 
@@ -52,8 +52,8 @@ def find_post_contacts(solver, k, dt):
             away = stance_of(solver, other).body
             away_x, away_y = number_at(away + BODY_X) - x, number_at(away + BODY_Y) - y
             if away_x * away_x + away_y * away_y < near * near:
-                meet_robot(solver, k, r, other)
-    meet_ball(solver, k)
+                add_robot_contacts(solver, k, r, other)
+    add_ball_contacts(solver, k)
 
 
 @compiled
@@ -68,17 +68,17 @@ def place_posts(solver, k, stance):
     body = stance.body
     x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
-    spread = spread_now(solver, stance)
+    spread = foreleg_spread_now(solver, stance)
     for i in range(solver.posts):
         post = stance.posts[i]
         ahead, left = post.stand_x, solver.handedness * post.stand_y
         if k.legs == 0:
             post.x, post.y = ahead, left
         if spread > 0.0 and i < TIPS:
-            out_x, out_y = paw_out(k, i, spread, solver.handedness)
+            out_x, out_y = paw_shift(k, i, spread, solver.handedness)
             ahead += out_x
             left += out_y
-            leg_x, leg_y = leg_back(k, i, spread, solver.handedness)
+            leg_x, leg_y = leg_vector(k, i, spread, solver.handedness)
             post.root_x, post.root_y = point_of_frame(x, y, ahead + leg_x, left + leg_y, cosine, sine)
         post.field_x, post.field_y = point_of_frame(x, y, ahead, left, cosine, sine)
         if spread <= 0.0 or i >= TIPS:
@@ -86,18 +86,21 @@ def place_posts(solver, k, stance):
 
 
 @compiled
-def spread_now(solver, stance):
+def foreleg_spread_now(solver, stance):
     """Return how far a robot's forelegs are spread for a block in this substep: 0 not at all, 1 all the way."""
     return stance.spread + solver.time * stance.spread_rate
 
 
 @compiled
-def meet_robot(solver, k, r, other):
-    """List the contacts of two robots near each other: posts with posts, and posts with the other robot's trunk."""
+def add_robot_contacts(solver, k, r, other):
+    """List the contacts of two near robots: posts (legs, corners) with posts, and with the other robot's trunk."""
     place_posts(solver, k, stance_of(solver, r))
     place_posts(solver, k, stance_of(solver, other))
-    if spread_now(solver, stance_of(solver, r)) > 0.0 or spread_now(solver, stance_of(solver, other)) > 0.0:
-        meet_spread_legs(solver, k, r, other)
+    if (
+        foreleg_spread_now(solver, stance_of(solver, r)) > 0.0
+        or foreleg_spread_now(solver, stance_of(solver, other)) > 0.0
+    ):
+        add_spread_leg_contacts(solver, k, r, other)
         return
     both = 2.0 * k.body_tip_radius
     for i in range(solver.posts):
@@ -107,14 +110,14 @@ def meet_robot(solver, k, r, other):
             x, y = across.field_x - post.field_x, across.field_y - post.field_y
             if x * x + y * y < both * both:
                 gap = length(x, y)
-                touch_robot(solver, k, r, i, other, its, post.field_x, post.field_y, x, y, gap, both)
+                add_post_contact(solver, k, r, i, other, its, post.field_x, post.field_y, x, y, gap, both)
     for i in range(solver.posts):
-        meet_trunk(solver, k, r, i, other)
-        meet_trunk(solver, k, other, i, r)
+        add_trunk_contact(solver, k, r, i, other)
+        add_trunk_contact(solver, k, other, i, r)
 
 
 @compiled
-def meet_trunk(solver, k, r, i, other):
+def add_trunk_contact(solver, k, r, i, other):
     """List the contact of a post of robot r with the trunk of another robot, if they touch."""
     post = stance_of(solver, r).posts[i]
     body = stance_of(solver, other).body
@@ -126,65 +129,65 @@ def meet_trunk(solver, k, r, i, other):
     y += sine * ahead
     reach = k.body_tip_radius + k.body_disc_radius
     if x * x + y * y < reach * reach:
-        touch_robot(solver, k, r, i, other, TRUNK, post.field_x, post.field_y, x, y, length(x, y), reach)
+        add_post_contact(solver, k, r, i, other, TRUNK, post.field_x, post.field_y, x, y, length(x, y), reach)
 
 
 @compiled
-def meet_spread_legs(solver, k, r, other):
+def add_spread_leg_contacts(solver, k, r, other):
     """List the contacts of two robots, of which at least one blocks, at the nearest points of their legs.  MS53"""
     both = 2.0 * k.body_tip_radius
     for i in range(solver.posts):
         a = stance_of(solver, r).posts[i]
         for its in range(solver.posts):
             b = stance_of(solver, other).posts[its]
-            at_x, at_y, x, y = between_segments(
+            at_x, at_y, x, y = nearest_between_segments(
                 a.field_x, a.field_y, a.root_x, a.root_y, b.field_x, b.field_y, b.root_x, b.root_y
             )
             if x * x + y * y < both * both:
-                touch_robot(solver, k, r, i, other, its, at_x, at_y, x, y, length(x, y), both)
+                add_post_contact(solver, k, r, i, other, its, at_x, at_y, x, y, length(x, y), both)
     for i in range(solver.posts):
-        meet_trunk_along(solver, k, r, i, other)
-        meet_trunk_along(solver, k, other, i, r)
+        add_leg_trunk_contact(solver, k, r, i, other)
+        add_leg_trunk_contact(solver, k, other, i, r)
 
 
 @compiled
-def meet_trunk_along(solver, k, r, i, other):
+def add_leg_trunk_contact(solver, k, r, i, other):
     """List the contact of a whole leg of robot r with the trunk of another robot, if they touch."""
     leg = stance_of(solver, r).posts[i]
     body = stance_of(solver, other).body
     cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
     x, y = number_at(body + BODY_X), number_at(body + BODY_Y)
     rear = k.body_disc_x - k.body_disc_back
-    at_x, at_y, x, y = between_segments(
+    at_x, at_y, x, y = nearest_between_segments(
         leg.field_x, leg.field_y, leg.root_x, leg.root_y,
         x + cosine * k.body_disc_x, y + sine * k.body_disc_x, x + cosine * rear, y + sine * rear,
     )  # fmt: skip
     reach = k.body_tip_radius + k.body_disc_radius
     if x * x + y * y < reach * reach:
-        touch_robot(solver, k, r, i, other, TRUNK, at_x, at_y, x, y, length(x, y), reach)
+        add_post_contact(solver, k, r, i, other, TRUNK, at_x, at_y, x, y, length(x, y), reach)
 
 
 @compiled
-def touch_robot(solver, k, r, i, other, part, at_x, at_y, x, y, gap, reach):
+def add_post_contact(solver, k, r, i, other, part, at_x, at_y, x, y, gap, reach):
     """List a contact of robot r's post, its axis at at_x, at_y [m], with a part of another robot.
 
     The vector from the post's axis to the axis of that part is x, y [m]; the two touch within `reach` [m].
     """
     stance_of(solver, r).meets = 1
     stance_of(solver, other).meets = 1
-    nx, ny = normal(x, y, gap)
+    nx, ny = unit_normal(x, y, gap)
     place_x, place_y = at_x + nx * k.body_tip_radius, at_y + ny * k.body_tip_radius
     key = contact_key(r, i, other, part)
     contact = add_contact(solver, key, stance_of(solver, r).body, stance_of(solver, other).body)
     elasticity = solver.robot_elasticity
     if stance_of(solver, r).caught_by == other + 1 or stance_of(solver, other).caught_by == r + 1:
         elasticity = 0.0  # a bounce against a hold would add energy
-        forget(contact)
-    aim(solver, contact, nx, ny, place_x, place_y, gap - reach, elasticity, solver.robot_friction)
+        clear_impulses(contact)
+    set_contact_targets(solver, contact, nx, ny, place_x, place_y, gap - reach, elasticity, solver.robot_friction)
 
 
 @compiled
-def meet_ball(solver, k):
+def add_ball_contacts(solver, k):
     """List the contacts of posts with the ball, paws taken where they are in their swing."""
     x, y = number_at(solver.ball + BODY_X), number_at(solver.ball + BODY_Y)
     near = max(1.5 * k.body_reach, most_reach(k)) + k.ball_radius
@@ -197,20 +200,20 @@ def meet_ball(solver, k):
             cosine, sine = number_at(body + BODY_COS), number_at(body + BODY_SIN)
             ahead, left = into_frame(away_x, away_y, cosine, sine)
             for i in range(solver.posts):
-                meet_paw(solver, k, r, i, ahead, left, cosine, sine)
+                add_paw_contact(solver, k, r, i, ahead, left, cosine, sine)
 
 
 @compiled
-def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
+def add_paw_contact(solver, k, r, i, ahead, left, cosine, sine):
     """List the contact of a post with the ball, which lies ahead and left [m] of its robot, if they touch."""
     stance = stance_of(solver, r)
     paw = stance.posts[i]
     x, y = ahead - paw.x - solver.time * paw.vx, left - paw.y - solver.time * paw.vy
     vx, vy = paw.vx, paw.vy
-    spread = spread_now(solver, stance)
+    spread = foreleg_spread_now(solver, stance)
     if spread > 0.0 and i < TIPS:  # the point of the leg nearest to the ball, instead of the paw
-        leg_x, leg_y = leg_back(k, i, spread, solver.handedness)
-        share = share_along(x, y, leg_x, leg_y)
+        leg_x, leg_y = leg_vector(k, i, spread, solver.handedness)
+        share = nearest_leg_fraction(x, y, leg_x, leg_y)
         x -= share * leg_x
         y -= share * leg_y
         vx += share * stance.spread_rate / spread * leg_x
@@ -221,7 +224,7 @@ def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
     stance.meets = 1
     gap = length(x, y)
     x, y = out_of_frame(x, y, cosine, sine)
-    nx, ny = normal(x, y, gap)
+    nx, ny = unit_normal(x, y, gap)
     place_x = number_at(solver.ball + BODY_X) - nx * k.ball_radius
     place_y = number_at(solver.ball + BODY_Y) - ny * k.ball_radius
     contact = add_contact(solver, contact_key(r, i, BALL, 0), stance.body, solver.ball)
@@ -229,32 +232,34 @@ def meet_paw(solver, k, r, i, ahead, left, cosine, sine):
     vx, vy = out_of_frame(vx, vy, cosine, sine)
     contact.surface_x = -vx
     contact.surface_y = -vy
-    aim(solver, contact, nx, ny, place_x, place_y, gap - reach, solver.ball_elasticity, solver.ball_friction)
+    set_contact_targets(
+        solver, contact, nx, ny, place_x, place_y, gap - reach, solver.ball_elasticity, solver.ball_friction
+    )
     share_with_roll(solver, contact)
 
 
 @compiled
-def between_segments(ax, ay, bx, by, cx, cy, dx, dy):
+def nearest_between_segments(ax, ay, bx, by, cx, cy, dx, dy):
     """Return the point of AB [m, m] that is nearest to CD, and the vector from it to the nearest point of CD [m, m].
 
     Legs and trunks hardly ever cross, and then an end of one segment is nearest to the other.
     """
-    x, y = to_segment(ax, ay, cx, cy, dx, dy)
+    x, y = vector_to_segment(ax, ay, cx, cy, dx, dy)
     at_x, at_y = ax, ay
-    other_x, other_y = to_segment(bx, by, cx, cy, dx, dy)
+    other_x, other_y = vector_to_segment(bx, by, cx, cy, dx, dy)
     if other_x * other_x + other_y * other_y < x * x + y * y:
         at_x, at_y, x, y = bx, by, other_x, other_y
-    back_x, back_y = to_segment(cx, cy, ax, ay, bx, by)
+    back_x, back_y = vector_to_segment(cx, cy, ax, ay, bx, by)
     if back_x * back_x + back_y * back_y < x * x + y * y:
         at_x, at_y, x, y = cx + back_x, cy + back_y, -back_x, -back_y
-    back_x, back_y = to_segment(dx, dy, ax, ay, bx, by)
+    back_x, back_y = vector_to_segment(dx, dy, ax, ay, bx, by)
     if back_x * back_x + back_y * back_y < x * x + y * y:
         at_x, at_y, x, y = dx + back_x, dy + back_y, -back_x, -back_y
     return at_x, at_y, x, y
 
 
 @compiled
-def to_segment(x, y, ax, ay, bx, by):
+def vector_to_segment(x, y, ax, ay, bx, by):
     """Return the vector [m, m] from a point to the nearest point of AB."""
-    share = share_along(x - ax, y - ay, bx - ax, by - ay)
+    share = nearest_leg_fraction(x - ax, y - ay, bx - ax, by - ay)
     return ax + share * (bx - ax) - x, ay + share * (by - ay) - y

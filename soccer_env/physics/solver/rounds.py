@@ -48,20 +48,20 @@ from soccer_env.physics.engine.memory import (
     store_count,
 )
 from soccer_env.physics.engine.pymunk_parts import ffi, lib
-from soccer_env.physics.engine.space import loose_posts
-from soccer_env.physics.solver.ball import look_at_ball, take_roll, touches_of_ball
+from soccer_env.physics.engine.space import posts_outside_space
+from soccer_env.physics.solver.ball import count_ball_contacts, list_ball_contacts, slow_roll_by_contacts
 from soccer_env.physics.solver.contacts import resume_posts, solve_posts, stance_of
 from soccer_env.physics.solver.interlock import hold_caught
 from soccer_env.physics.solver.posts import find_post_contacts
 from soccer_env.physics.solver.records import SOLVER, STANCE
-from soccer_env.physics.solver.walls import meet_walls
+from soccer_env.physics.solver.walls import add_wall_contacts
 
 solver_at: Any = record_reader(SOLVER)
 constants_at: Any = record_reader(CONSTANTS)
 
 
 @callback("void", "address", "float64")
-def prepare(constraint, dt):
+def prepare_substep(constraint, dt):
     """Find the contacts of posts and of the ball, drive robots that touch nothing, list robots that touch something."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solver.time += dt
@@ -71,27 +71,27 @@ def prepare(constraint, dt):
         for r in range(solver.robots):
             stance = stance_of(solver, r)
             if stance.active == 1:
-                meet_walls(solver, k, r, number_at(stance.body + BODY_X), number_at(stance.body + BODY_Y))
+                add_wall_contacts(solver, k, r, number_at(stance.body + BODY_X), number_at(stance.body + BODY_Y))
         if k.legs == 1:
             hold_caught(solver, k)
     count = 0
     for r in range(solver.robots):
         stance = stance_of(solver, r)
-        if not is_free(stance):
+        if not touches_nothing(stance):
             solver.touching[count] = r
             count += 1
             stance.led = 0
         elif stance.led == 0:
             stance.given_x = stance.given_y = stance.given_turn = 0.0
-            hold_ground(stance, dt)
+            apply_ground_drive(stance, dt)
     solver.touching_count = count
-    look_at_ball(solver)
-    jammed = solver.holds > 0 or touches_of_ball(solver) > 1
+    list_ball_contacts(solver)
+    jammed = solver.holds > 0 or count_ball_contacts(solver) > 1
     store_count(solver.space + SPACE_ROUNDS, np.int32(solver.jam_rounds if jammed else solver.rounds))
 
 
 @callback("void", "address", "float64")
-def resume(constraint, share):
+def resume_impulses(constraint, share):
     """Apply the impulses of the last substep, times the ratio of the substeps' lengths."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     resume_posts(solver, share)
@@ -112,23 +112,23 @@ def solve_round(constraint, dt):
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solve_posts(solver)
     for i in range(solver.touching_count):
-        hold_ground(stance_of(solver, solver.touching[i]), dt)
+        apply_ground_drive(stance_of(solver, solver.touching[i]), dt)
 
 
 @callback("float64", "address")
-def impulse(constraint):
+def zero_impulse(constraint):
     """Return 0: Chipmunk needs this function, and nothing reads its result."""
     return 0.0
 
 
 @callback("void", "address", "address")
-def finish(constraint, space):
+def finish_substep(constraint, space):
     """Slow the ball's roll by the blows of this substep."""
-    take_roll(solver_at(address_at(constraint + MOTOR_RATE)))
+    slow_roll_by_contacts(solver_at(address_at(constraint + MOTOR_RATE)))
 
 
 @compiled
-def lead_off(solver, dt):
+def drive_free_robots(solver, dt):
     """Let the ground act before the first substep of a control step of dt [s] on robots that touch nothing.
 
     Chipmunk moves bodies first and then changes their velocities: a walk would start a substep late.
@@ -136,21 +136,21 @@ def lead_off(solver, dt):
     for r in range(solver.robots):
         stance = stance_of(solver, r)
         stance.led = 0
-        if is_free(stance):
+        if touches_nothing(stance):
             stance.given_x = stance.given_y = stance.given_turn = 0.0
-            hold_ground(stance, dt)
+            apply_ground_drive(stance, dt)
             stance.given_x = stance.given_y = stance.given_turn = 0.0
             stance.led = 1
 
 
 @compiled
-def is_free(stance):
+def touches_nothing(stance):
     """Tell whether a robot touches nothing in this substep; between substeps, in the last substep."""
     return address_at(stance.body + BODY_ARBITERS) == 0 and stance.meets == 0
 
 
 @compiled
-def hold_ground(stance, dt):
+def apply_ground_drive(stance, dt):
     """Bring a robot towards its wanted velocity, with at most the impulse that the ground bears in a substep."""
     body = stance.body
     vx, vy = number_at(body + BODY_VX), number_at(body + BODY_VY)
@@ -179,7 +179,7 @@ def hold_ground(stance, dt):
 # For the class that owns the Spaces
 
 
-class Room(NamedTuple):
+class SolverArrays(NamedTuple):
     """The arrays of a match that its SOLVER record points to."""
 
     stances: np.ndarray  # (R,) STANCE
@@ -187,7 +187,7 @@ class Room(NamedTuple):
     last_contacts: np.ndarray  # (n,) LAST_CONTACT
 
 
-def attach(space: pymunk.Space, solver: np.ndarray, room: Room, league: League, k: np.ndarray) -> None:
+def attach_solver(space: pymunk.Space, solver: np.ndarray, room: SolverArrays, league: League, k: np.ndarray) -> None:
     """Add our constraint to a Space whose dynamic bodies are the ball and the robots, in this order.
 
     Its functions use a SOLVER record (1,), the room of a match, and the league's constants (1,). The caller keeps all
@@ -197,7 +197,7 @@ def attach(space: pymunk.Space, solver: np.ndarray, room: Room, league: League, 
         raise RuntimeError(f"this package needs pymunk 7.3 on a 64-bit machine, found {pymunk.version}")
     bodies = [address_of(body) for body in space.bodies]
     solver[0] = np.zeros((), SOLVER)
-    solver["robots"], solver["posts"] = len(bodies) - 1, len(loose_posts(league.body))
+    solver["robots"], solver["posts"] = len(bodies) - 1, len(posts_outside_space(league.body))
     solver["space"] = address_of(space)
     solver["rounds"], solver["jam_rounds"] = league.substeps.iterations, league.substeps.jam_iterations
     solver["constants"], solver["slop"] = k.ctypes.data, league.substeps.slop
@@ -213,7 +213,7 @@ def attach(space: pymunk.Space, solver: np.ndarray, room: Room, league: League, 
     solver["contact_room"] = len(room.contacts)
     room.stances[:] = np.zeros((), STANCE)
     room.stances["body"] = bodies[1:]
-    for i, (x, y) in enumerate(loose_posts(league.body)):
+    for i, (x, y) in enumerate(posts_outside_space(league.body)):
         room.stances["posts"]["stand_x"][:, i], room.stances["posts"]["stand_y"][:, i] = x, y
     _add_constraint(space, solver.ctypes.data)
 
@@ -223,10 +223,12 @@ def _add_constraint(space: pymunk.Space, solver: int) -> None:
     motor = pymunk.SimpleMotor(space.static_body, next(iter(space.bodies)), float(np.uint64(solver).view(np.float64)))
     space.add(motor)
     ffi.cast("uintptr_t *", address_of(motor) + CONSTRAINT_CLASS)[0] = _class_table().ctypes.data
-    lib.cpConstraintSetPostSolveFunc(motor._constraint, ffi.cast("cpConstraintPostSolveFunc", finish.address))
+    lib.cpConstraintSetPostSolveFunc(motor._constraint, ffi.cast("cpConstraintPostSolveFunc", finish_substep.address))
 
 
 @functools.cache
 def _class_table() -> np.ndarray:
     """Return the addresses of the four functions of our constraint, in the order of Chipmunk's struct."""
-    return np.array([function.address for function in (prepare, resume, solve_round, impulse)], np.uint64)
+    return np.array(
+        [function.address for function in (prepare_substep, resume_impulses, solve_round, zero_impulse)], np.uint64
+    )

@@ -11,7 +11,7 @@ from __future__ import annotations
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.physics.block import most_reach
-from soccer_env.physics.solver.contacts import add_contact, aim, contact_key, normal, stance_of
+from soccer_env.physics.solver.contacts import add_contact, contact_key, set_contact_targets, stance_of, unit_normal
 from soccer_env.physics.solver.posts import place_posts
 
 WALL = 31  # in the place of the other robot's row in a contact's key
@@ -19,7 +19,7 @@ SIDE, BACK, END, GOAL_POST = 0, 1, 2, 3  # in the place of the other robot's pos
 
 
 @compiled
-def meet_walls(solver, k, r, x, y):
+def add_wall_contacts(solver, k, r, x, y):
     """List the contacts of a robot at x, y [m] with boards, goals and goal posts.  MS51"""
     half_width = 0.5 * k.pitch_width + k.pitch_band_side
     reach = most_reach(k) + k.pitch_board_foot
@@ -30,20 +30,20 @@ def meet_walls(solver, k, r, x, y):
         post = stance_of(solver, r).posts[i]
         room = half_width - k.pitch_board_foot - abs(post.field_y)
         if room < k.body_tip_radius:
-            touch_wall(solver, k, r, i, SIDE, 0.0, 1.0 if post.field_y > 0.0 else -1.0, room)
+            add_static_contact(solver, k, r, i, SIDE, 0.0, 1.0 if post.field_y > 0.0 else -1.0, room)
         end = 1.0 if post.field_x > 0.0 else -1.0
         side = 1.0 if post.field_y > 0.0 else -1.0
         aside = 0.5 * k.pitch_goal_width - abs(post.field_y)  # [m] room to the goal's side
         back = 0.5 * k.pitch_length + k.pitch_goal_depth - abs(post.field_x)
         if back < k.body_tip_radius and aside > -k.body_tip_radius:
-            touch_wall(solver, k, r, i, BACK, end, 0.0, back)
-        meet_end(solver, k, r, i, end, side, aside)
+            add_static_contact(solver, k, r, i, BACK, end, 0.0, back)
+        add_board_contact(solver, k, r, i, end, side, aside)
         if k.walled == 0:
-            meet_goal_post(solver, k, r, i, end, side)
+            add_goal_post_contact(solver, k, r, i, end, side)
 
 
 @compiled
-def meet_end(solver, k, r, i, end, side, aside):
+def add_board_contact(solver, k, r, i, end, side, aside):
     """List the contact of a post with the boards beside a goal's mouth, or with their ends, the sides of the goal."""
     behind = 0.0 if k.walled == 1 else max(k.pitch_band_end, k.pitch_goal_depth)
     past = abs(stance_of(solver, r).posts[i].field_x) - 0.5 * k.pitch_length - behind + k.pitch_board_foot
@@ -52,16 +52,16 @@ def meet_end(solver, k, r, i, end, side, aside):
     if past <= 0.0 and aside > 0.0:  # before the mouth: the corner of the boards
         gap = length(past, aside)
         if gap < k.body_tip_radius:
-            nx, ny = normal(-past * end, aside * side, gap)
-            touch_wall(solver, k, r, i, END, nx, ny, gap)
+            nx, ny = unit_normal(-past * end, aside * side, gap)
+            add_static_contact(solver, k, r, i, END, nx, ny, gap)
     elif past < -aside:
-        touch_wall(solver, k, r, i, END, end, 0.0, -past)
+        add_static_contact(solver, k, r, i, END, end, 0.0, -past)
     else:
-        touch_wall(solver, k, r, i, END, 0.0, side, aside)
+        add_static_contact(solver, k, r, i, END, 0.0, side, aside)
 
 
 @compiled
-def meet_goal_post(solver, k, r, i, end, side):
+def add_goal_post_contact(solver, k, r, i, end, side):
     """List the contact of a post with a goal post and the side net behind it."""
     post = stance_of(solver, r).posts[i]
     line = 0.5 * k.pitch_length
@@ -70,12 +70,12 @@ def meet_goal_post(solver, k, r, i, end, side):
     reach = k.body_tip_radius + k.pitch_post_radius
     if x * x + y * y < reach * reach:
         gap = length(x, y)
-        nx, ny = normal(x, y, gap)
-        touch_wall(solver, k, r, i, GOAL_POST, nx, ny, gap - k.pitch_post_radius)
+        nx, ny = unit_normal(x, y, gap)
+        add_static_contact(solver, k, r, i, GOAL_POST, nx, ny, gap - k.pitch_post_radius)
 
 
 @compiled
-def touch_wall(solver, k, r, i, part, nx, ny, room):
+def add_static_contact(solver, k, r, i, part, nx, ny, room):
     """List a contact of a robot's post with a static surface, `room` [m] from the post's axis."""
     stance = stance_of(solver, r)
     stance.meets = 1
@@ -83,4 +83,4 @@ def touch_wall(solver, k, r, i, part, nx, ny, room):
     contact = add_contact(solver, contact_key(r, i, WALL, part), stance.body, solver.ground)
     gap = room - k.body_tip_radius
     place_x, place_y = post.field_x + nx * room, post.field_y + ny * room
-    aim(solver, contact, nx, ny, place_x, place_y, gap, solver.board_elasticity, solver.board_friction)
+    set_contact_targets(solver, contact, nx, ny, place_x, place_y, gap, solver.board_elasticity, solver.board_friction)

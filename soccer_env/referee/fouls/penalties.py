@@ -14,10 +14,10 @@ play or waits for a restart. When it comes back it is told its place.
 from math import inf, pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import direction_of, length
+from soccer_env.geometry import attack_direction, length
 from soccer_env.physics.parking import parking_place
 from soccer_env.referee.places import MARGIN
-from soccer_env.referee.restarts import put_robot, stop
+from soccer_env.referee.restarts import put_robot, stop_robot
 from soccer_env.types import Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
@@ -35,11 +35,11 @@ def whistle(match, robots, events, robot_events, r, foul):
 
 
 @compiled
-def take_out(match, ball, robots, robot_events, r, seconds, k):
+def take_out_robot(match, ball, robots, robot_events, r, seconds, k):
     """Take a robot out for a time [s]; 0: put it on the halfway line at once."""
     send_off(robots, r, seconds)
     if seconds <= 0.0:
-        come_back(match, ball, robots, r, k)
+        bring_back_robot(match, ball, robots, r, k)
         robot_events[r].returned = 1
 
 
@@ -53,7 +53,7 @@ def send_off(robots, r, seconds):
     robot.place_x, robot.place_y, robot.place_heading = parking_place(r)
     robot.pushing = robot.keeper_pushing = robot.holding = robot.trespass = robot.beyond = robot.fallen = 0.0
     robot.x, robot.y, robot.heading = robot.place_x, robot.place_y, robot.place_heading
-    stop(robot)
+    stop_robot(robot)
     robot.caught_by = 0
     for other in range(robots.shape[0]):
         if robots[other].caught_by == r + 1:
@@ -69,7 +69,7 @@ def serve_penalties(match, ball, robots, robot_events, k):
             continue
         robots[r].penalty -= k.dt
         if robots[r].penalty < 0.5 * k.dt:
-            come_back(match, ball, robots, r, k)
+            bring_back_robot(match, ball, robots, r, k)
             robot_events[r].returned = 1
             moved = True
     return moved
@@ -82,36 +82,36 @@ def pardon(match, ball, robots, events, robot_events, k):
         return
     for r in range(robots.shape[0]):
         if robots[r].penalty > 0.0:
-            come_back(match, ball, robots, r, k)
+            bring_back_robot(match, ball, robots, r, k)
             robot_events[r].returned = 1
 
 
 @compiled
-def come_back(match, ball, robots, r, k):
+def bring_back_robot(match, ball, robots, r, k):
     """Put a robot back on the touchline at the halfway line, away from the ball and clear of other robots."""
-    robot, ahead = robots[r], direction_of(match, robots[r].team)
+    robot, ahead = robots[r], attack_direction(match, robots[r].team)
     side = -1.0 if ball.y > 0.0 else (1.0 if ball.y < 0.0 else ahead * match.handedness)
     edge = 0.5 * k.pitch_width - k.body_reach - k.legs * k.pitch_board_foot - MARGIN
-    aside = nearest_free(ball, robots, r, ahead, side * edge, k)
+    aside = nearest_free_distance(ball, robots, r, ahead, side * edge, k)
     if aside < 0.0:  # no room on that side
         side = -side
-        aside = max(nearest_free(ball, robots, r, ahead, side * edge, k), 0.0)
+        aside = max(nearest_free_distance(ball, robots, r, ahead, side * edge, k), 0.0)
     robot.active, robot.penalty = 1, 0.0
     robot.place_x, robot.place_y, robot.place_heading = -ahead * aside, side * edge, -side * 0.5 * pi
     put_robot(robot)
 
 
 @compiled
-def nearest_free(ball, robots, r, ahead, y, k):
+def nearest_free_distance(ball, robots, r, ahead, y, k):
     """Return the distance [m] from the halfway line back to robot r's first free place in its own half; -1: none."""
     for step in range(int((0.5 * k.pitch_length - k.body_reach) / STEP_ASIDE)):
-        if is_free(ball, robots, r, -ahead * step * STEP_ASIDE, y, k):
+        if is_place_free(ball, robots, r, -ahead * step * STEP_ASIDE, y, k):
             return step * STEP_ASIDE
     return -1.0
 
 
 @compiled
-def is_free(ball, robots, r, x, y, k):
+def is_place_free(ball, robots, r, x, y, k):
     """Tell whether robot r could stand at a place [m, m] without touching another robot or the ball."""
     if length(ball.x - x, ball.y - y) < k.body_reach + k.ball_radius + MARGIN:
         return False

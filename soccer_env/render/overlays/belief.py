@@ -9,9 +9,9 @@ import numpy as np
 from soccer_env.geometry import point_of_frame
 from soccer_env.leagues.league import League
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.cast import Cast, Shot
+from soccer_env.render.overlays.cast import Cast, Snapshot
 from soccer_env.render.overlays.shapes import Area, Label, Overlay, Points, Polyline
-from soccer_env.render.robots import parts_of
+from soccer_env.render.robots import robot_pieces
 from soccer_env.thoughts.thought import Thought
 
 JUST_SEEN = 0.5  # [s] younger percepts are not marked with their age
@@ -22,20 +22,20 @@ CORNERS = np.linspace(0.0, 2.0 * pi, 33)[:-1]
 Pose = tuple[float, float, float]
 
 
-def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) -> list[Overlay]:
+def belief_overlays(cast: Cast, shot: Snapshot, row: int, thought: Thought, unit: float) -> list[Overlay]:
     """Return the overlays of the beliefs of robot `row`, with lines from true to believed places of robot and ball."""
     robot = shot.robots[row]
     true = (float(robot["x"]), float(robot["y"]))
-    overlays = cloud(thought, unit)
+    overlays = particle_ellipse(thought, unit)
     overlays.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
-    overlays += trunk(cast.league, thought.pose, WHITE, 2.6 * unit)
+    overlays += trunk_outline(cast.league, thought.pose, WHITE, 2.6 * unit)
     for player in thought.players:
         team = int(robot["team"]) if player.mate else 1 - int(robot["team"])
-        overlays.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_of(cast.league, unit), hollow=True))
+        overlays.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_radius(cast.league, unit), hollow=True))
         if player.age >= JUST_SEEN:
             away = (13.0 * unit, -13.0 * unit)
             words = f"{player.age:.0f} s" if player.age >= WHOLE else f"{player.age:.1f} s"
-            overlays.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letters(unit), away, "left"))
+            overlays.append(Label((player.x, player.y), words, TEAMS_LIGHT[team], letter_height(unit), away, "left"))
     if thought.ball is not None:
         overlays.append(
             Polyline([(float(shot.ball["x"]), float(shot.ball["y"])), thought.ball], BALL_SHINE, 1.6 * unit)
@@ -44,17 +44,17 @@ def believed(cast: Cast, shot: Shot, row: int, thought: Thought, unit: float) ->
     return overlays
 
 
-def letters(unit: float) -> float:
+def letter_height(unit: float) -> float:
     """Return the height of letters [px], legible in small pictures too."""
     return max(15.0, 19.0 * unit)
 
 
-def ring_of(league: League, unit: float) -> float:
+def ring_radius(league: League, unit: float) -> float:
     """Return the radius of the ring around a believed player [px]."""
     return (15.0 if league.body.legs else 12.0) * unit
 
 
-def cloud(thought: Thought, unit: float) -> list[Overlay]:
+def particle_ellipse(thought: Thought, unit: float) -> list[Overlay]:
     """Return an ellipse of two standard deviations around the robot's particles; nothing without particles."""
     wide, narrow, axis = thought.cloud
     if wide <= 0.0:
@@ -66,12 +66,12 @@ def cloud(thought: Thought, unit: float) -> list[Overlay]:
     return [Area(rim, KEEPER, 50), Polyline(rim, KEEPER, 1.4 * unit, closed=True)]
 
 
-def trunk(league: League, pose: Pose, colour: Colour, width: float) -> list[Overlay]:
+def trunk_outline(league: League, pose: Pose, colour: Colour, width: float) -> list[Overlay]:
     """Return the outline of a robot's trunk at a pose, with a line that shows the heading."""
     x, y, heading = pose
     corners = [
         point_of_frame(x, y, u, v, cos(heading), sin(heading))
-        for part in parts_of(league.body, 0.0, walks=league.drive.kind == "gait")
+        for part in robot_pieces(league.body, 0.0, walks=league.drive.kind == "gait")
         if part.role == "body"
         for u, v in part.outline
     ]

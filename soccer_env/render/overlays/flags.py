@@ -7,14 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from soccer_env.guards.checking import Checked, check_names, refuse
+from soccer_env.guards.checking import CheckedFields, check_names, raise_not_allowed
 
 AT_BALL = "ball"
 NUMBERED = re.compile(r"(home|away|red|blue)[ _-]?(\d+)")
 
 
 @dataclass(frozen=True, kw_only=True)
-class OverlayFlags(Checked):
+class OverlayFlags(CheckedFields):
     """The overlays of pictures, films and windows."""
 
     TITLED = False
@@ -40,7 +40,7 @@ class OverlayFlags(Checked):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.robot != AT_BALL and not NUMBERED.fullmatch(self.robot):
-            refuse("robot", "an agent, as home_1 or blue 2, or ball", self.robot)
+            raise_not_allowed("robot", "an agent, as home_1 or blue 2, or ball", self.robot)
 
     @property
     def any(self) -> bool:
@@ -70,7 +70,7 @@ class OverlayFlags(Checked):
 FLAGS = tuple(item.name for item in fields(OverlayFlags) if item.type == "bool")
 
 
-def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
+def parse_flags(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> OverlayFlags:
     """Return the flags of OverlayFlags, a mapping, names as in "belief,trail", or None (no overlay).
 
     ValueError names an unknown overlay.
@@ -85,10 +85,10 @@ def flags_of(overlays: OverlayFlags | Mapping[str, Any] | str | None) -> Overlay
         check_names("overlay", overlays, (*FLAGS, "robot"))
         return OverlayFlags(**overlays)
     if not isinstance(overlays, OverlayFlags):
-        refuse("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", overlays)
+        raise_not_allowed("overlays", f"names of {', '.join(FLAGS)}, a mapping of them or OverlayFlags", overlays)
     return overlays
 
 
-def part_of_flags(settings: OverlayFlags) -> OverlayFlags:
+def select_flags(settings: OverlayFlags) -> OverlayFlags:
     """Return only the overlay flags among the fields of larger settings."""
     return OverlayFlags(**{item.name: getattr(settings, item.name) for item in fields(OverlayFlags)})

@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 
 from soccer_env.render.canvas import Canvas
 from soccer_env.render.colours import DIM, INK, WHITE
-from soccer_env.render.overlays.belief import letters
-from soccer_env.render.overlays.sight import boxes, colours_of
+from soccer_env.render.overlays.belief import letter_height
+from soccer_env.render.overlays.sight import blob_boxes, thing_colours
 from soccer_env.render.view import View
 
 if TYPE_CHECKING:
-    from soccer_env.render.overlays.layers import Look
+    from soccer_env.render.overlays.layers import LayerInput
 
 GAP = 6.0  # [px] from the corner
 SHADE = 175  # of 255
 
 
 @dataclass(frozen=True, eq=False)
-class Words:
+class TextPanel:
     """Lines at the lower edge of the pitch, on a dark plate."""
 
     lines: tuple[str, ...]
@@ -30,7 +30,7 @@ class Words:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Write the lines, the last at the bottom."""
-        size = letters(self.unit)
+        size = letter_height(self.unit)
         room = canvas.width - 4.0 * GAP
         for at, line in enumerate(reversed(self.lines)):
             middle = canvas.height - (view.margin if self.above_bench else GAP) - (at + 0.5) * 1.15 * size
@@ -41,7 +41,7 @@ class Words:
 
 
 @dataclass(frozen=True, eq=False)
-class Help:
+class HelpPanel:
     """Lines in the middle of the picture, on a dark plate."""
 
     lines: tuple[str, ...]
@@ -63,7 +63,7 @@ class Help:
 class CameraPicture:
     """The picture of the camera of one robot: a frame with a box for each blob, in the corner with the most room."""
 
-    look: Look
+    look: LayerInput
     under: bool = False
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
@@ -77,9 +77,9 @@ class CameraPicture:
         left, top = self._corner(canvas, view, wide, high)
         canvas.glass([(left, top), (left + wide, top), (left + wide, top + high), (left, top + high)], INK, SHADE)
         robot = self.look.shot.robots[self.look.row]
-        tints = colours_of(int(robot["team"]), float(self.look.shot.match["home_direction"]))
+        tints = thing_colours(int(robot["team"]), float(self.look.shot.match["home_direction"]))
         for name in ("landmarks", "own_goal", "opponent_goal", "teammates", "opponents", "ball"):
-            for u_left, u_right, v_high, v_low in boxes(thought.groups.get(name)):
+            for u_left, u_right, v_high, v_low in blob_boxes(thought.groups.get(name)):
                 x, y = left + wide / 2 - scale * u_left, top + high / 2 - scale * v_high
                 size = (max(2.0, scale * (u_left - u_right)), max(2.0, scale * (v_high - v_low)))
                 x, y = max(left, x), max(top, y)
@@ -88,7 +88,7 @@ class CameraPicture:
         corners = [(left, top), (left + wide, top), (left + wide, top + high), (left, top + high)]
         for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
             canvas.stroke(start, end, 1.2, DIM)
-        tall = 0.8 * letters(self.look.unit)
+        tall = 0.8 * letter_height(self.look.unit)
         canvas.glass(
             [(left, top), (left + wide, top), (left + wide, top + 1.2 * tall), (left, top + 1.2 * tall)], INK, SHADE
         )

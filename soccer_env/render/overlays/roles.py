@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 from soccer_env.leagues.robot_kind import CENTI
 from soccer_env.render.canvas import Canvas
 from soccer_env.render.colours import AMBER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.belief import letters
-from soccer_env.render.overlays.cast import Cast, Shot
+from soccer_env.render.overlays.belief import letter_height
+from soccer_env.render.overlays.cast import Cast, Snapshot
 from soccer_env.render.overlays.shapes import Label, Overlay, Points, Polyline
 from soccer_env.render.view import View
 
 if TYPE_CHECKING:
-    from soccer_env.render.overlays.layers import Look
+    from soccer_env.render.overlays.layers import LayerInput
 
 BEAM: Colour = (255, 84, 150)
 READING: Colour = (255, 186, 214)  # of the words of a beam: in its own colour they cannot be read on blue
@@ -27,7 +27,7 @@ COUNTED = {"detour": "goes round", "wriggle": "wriggles", "back_off": "backs off
 
 
 @dataclass(frozen=True, eq=False)
-class Tags:
+class TextTags:
     """Words under robots or places; above them or farther away if other words or the mark of a fall are in the way."""
 
     tags: tuple[tuple[tuple[float, float], str, Colour], ...]  # place of a robot [m], words, colour
@@ -55,7 +55,7 @@ class Tags:
         return all(abs(row - y) > 0.8 * self.size or abs(column - x) > half + wide for x, y, wide in taken)
 
 
-def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
+def role_labels(cast: Cast, shot: Snapshot, unit: float) -> list[Overlay]:
     """Return labels for the activity of each robot whose team explains it; amber for a robot in recovery."""
     tags: list[tuple[tuple[float, float], str, Colour]] = []
     lie = shot.robots[(shot.robots["fallen"] > 0.0) & (shot.robots["active"] == 1)]
@@ -63,16 +63,18 @@ def roles(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
     for row, robot in enumerate(shot.robots):
         if not robot["active"] or cast.reader is None or shot.note is None:
             continue
-        words, recovers = words_of(
+        words, recovers = activity_words(
             *cast.reader.memory(shot.note, row), bool(robot["keeper"]), bool(robot["fallen"] > 0.0)
         )
         if words:
             tint = AMBER if recovers else TEAMS_LIGHT[int(robot["team"])]
             tags.append(((float(robot["x"]), float(robot["y"])), words, tint))
-    return [Tags(tuple(tags), 1.1 * cast.league.body.reach, letters(unit), fallen)] if tags else []
+    return [TextTags(tuple(tags), 1.1 * cast.league.body.reach, letter_height(unit), fallen)] if tags else []
 
 
-def words_of(team_words: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool) -> tuple[str, bool]:
+def activity_words(
+    team_words: tuple[str, ...], numbers: Mapping[str, float], keeper: bool, fallen: bool
+) -> tuple[str, bool]:
     """Return the activity of a robot in words, and whether the robot recovers; words and numbers as in `Thought`."""
     words = [word for word in team_words if not (keeper and word in FIELD_ROLES)]
     words = [word for word in words if not any(other != word and other.startswith(word) for other in words)]
@@ -85,7 +87,7 @@ def words_of(team_words: tuple[str, ...], numbers: Mapping[str, float], keeper: 
     return ", ".join(["fallen", *words] if fallen else words), recovers or fallen
 
 
-def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
+def ranger_beams(cast: Cast, shot: Snapshot, unit: float) -> list[Overlay]:
     """Return the beam of every ranger with a reading, as long as the reading, along the axis of the camera."""
     overlays: list[Overlay] = []
     tags: list[tuple[tuple[float, float], str, Colour]] = []
@@ -101,10 +103,10 @@ def beams(cast: Cast, shot: Shot, unit: float) -> list[Overlay]:
         overlays.append(Polyline([start, end], BEAM, 2.2 * unit))
         overlays.append(Points([end], BEAM, 3.6 * unit))
         tags.append((end, f"{thought.infrared:.2f} m", READING))
-    return [*overlays, Tags(tuple(tags), 0.5 * cast.league.body.reach, letters(unit))] if tags else []
+    return [*overlays, TextTags(tuple(tags), 0.5 * cast.league.body.reach, letter_height(unit))] if tags else []
 
 
-def mark_of_picked(look: Look) -> Overlay:
+def selection_ring(look: LayerInput) -> Overlay:
     """Return a ring around the selected robot."""
     robot = look.shot.robots[look.row]
     reach = look.cast.league.body.reach

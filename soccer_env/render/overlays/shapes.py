@@ -27,7 +27,7 @@ class Overlay(Protocol):
         """Draw the overlay onto the canvas through the view."""
 
 
-def pairs(name: str, values: ArrayLike) -> list[tuple[float, float]]:
+def check_pairs(name: str, values: ArrayLike) -> list[tuple[float, float]]:
     """Return points or vectors as a list of pairs; ValueError unless they are finite and of shape (N, 2)."""
     array = np.asarray(values, dtype=float)
     if array.ndim != 2 or array.shape[1] != 2:
@@ -49,7 +49,7 @@ class Points:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Draw every dot."""
-        for x, y in pairs("Points.xy", self.xy):
+        for x, y in check_pairs("Points.xy", self.xy):
             place = view.pixel(x, y)
             if self.hollow:
                 canvas.ring(place, self.radius, max(1.5, self.radius / 4), self.colour)
@@ -70,7 +70,7 @@ class Polyline:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Draw every segment of the path."""
-        places = [view.pixel(x, y) for x, y in pairs("Polyline.xy", self.xy)]
+        places = [view.pixel(x, y) for x, y in check_pairs("Polyline.xy", self.xy)]
         if self.closed and places:
             places.append(places[0])
         canvas.path(places, self.width, self.colour)
@@ -88,7 +88,7 @@ class Arrows:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Draw every arrow; ValueError when tails and vectors differ in number."""
-        tails, vectors = pairs("Arrows.tails", self.tails), pairs("Arrows.vectors", self.vectors)
+        tails, vectors = check_pairs("Arrows.tails", self.tails), check_pairs("Arrows.vectors", self.vectors)
         if len(tails) != len(vectors):
             raise ValueError(f"Arrows need a vector for each tail, got {len(vectors)} for {len(tails)} tails")
         for (x, y), (across, up) in zip(tails, vectors):
@@ -122,7 +122,7 @@ class ArrowGrid:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Draw every arrow as one polygon."""
-        middles, vectors = np.array(pairs("ArrowGrid.middles", self.middles)), np.asarray(self.vectors, float)
+        middles, vectors = np.array(check_pairs("ArrowGrid.middles", self.middles)), np.asarray(self.vectors, float)
         half, thick = 0.5 * view.scale * vectors * (1.0, -1.0), 0.5 * self.width
         centres = np.array([view.pixel(x, y) for x, y in middles.tolist()])
         long = np.maximum(np.hypot(*half.T)[:, None], 1e-9)
@@ -148,7 +148,7 @@ class Area:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Fill the region."""
-        canvas.glass([view.pixel(x, y) for x, y in pairs("Area.xy", self.xy)], self.colour, self.alpha)
+        canvas.glass([view.pixel(x, y) for x, y in check_pairs("Area.xy", self.xy)], self.colour, self.alpha)
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,7 +165,7 @@ class Label:
 
     def draw_on(self, canvas: Canvas, view: View) -> None:
         """Write the words, unless their place lies outside the picture."""
-        ((x, y),) = pairs("Label.xy", [self.xy])
+        ((x, y),) = check_pairs("Label.xy", [self.xy])
         column, row = view.pixel(x, y)
         if not (0.0 <= column <= canvas.width and 0.0 <= row <= canvas.height):
             return

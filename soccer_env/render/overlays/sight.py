@@ -10,7 +10,7 @@ import numpy as np
 from soccer_env.leagues.league import League
 from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS
 from soccer_env.render.colours import BALL, GOALS, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.cast import Camera, Cast, Shot
+from soccer_env.render.overlays.cast import Camera, Cast, Snapshot
 from soccer_env.render.overlays.shapes import Area, Overlay, Points, Polyline
 
 SIGHT: Colour = (255, 246, 190)
@@ -21,17 +21,17 @@ Pose = tuple[float, float, float]
 Groups = Mapping[str, np.ndarray]
 
 
-def in_sight(cast: Cast, shot: Shot, row: int, groups: Groups, unit: float) -> list[Overlay]:
+def sight_overlays(cast: Cast, shot: Snapshot, row: int, groups: Groups, unit: float) -> list[Overlay]:
     """Return overlays of the field of view and the percepts of a robot (row)."""
     robot = shot.robots[row]
     pose = (float(robot["x"]), float(robot["y"]), float(robot["heading"]))
-    tints = colours_of(int(robot["team"]), float(shot.match["home_direction"]))
+    tints = thing_colours(int(robot["team"]), float(shot.match["home_direction"]))
     if "head" in groups and cast.camera is not None:
-        return by_head(cast.league, cast.camera, pose, groups, tints, unit)
-    return all_round(cast, pose, groups, tints, unit)
+        return head_camera_overlays(cast.league, cast.camera, pose, groups, tints, unit)
+    return omni_camera_overlays(cast, pose, groups, tints, unit)
 
 
-def colours_of(team: int, home_direction: float) -> dict[str, Colour]:
+def thing_colours(team: int, home_direction: float) -> dict[str, Colour]:
     """Return the colours of the things that a robot of a team sees."""
     own_end = 0 if (home_direction > 0.0) == (team == 0) else 1
     return {
@@ -44,35 +44,35 @@ def colours_of(team: int, home_direction: float) -> dict[str, Colour]:
     }
 
 
-def by_head(
+def head_camera_overlays(
     league: League, camera: Camera, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float
 ) -> list[Overlay]:
     """Return overlays of the field of view of a camera on a head, and a sector for each blob."""
     x, y = pose[0] + camera.neck * cos(pose[2]), pose[1] + camera.neck * sin(pose[2])
     middle = pose[2] + float(groups["head"][0, 0]) / CENTI
-    edge = fan(league, x, y, middle - camera.view / 2, middle + camera.view / 2, RAYS)
+    edge = fan_of_rays(league, x, y, middle - camera.view / 2, middle + camera.view / 2, RAYS)
     overlays: list[Overlay] = [Area([(x, y), *edge], SIGHT, 55)]
     overlays.append(Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5 * unit, under=True))
     for name in ("landmarks", "own_goal", "opponent_goal", "teammates", "opponents", "ball"):
-        for left, right, _, _ in boxes(groups.get(name)):
+        for left, right, _, _ in blob_boxes(groups.get(name)):
             low, high = (middle + atan(side / camera.focal) for side in sorted((left, right)))
-            rim = fan(league, x, y, low, high, BLOB_RAYS)
+            rim = fan_of_rays(league, x, y, low, high, BLOB_RAYS)
             overlays.append(Area([(x, y), *rim], tints[name], 105))
             overlays.append(Polyline([rim[0], (x, y), rim[-1]], tints[name], 1.2 * unit, under=True))
     return overlays
 
 
-def boxes(blobs: np.ndarray | None) -> list[tuple[int, int, int, int]]:
+def blob_boxes(blobs: np.ndarray | None) -> list[tuple[int, int, int, int]]:
     """Return left, right, high and low [px] of each seen blob."""
     return [] if blobs is None else [tuple(box) for box in blobs.tolist() if any(box)]
 
 
-def fan(league: League, x: float, y: float, low: float, high: float, rays: int) -> list[tuple[float, float]]:
+def fan_of_rays(league: League, x: float, y: float, low: float, high: float, rays: int) -> list[tuple[float, float]]:
     """Return the points where rays from a point, spread between two directions [rad], leave the pitch."""
-    return [to_board(league, x, y, angle) for angle in np.linspace(low, high, rays).tolist()]
+    return [ray_end(league, x, y, angle) for angle in np.linspace(low, high, rays).tolist()]
 
 
-def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, float]:
+def ray_end(league: League, x: float, y: float, angle: float) -> tuple[float, float]:
     """Return the point where a ray from a point of the pitch leaves the pitch."""
     across, up = cos(angle), sin(angle)
     distances = []
@@ -84,7 +84,9 @@ def to_board(league: League, x: float, y: float, angle: float) -> tuple[float, f
     return x + distance * across, y + distance * up
 
 
-def all_round(cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float) -> list[Overlay]:
+def omni_camera_overlays(
+    cast: Cast, pose: Pose, groups: Groups, tints: Mapping[str, Colour], unit: float
+) -> list[Overlay]:
     """Return rays to the percepts of an omnidirectional camera, and dots where it found white lines."""
     x, y, heading = pose
     overlays: list[Overlay] = []

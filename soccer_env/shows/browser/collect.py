@@ -16,13 +16,13 @@ from soccer_env.match import Match
 from soccer_env.match.arguments import version
 from soccer_env.render.captions import PHASES
 from soccer_env.render.frame import one_line
-from soccer_env.render.overlays.cast import camera_of, directions_of
+from soccer_env.render.overlays.cast import camera_of, count_line_directions
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.render.robots import parts_of
-from soccer_env.shows.browser.events import Storyteller
-from soccer_env.shows.browser.fields import Fields
-from soccer_env.shows.browser.packing import pack
-from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK, Notes, whole
+from soccer_env.render.robots import robot_pieces
+from soccer_env.shows.browser.events import EventCollector
+from soccer_env.shows.browser.fields import ForceFrames
+from soccer_env.shows.browser.packing import pack_table
+from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK, Notes, round_to_int16
 from soccer_env.types import Phase
 
 if TYPE_CHECKING:
@@ -35,23 +35,23 @@ STATES = {"active": 1, "has_ball": 2, "fallen": 4, "kicks": 8}  # bits of `state
 MILLI, DECI = 1000.0, 10.0
 
 
-def collect(
+def collect_page_data(
     replay: Replay, note: Callable[[int], None] | None = None, flags: OverlayFlags | None = None
 ) -> dict[str, Any]:
     """Play the first match of a replay and return the data of a page; `flags`: the overlays at first."""
     playing = replay.play()
     match = next(playing)
     every = max(1, match.league.control_rate // PER_SECOND)
-    stories, rows, last = Storyteller(match, replay.teams), [row_of(match)], match.robots[0].copy()
+    stories, rows, last = EventCollector(match, replay.teams), [place_row(match)], match.robots[0].copy()
     notes = replay.notes()
-    fields = Fields(replay, match, notes, flags)
+    fields = ForceFrames(replay, match, notes, flags)
     staged: np.ndarray | None = None  # the row before a restart after a goal moved all robots, since the last row
     for step, match in enumerate(playing, 1):
         stories.listen(match, step, last)
         if match.events["restart"][0] and match.events["goal"][0] >= 0:
-            staged = row_of(match, last)
+            staged = place_row(match, last)
         if step % every == 0:
-            rows.append(row_of(match) if staged is None else staged)
+            rows.append(place_row(match) if staged is None else staged)
             staged = None
         fields.look(match, step)
         last = match.robots[0].copy()
@@ -64,34 +64,34 @@ def collect(
         "columns": {"general": GENERAL, "each": EACH, "states": STATES},
         "events": stories.events,
         "shown": None if flags is None or not flags.any else {**asdict(flags), "robot": flags.agent},
-        "thoughts": None if notes is None else noted(notes),
+        "thoughts": None if notes is None else note_columns(notes),
         "fields": fields.about() if fields.any else None,
-        "tables": tables_of(rows, notes, fields),
+        "tables": page_tables(rows, notes, fields),
     }
 
 
-def tables_of(rows: list[np.ndarray], notes: Notes | None, fields: Fields) -> dict[str, str]:
+def page_tables(rows: list[np.ndarray], notes: Notes | None, fields: ForceFrames) -> dict[str, str]:
     """Return the tables of places, thoughts and fields by name, packed as text."""
-    tables = {"places": pack(np.stack(rows))}
+    tables = {"places": pack_table(np.stack(rows))}
     if notes is not None:
-        tables["thoughts"] = pack(flat(notes.numbers))
+        tables["thoughts"] = pack_table(flatten_notes(notes.numbers))
     if fields.any:
         tables["fields"] = fields.packed()
     return tables
 
 
-def noted(notes: Notes) -> dict[str, Any]:
+def note_columns(notes: Notes) -> dict[str, Any]:
     """Return the control steps of the notes, and the meaning of the columns of their table."""
     about = {"steps": notes.steps.tolist(), "slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
     return about | {"table": TABLE, "track": TRACK, "sees": SEES}
 
 
-def flat(numbers: np.ndarray) -> np.ndarray:
+def flatten_notes(numbers: np.ndarray) -> np.ndarray:
     """Flatten notes (T, R, C) to a table (T, R * C)."""
     return numbers.reshape(len(numbers), -1)
 
 
-def row_of(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
+def place_row(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
     """Return a row (C,) int16 of the table of places, of the first match; `robots`: records from before a goal."""
     record, ball, event = match.matches[0], match.balls[0], match.events[0]
     x, y = (ball["x"], ball["y"]) if robots is None else (event["ball_x"], event["ball_y"])
@@ -102,7 +102,9 @@ def row_of(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
     flags = (robots["active"] == 1, robots["has_ball"] == 1, robots["fallen"] > 0.0, kicks)
     state = sum(np.where(flag, bit, 0) for flag, bit in zip(flags, STATES.values(), strict=True))
     each = [MILLI * robots[name] for name in EACH[:-1]]
-    return np.concatenate([whole(np.array(general, float)), whole(np.stack([*each, state], axis=1)).ravel()])
+    return np.concatenate(
+        [round_to_int16(np.array(general, float)), round_to_int16(np.stack([*each, state], axis=1)).ravel()]
+    )
 
 
 def about(match: Match, replay: Replay) -> dict[str, Any]:
@@ -118,13 +120,13 @@ def about(match: Match, replay: Replay) -> dict[str, Any]:
         "half_length": float(match.matches["half_length"][0]) if np.isfinite(match.matches["half_length"][0]) else None,
         "robots": [[int(robot["team"]), int(robot["number"]), int(robot["keeper"])] for robot in robots],
         "phases": {int(phase): words for phase, words in PHASES.items()} | {int(Phase.OVER): "final whistle"},
-        "pitch": field_of(league),
-        "body": body_of(league),
+        "pitch": field_dimensions(league),
+        "body": robot_outlines(league),
         **camera_on_head(replay),
     }
 
 
-def field_of(league: League) -> dict[str, Any]:
+def field_dimensions(league: League) -> dict[str, Any]:
     """Return the dimensions of the field [m]."""
     pitch = league.pitch
     names = (
@@ -145,12 +147,12 @@ def camera_on_head(replay: Replay) -> dict[str, Any]:
     if camera is not None:
         size = [camera.width, camera.height]
         measures = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
-    return {**measures, "directions": directions_of(sensors)}
+    return {**measures, "directions": count_line_directions(sensors)}
 
 
-def body_of(league: League) -> dict[str, Any]:
+def robot_outlines(league: League) -> dict[str, Any]:
     """Return the outlines of a robot [m, robot frame]: pieces with their role, lowest first."""
-    parts = parts_of(league.body, 0.0, walks=bool(league.body.legs))
+    parts = robot_pieces(league.body, 0.0, walks=bool(league.body.legs))
     pieces = [[part.role, [[round(x, 3), round(y, 3)] for x, y in part.outline]] for part in parts]
     body = league.body
     return {"pieces": pieces, "legs": bool(body.legs), "reach": body.reach, "disc": [body.disc_x, body.disc_radius]}

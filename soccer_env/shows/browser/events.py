@@ -22,7 +22,7 @@ HOW = {  # kicks and own goals have longer descriptions
 }
 
 
-class Play(NamedTuple):
+class BallPlay(NamedTuple):
     """A kick or touch of the ball by a robot."""
 
     row: int
@@ -33,7 +33,7 @@ class Play(NamedTuple):
     strength: float = 0.0  # of the kick, as a share of the strongest one
 
 
-class Storyteller:
+class EventCollector:
     """Collects events as lists [step, kind, team, robot, words]; kind: goal, penalty, foul, restart, kick, half.
 
     A penalty is a kick of a shoot-out; its sixth value is the score of the shoot-out. The sixth value of a goal is a
@@ -45,9 +45,9 @@ class Storyteller:
         self.rate = match.league.control_rate
         self.events: list[list[Any]] = []
         self._teams = teams
-        self._kicks: dict[int, Play] = {}  # the last of each robot
-        self._touches: dict[int, Play] = {}
-        self._flight: Play | None = None  # that sent the ball on its way
+        self._kicks: dict[int, BallPlay] = {}  # the last of each robot
+        self._touches: dict[int, BallPlay] = {}
+        self._flight: BallPlay | None = None  # that sent the ball on its way
         self._others: list[int] = []  # robots that touched the ball since, first to last
         self._step = int(match.matches["step"][0])
         self._goals = match.statistics["goals"][0].copy()
@@ -86,12 +86,12 @@ class Storyteller:
         """Note kicks and touches with the place of the ball."""
         x, y = float(match.events["ball_x"][0]), float(match.events["ball_y"][0])
         for r in np.flatnonzero(match.robot_events["touch"][0]).tolist():
-            self._touches[r] = Play(r, step, x, y, kicked=False)
+            self._touches[r] = BallPlay(r, step, x, y, kicked=False)
             if self._flight is not None and r != self._flight.row:
                 self._others.append(r)
         for r in np.flatnonzero(match.robot_events["kick"][0]).tolist():
             last = self._kicks.get(r)
-            self._kicks[r] = Play(r, step, x, y, strength=float(match.robots["kick_strength"][0, r]))
+            self._kicks[r] = BallPlay(r, step, x, y, strength=float(match.robots["kick_strength"][0, r]))
             if last is None or step - last.step > KICKS_APART * self.rate:
                 robot = match.robots[0, r]
                 self._add(step, "kick", int(robot["team"]), r, f"{player_words(robot)} kicks")
@@ -105,28 +105,28 @@ class Storyteller:
         elif self._flight is None or r != self._flight.row or trail["flight_step"] == self._step:
             self._flight, self._others = self._last_play(r, step), []
 
-    def _last_play(self, r: int, step: int) -> Play:
+    def _last_play(self, r: int, step: int) -> BallPlay:
         """Return the last play of the ball by a robot: a recent kick, else a touch."""
         kick = self._kicks.get(r)
         if kick is not None and step - kick.step <= KICKS_APART * self.rate:
             return kick
-        return self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
+        return self._touches.get(r, BallPlay(r, step, 0.0, 0.0, kicked=False))
 
     def _tell_goal(self, match: Match, step: int, before: np.ndarray) -> None:
         """Add a goal with its scorer and a description of how it was scored."""
         team, r = int(match.events["goal"][0]), int(match.events["scorer"][0])
         kinds = np.flatnonzero(match.statistics["goals"][0, team] > self._goals[team])
         kind = GoalKind(int(kinds[0])) if len(kinds) else GoalKind.SCRUM
-        side = self._side(team)
+        side = self._side_in_words(team)
         if not 0 <= r < len(before):
-            play, how = Play(NOBODY, step, 0.0, 0.0, kicked=False), "nobody is known to have touched it"
+            play, how = BallPlay(NOBODY, step, 0.0, 0.0, kicked=False), "nobody is known to have touched it"
             self._add_goal(match, step, NOBODY, f"a goal for {side}", kind, how, play)
         elif kind in (GoalKind.CLEAN_KICK, GoalKind.DEFLECTED_KICK):
             play = self._shot(team, r, step, before)
             words = f"{player_words(before[play.row])} scores for {self._teams[team]}"
             self._add_goal(match, step, play.row, words, kind, self._how_shot(match, play, kind, r, before), play)
         else:
-            play = self._touches.get(r, Play(r, step, 0.0, 0.0, kicked=False))
+            play = self._touches.get(r, BallPlay(r, step, 0.0, 0.0, kicked=False))
             words = f"{player_words(before[r])} scores for {self._teams[team]}"
             how = HOW.get(kind, "")
             if int(before["team"][r]) != team:
@@ -134,7 +134,7 @@ class Storyteller:
                 play, how = self._own_goal(r, step, play)
             self._add_goal(match, step, r, words, kind, how, play)
 
-    def _shot(self, team: int, r: int, step: int, before: np.ndarray) -> Play:
+    def _shot(self, team: int, r: int, step: int, before: np.ndarray) -> BallPlay:
         """Return the kick or push that led to a team's goal; r: the robot that touched the ball last."""
         if self._flight is not None and int(before["team"][self._flight.row]) == team:
             return self._flight
@@ -142,7 +142,7 @@ class Storyteller:
         own = [play for play in plays if int(before["team"][play.row]) == team]
         return max(own, key=lambda play: play.step, default=self._last_play(r, step))  # scored before it was followed
 
-    def _how_shot(self, match: Match, play: Play, kind: GoalKind, r: int, before: np.ndarray) -> str:
+    def _how_shot(self, match: Match, play: BallPlay, kind: GoalKind, r: int, before: np.ndarray) -> str:
         """Describe in words the kick or push that scored."""
         goal_x = float(np.sign(match.events["ball_x"][0])) * match.league.pitch.length / 2
         away = hypot(goal_x - play.x, play.y)
@@ -154,18 +154,18 @@ class Storyteller:
         by = f" by {player_words(before[other])}" if other >= 0 else ""
         return f"{verb} from {away:.1f} m, deflected{by}"
 
-    def _own_goal(self, r: int, step: int, touch: Play) -> tuple[Play, str]:
+    def _own_goal(self, r: int, step: int, touch: BallPlay) -> tuple[BallPlay, str]:
         """Return the kick or touch that led to an own goal, and a description of it."""
         kick = self._kicks.get(r)
         if kick is None or step - kick.step > KICK_COUNTS * self.rate or kick.step < touch.step - self.rate:
             return touch, "it touched the ball last, and no kick of the other team came before that"
         return kick, f"it kicked the ball {(step - kick.step) / self.rate:.1f} s before"
 
-    def _side(self, team: int) -> str:
+    def _side_in_words(self, team: int) -> str:
         """Return a side in words: the colour, and the name of its team."""
         return f"{TEAM_NAMES[team]} ({self._teams[team]})"
 
-    def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, play: Play) -> None:
+    def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, play: BallPlay) -> None:
         """Add a goal to the events, with the details that the page shows."""
         score = [int(goals) for goals in match.matches["score"][0]]
         kick = round(play.strength, 2) if play.kicked else None

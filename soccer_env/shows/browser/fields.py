@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.render.overlays.cast import cast_of_replay, shot_of
+from soccer_env.render.overlays.cast import cast_of_replay, take_snapshot
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.render.overlays.forces import ACROSS, forces_at, grid, has_forces, shares_of, target_of
+from soccer_env.render.overlays.forces import ACROSS, force_target, forces_at, grid, has_forces, relative_strengths
 from soccer_env.shows.browser.packing import pack_bytes
-from soccer_env.thoughts.thought import Reader
+from soccer_env.thoughts.thought import NoteReader
 from soccer_env.thoughts.thoughts import Notes
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ DIRECTIONS, LEVELS = 24, 5  # of a force: 15 degrees each; fifths of the share t
 APART = 5  # notes from frame to frame, about a second; 1 for the robot that the flags name
 
 
-class Fields:
+class ForceFrames:
     """Frames of all robots whose teams compute forces, taken while the replay is played; `flags` names one to follow.
 
     A frame is taken at every `APART`-th note, so a replay without notes has none; the frame of a robot without beliefs
@@ -33,7 +33,7 @@ class Fields:
 
     def __init__(self, replay: Replay, match: Match, notes: Notes | None, flags: OverlayFlags | None) -> None:
         self._notes = notes
-        self._cast = cast_of_replay(replay, match, None if notes is None else Reader.of(notes))
+        self._cast = cast_of_replay(replay, match, None if notes is None else NoteReader.of(notes))
         steps = [] if notes is None else notes.steps.tolist()
         self._numbers = {step: number for number, step in enumerate(steps)}
         followed = flags.agent if flags is not None and flags.field else None
@@ -54,14 +54,14 @@ class Fields:
 
     def _frame(self, match: Match, row: int, note: np.ndarray) -> np.ndarray:
         """Return the frame (P,) uint8 of a robot now."""
-        shot = shot_of(match, note)
+        shot = take_snapshot(match, note)
         thought = self._cast.thought(shot, row)
         if thought is None or not thought.knows or not shot.robots["active"][row]:
             return np.zeros(len(self._points), np.uint8)
-        target = target_of(self._cast.parts[row], thought)
+        target = force_target(self._cast.parts[row], thought)
         if target is None:
             return np.zeros(len(self._points), np.uint8)
-        return coded(forces_at(self._cast, shot, row, thought, target, self._points))
+        return encode_forces(forces_at(self._cast, shot, row, thought, target, self._points))
 
     @property
     def any(self) -> bool:
@@ -69,7 +69,7 @@ class Fields:
         return any(frame.any() for frames in self._frames.values() for frame in frames)
 
     def about(self) -> dict[str, Any]:
-        """Return the size of the grid, the code of the bytes, and the robots and rates of the frames."""
+        """Return the size of the grid, how bytes code directions and sizes, whose frames follow, and how often."""
         size = {"across": ACROSS, "up": len(self._points) // ACROSS, "directions": DIRECTIONS, "levels": LEVELS}
         return size | {"robots": list(self._every), "every": list(self._every.values())}
 
@@ -78,12 +78,12 @@ class Fields:
         return pack_bytes(b"".join(frame.tobytes() for frames in self._frames.values() for frame in frames))
 
 
-def coded(vectors: np.ndarray) -> np.ndarray:
+def encode_forces(vectors: np.ndarray) -> np.ndarray:
     """Return forces (P, 2) as bytes (P,): 1 + LEVELS times the direction + the strength, 0 where there is none."""
     size = np.hypot(*vectors.T)
     acts = np.isfinite(size) & (size > 0.0)
     size = np.where(acts, size, 0.0)
     turns = np.where(acts, np.arctan2(vectors[:, 1], vectors[:, 0]), 0.0) / (2.0 * np.pi)
     direction = np.rint(DIRECTIONS * turns).astype(int) % DIRECTIONS
-    level = np.clip(np.floor(LEVELS * shares_of(size)).astype(int), 0, LEVELS - 1)
+    level = np.clip(np.floor(LEVELS * relative_strengths(size)).astype(int), 0, LEVELS - 1)
     return np.where(acts, 1 + LEVELS * direction + level, 0).astype(np.uint8)

@@ -6,7 +6,7 @@ import zlib
 import numpy as np
 
 
-def pack(table: np.ndarray) -> str:
+def pack_table(table: np.ndarray) -> str:
     """Pack a table (T, C) int16 as text; differences between rows wrap round."""
     changes = np.diff(table, axis=0, prepend=np.int16(0)).T  # (C, T): a column's changes lie together
     folded = ((changes.astype(np.int32) << 1) ^ (changes.astype(np.int32) >> 15)).astype("<u2")  # 0, -1, 1, -2, ...

@@ -10,10 +10,10 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.render.overlays.flags import OverlayFlags
-from soccer_env.shows.browser.collect import collect
-from soccer_env.shows.film import check_new
+from soccer_env.shows.browser.collect import collect_page_data
+from soccer_env.shows.film import check_overwrite
 
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay
@@ -30,32 +30,32 @@ def write_page(
     target = Path(path)
     if target.suffix.lower() != ".html":
         raise ValueError(f"the path of a page must end with .html, got {str(path)!r}")
-    check_new(target, anew)
-    write_whole(target, page_of(collect(replay, note, flags)))
+    check_overwrite(target, anew)
+    write_atomically(target, make_page(collect_page_data(replay, note, flags)))
     return target
 
 
-def page_of(contents: dict[str, Any]) -> str:
-    """Return the page that shows the contents, a result of `collect`."""
+def make_page(contents: dict[str, Any]) -> str:
+    """Return the page that shows the contents, a result of `collect_page_data`."""
     home, away = contents["teams"]
-    scripts = "\n".join(part(name) for name in SCRIPTS)
+    scripts = "\n".join(read_part(name) for name in SCRIPTS)
     filled = {
         "TITLE": html.escape(f"{home} - {away}"),
-        "STYLE": part("look.css"),
-        "DATA": as_script(contents),
+        "STYLE": read_part("look.css"),
+        "DATA": script_json(contents),
         "SCRIPT": f'"use strict";\n(() => {{\n{scripts}\n}})();',
     }
-    page = part("page.html")
+    page = read_part("page.html")
     pieces = page.split("%%")  # text, name, text, name, ..., text: filled-in text is not scanned again
     return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
 
 
-def as_script(value: Any) -> str:
+def script_json(value: Any) -> str:
     """Return a value as JSON that cannot close the script element around it."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.translate(ESCAPED)
 
 
-def part(name: str) -> str:
+def read_part(name: str) -> str:
     """Return the text of a file of this folder."""
     return files(__package__).joinpath(name).read_text(encoding="utf-8")

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import BOX, DISCRETE, DISCRETE_TABLE, FULL
-from soccer_env.guards.checking import brief
+from soccer_env.guards.checking import short_repr
 
 HEAD = FULL.index("head")
 Who = Callable[[int, int], str]  # words for the robot of a match and a player
@@ -33,7 +33,7 @@ def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, w
     if not (discrete or continuous):
         last = who(given[0] // players - 1 if len(given) == 1 else given[0] - 1, players - 1)
         span = last if who(0, 0) == last else f"{who(0, 0)} to {last}"
-        got = f"{numbers.dtype} of shape {numbers.shape}" if numbers.dtype != object else brief(returned)
+        got = f"{numbers.dtype} of shape {numbers.shape}" if numbers.dtype != object else short_repr(returned)
         raise ValueError(
             f"team {team!r} must return actions of shape {(*given, len(BOX))} or {(*given, len(FULL))}, or discrete "
             f"ones of shape {given}, for {span}, got {got}"
@@ -54,7 +54,7 @@ def check_rows(good: np.ndarray, rows: np.ndarray, team: str, allowed: str, play
     if not good.all():
         row = int(np.argmin(good.all(axis=1)))
         robot = who(*divmod(row, players))
-        got = brief(rows[row].tolist() if rows.shape[1] > 1 else rows[row, 0].item())
+        got = short_repr(rows[row].tolist() if rows.shape[1] > 1 else rows[row, 0].item())
         raise ValueError(f"action of {robot} by team {team!r} must be {allowed}, got {got}")
 
 

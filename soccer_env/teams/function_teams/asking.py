@@ -23,17 +23,17 @@ MOVES = ("step", "reset", "load")  # methods that move a match to another state
 def ask_functions(match: Match) -> None:
     """Ask the functions for the decisions due in M matches and store the answers; ValueError for an invalid answer."""
     squads = [squad for squad in match.squads if isinstance(squad.team, FunctionTeam)]
-    answers = [decided(match, squad) for squad in squads]
+    answers = [ask_squad(match, squad) for squad in squads]
     for squad, memory in zip(squads, answers, strict=True):
         squad.memory[...] = memory
 
 
-def decided(match: Match, squad: Squad) -> np.ndarray:
+def ask_squad(match: Match, squad: Squad) -> np.ndarray:
     """Ask a squad's function and return a copy of the squad's memory (M, P) with the new decisions."""
     team: FunctionTeam = squad.team
     memory: np.ndarray = squad.memory.copy()
     plays = np.ones(match.count, bool) if squad.plays is None else squad.plays
-    begin(memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team)
+    begin_memory(memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team)
     due = np.flatnonzero(plays & (memory["wait"][:, 0] == 0) & (match.matches["over"] == 0))
     if len(due):
         rows, kept = squad.players, memory[due]
@@ -41,15 +41,15 @@ def decided(match: Match, squad: Squad) -> np.ndarray:
         def who(d: int, p: int) -> str:
             return f"{match.agents[rows[p]]} in match {due[d]}"
 
-        with standing(match, team.name):
-            kept["action"] = team.decide(observed(match, squad, due), kept, who)
+        with forbid_changes(match, team.name):
+            kept["action"] = team.decide(squad_observations(match, squad, due), kept, who)
         kept["wait"] = team.action_repeat
         memory[due] = kept
     return memory
 
 
 @contextmanager
-def standing(match: Match, team: str) -> Iterator[None]:
+def forbid_changes(match: Match, team: str) -> Iterator[None]:
     """Forbid steps and other changes of a match while a team's own Python runs; reading, copying and branching work."""
     asks = get_ident()
 
@@ -68,7 +68,7 @@ def standing(match: Match, team: str) -> Iterator[None]:
             del match.__dict__[name]
 
 
-def begin(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
+def begin_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
     """Initialise the memory (M, P) in the `fresh` matches (M,), whose episode begins: robots stand until a decision."""
     if fresh.any():
         first = memory[fresh]
@@ -78,7 +78,7 @@ def begin(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: Functio
         memory[fresh] = first
 
 
-def observed(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:
+def squad_observations(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:
     """Return the observations (D, P, n) float32 of a squad's players, in a new array for the function."""
     team, seen = squad.team, squad.observations
     if isinstance(team.observe, str):

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import FULL
-from soccer_env.guards.checking import one_of, refuse, whole_number
-from soccer_env.guards.ranges import ANY, COUNT, FLAG, NUMBER, record
+from soccer_env.guards.checking import check_choice, check_whole_number, raise_not_allowed
+from soccer_env.guards.ranges import ANY, COUNT, FLAG, NUMBER, ranged_record
 from soccer_env.observations import OBSERVE, Observation
 from soccer_env.teams import TeamRandom, View
 from soccer_env.teams.function_teams.answers import Who, as_actions, check_remembered
@@ -48,7 +48,9 @@ class FunctionTeam:
 
     def __repr__(self) -> str:
         """Return the team's name, its kind of observations, and all settings that differ from their defaults."""
-        given: dict[str, Any] = {"observe": self.observe if isinstance(self.observe, str) else kind_of(self.observe)}
+        given: dict[str, Any] = {
+            "observe": self.observe if isinstance(self.observe, str) else observation_class_name(self.observe)
+        }
         given |= {"action_repeat": self.action_repeat} if self.action_repeat != 1 else {}
         given |= {"memory": str(self.memory)} if self.memory is not None else {}
         given |= {"flat": True} if self.flat else {}
@@ -58,12 +60,12 @@ class FunctionTeam:
     @property
     def memory_dtype(self) -> np.dtype[Any]:
         """Return the dtype of a player's memory: decision, steps until the next decision, the function's memory."""
-        return record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
+        return ranged_record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
 
     @property
     def settings(self) -> np.ndarray:
         """Return the settings, as bytes, which must equal those in a save that is loaded."""
-        seen = self.observe if isinstance(self.observe, str) else kind_of(self.observe)
+        seen = self.observe if isinstance(self.observe, str) else observation_class_name(self.observe)
         text = f"{seen} {self.action_repeat} {self.at_once} {self.flat} {self.fingerprint}"
         return np.frombuffer(text.encode(), np.uint8)
 
@@ -117,22 +119,22 @@ def team_of_function(
     that changes when the policy changes, for evaluations that go on where they stopped. ValueError names what is wrong.
     """
     if not callable(function):
-        refuse("function", "a function of observations", function)
+        raise_not_allowed("function", "a function of observations", function)
     check_observe(observe)
     called = getattr(function, "__name__", type(function).__name__) if name is None else name
     return FunctionTeam(
         check_text("name", called, 1),
         function,
         observe,
-        whole_number("action_repeat", action_repeat, 1, MOST),
+        check_whole_number("action_repeat", action_repeat, 1, MOST),
         None if memory is None else checked_memory(memory),
-        one_of("flat", flat, (True, False)),
-        one_of("at_once", at_once, (True, False)),
+        check_choice("flat", flat, (True, False)),
+        check_choice("at_once", at_once, (True, False)),
         check_text("fingerprint", fingerprint, 0),
     )
 
 
-def kind_of(observe: Observation) -> str:
+def observation_class_name(observe: Observation) -> str:
     """Return the class name of an object of observations."""
     return type(observe).__qualname__
 
@@ -140,13 +142,13 @@ def kind_of(observe: Observation) -> str:
 def check_observe(observe: Any) -> None:
     """Raise ValueError unless something is a name of observations, or an object with names to call with a match."""
     if not (callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries"))):
-        one_of("observe", observe, OBSERVE)
+        check_choice("observe", observe, OBSERVE)
 
 
 def check_text(what: str, text: Any, least: int) -> str:
     """Return a value if it is a printable text of one line, `least` characters or longer; else raise ValueError."""
     if not (isinstance(text, str) and text.isprintable() and len(text) >= least):
-        refuse(what, "a plain text", text)
+        raise_not_allowed(what, "a plain text", text)
     return text
 
 
@@ -157,5 +159,5 @@ def checked_memory(memory: Any) -> np.dtype[Any]:
     except (TypeError, ValueError) as error:
         raise ValueError(f"memory must be a dtype of plain numbers, got {memory!r}: {error}") from error
     if dtype.hasobject or dtype.itemsize == 0:
-        refuse("memory", "a dtype of plain numbers", memory)
+        raise_not_allowed("memory", "a dtype of plain numbers", memory)
     return dtype

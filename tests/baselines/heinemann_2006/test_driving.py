@@ -8,9 +8,9 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
-from soccer_env.baselines.heinemann_2006.driving import bend_between, bend_speed, drive_to, note_crowd, turn_limit
+from soccer_env.baselines.heinemann_2006.driving import bend_angle, bend_speed, drive_to, note_crowd, turn_limit
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
-from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_records
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.scenes import SCENES
@@ -25,7 +25,7 @@ Other = tuple[float, float, float, float]
 
 def drive(others: list[Other], seconds: float = 6.0, target: tuple[float, float] = (3.0, 0.0), **changes: Any) -> Any:
     """Let a base without delay drive from (-3, 0) to a target, facing (0, 4); rows of x, y, vx, vy, heading, gap."""
-    play = settings_of(HeinemannSettings(**changes))[OMNI]
+    play = settings_records(HeinemannSettings(**changes))[OMNI]
     scratch, memory, command = np.zeros(1, SCRATCH)[0], np.zeros(1, MEMORY)[0], np.zeros(1, COMMAND)[0]
     sight = scratch["sight"]
     sight["pace"], sight["elapsed"], sight["ball_x"], sight["ball_y"] = 1.0, DT, 0.0, 40.0
@@ -69,7 +69,7 @@ def test_mh14_it_follows_the_plan_to_its_end_within_the_bases_limits(others: lis
 
 
 def test_mh14_every_decision_plans_anew_from_where_the_robot_is() -> None:
-    play = settings_of(HeinemannSettings())[OMNI]
+    play = settings_records(HeinemannSettings())[OMNI]
     scratch, memory, command = np.zeros(1, SCRATCH)[0], np.zeros(1, MEMORY)[0], np.zeros(1, COMMAND)[0]
     sight, plan, ways = scratch["sight"], scratch["plan"][0], []
     sight["pace"], sight["elapsed"], sight["cosine"], sight["ball_y"] = 1.0, DT, 1.0, 40.0
@@ -126,9 +126,9 @@ def test_whatever_is_in_the_way_it_comes_as_near_as_it_can_and_touches_nobody(sc
 
 
 def test_bends_and_turns_are_as_fast_as_their_share_of_the_acceleration() -> None:
-    play = settings_of(HeinemannSettings(bending=0.5, turning=0.25))[OMNI]
-    assert bend_between(1.0, 0.0, 0.0, 2.0) == pytest.approx(pi / 2)
-    assert bend_between(1.0, 0.0, 0.0, 0.0) == 0.0
+    play = settings_records(HeinemannSettings(bending=0.5, turning=0.25))[OMNI]
+    assert bend_angle(1.0, 0.0, 0.0, 2.0) == pytest.approx(pi / 2)
+    assert bend_angle(1.0, 0.0, 0.0, 0.0) == 0.0
     assert bend_speed(K, play, 0.5, 1.0) == pytest.approx((0.5 * ACCELERATION * 2.0) ** 0.5)  # r = 1 / 0.5
     assert turn_limit(K, play, 2.0) == pytest.approx(0.5)
 
@@ -139,12 +139,12 @@ def test_mh25_an_obstacle_is_no_faster_than_robots_are() -> None:
     sight["others"], sight["ball_x"] = 3, 9.0
     sight["other_vx"][:3], sight["other_vy"][:3] = (3.0, 30.0, 0.0), (4.0, 40.0, 0.0)
     sight["field"][:3], sight["other_x"][2] = 1, 8.8
-    note_crowd(scratch, K, settings_of(HeinemannSettings())[OMNI], True)
+    note_crowd(scratch, K, settings_records(HeinemannSettings())[OMNI], True)
     assert scratch["count"] == 2  # the third has the ball that is fought for
     crowd = scratch["crowd"]
     np.testing.assert_allclose(crowd["vx"][:2], (3.0, 3.0))
     np.testing.assert_allclose(crowd["vy"][:2], (4.0, 4.0))
-    note_crowd(scratch, K, settings_of(HeinemannSettings(velocity=False))[OMNI], False)
+    note_crowd(scratch, K, settings_records(HeinemannSettings(velocity=False))[OMNI], False)
     assert scratch["count"] == 3 and not crowd["vx"][:3].any()
 
 
@@ -153,7 +153,7 @@ MATCHES, HOLDING, REACH = 20, 0.29, 0.287  # [m] from the robot's middle to a ba
 
 @pytest.mark.parametrize("turn", [0.1, 0.3, 1.0])
 def test_speed_times_turn_is_the_grip(turn: float) -> None:
-    play = settings_of(HeinemannSettings(dribble_grip=0.35, dribble_turn=4.0))[OMNI]
+    play = settings_records(HeinemannSettings(dribble_grip=0.35, dribble_turn=4.0))[OMNI]
     speed = grip_speed(play, turn)
     assert speed * turn == pytest.approx(0.35) and grip_speed(play, -turn) == speed
     assert grip_turn(play, speed) == pytest.approx(turn)
@@ -166,7 +166,7 @@ def asked(speed: float, aside: float) -> tuple[float, float]:
     sight, k = scratch["sight"], constants_of(find_league(MIDDLE))[0]
     sight["pace"], sight["cosine"], sight["now_cosine"], sight["vx"] = 1.0, 1.0, 1.0, speed
     sight["touch"] = HOLDING
-    play = settings_of(HeinemannSettings(dribble_grip=0.35))[OMNI]
+    play = settings_records(HeinemannSettings(dribble_grip=0.35))[OMNI]
     dribble(command, sight, memory, k, play, np.cos(aside), np.sin(aside))
     return float(command["forward"]) * 2.6, float(command["turn"]) * 6.0
 

@@ -14,9 +14,9 @@ from soccer_env import Match
 from soccer_env.baselines.heinemann_2006.goalkeeper import interception, is_shot, keep_goal, passive_place, spare_time
 from soccer_env.baselines.heinemann_2006.intercepting import STEP, meeting_time, moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
-from soccer_env.baselines.heinemann_2006.passing import choose_pass, open_place, own_ball, pass_strength
+from soccer_env.baselines.heinemann_2006.passing import choose_pass, open_place, own_team_is_nearer, pass_strength
 from soccer_env.baselines.heinemann_2006.roles import right_rank, way_there
-from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_records
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.sight import SIGHT
@@ -30,7 +30,7 @@ REACH = 0.2 + 0.11  # [m] keeper_reach and the ball's radius
 
 
 def settings(**changes: Any) -> np.void:
-    return settings_of(HeinemannSettings(**changes))[OMNI]
+    return settings_records(HeinemannSettings(**changes))[OMNI]
 
 
 def seen(x: float, y: float, ball: tuple[float, float], velocity: tuple[float, float]) -> np.void:
@@ -230,7 +230,7 @@ def test_a_supporter_stands_open_ahead_of_the_ball_on_its_side_where_nobody_stan
     assert open_place(sight_of([], [(1.25, 0.75)]), skill, K) != (2.5, 1.5)
     skill["rank"] = 3
     assert open_place(sight_of([]), skill, K) == (2.5, -1.5)
-    assert own_ball(sight_of([])) and not own_ball(sight_of([(-2.0, 0.0)], [(0.1, 0.0)]))
+    assert own_team_is_nearer(sight_of([])) and not own_team_is_nearer(sight_of([(-2.0, 0.0)], [(0.1, 0.0)]))
 
 
 def passes_by(team: str) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from soccer_env.baselines.heinemann_2006.playing import (
     LEAST_RADIUS,
     PATIENCE,
     STAYS,
-    go_round,
+    drive_round_ball,
     hear,
     note_standing,
 )
@@ -23,7 +23,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import SITUATION
 from soccer_env.types import COMMAND, Phase
 from tests.baselines.heinemann_2006.test_goalkeeper import settings
-from tests.scenes.staging import MIDDLE, each_step
+from tests.scenes.staging import MIDDLE, record_each_step
 
 STEP = 0.02  # [s]
 
@@ -120,7 +120,7 @@ def test_mh05_with_the_radio_dead_for_half_a_minute_the_team_still_plays() -> No
     one, none = (np.array(attackers) == 1).mean(), (np.array(attackers) == 0).mean()
     assert one > 0.65 and none < 0.05  # who sees its mates agrees with them on who attacks
     late = deaf(10.0)
-    touches = each_step(late, lambda: late.robot_events["touch"].any(axis=1), steps=1500)
+    touches = record_each_step(late, lambda: late.robot_events["touch"].any(axis=1), steps=1500)
     late.close()
     assert (touches.sum(axis=0) > 10).all()
 
@@ -201,7 +201,7 @@ def test_who_stands_away_from_its_place_goes_round_the_ball_after_a_while_and_al
     for _ in range(steps + 3):
         note_standing(told, memory, sight)
     assert memory["detour"] > 0.0 and memory["detour_side"] == 1.0
-    go_round(command, memory, K, play, scratch)
+    drive_round_ball(command, memory, K, play, scratch)
     plan = scratch["plan"][0]
     assert plan["target"]["x"] == pytest.approx(0.6 * LEAST_RADIUS)
     assert plan["target"]["y"] == pytest.approx(-0.8 * LEAST_RADIUS)

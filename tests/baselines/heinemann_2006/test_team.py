@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match, make_team
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, KEEPER, MEMORY, SUPPORTER
 from soccer_env.baselines.heinemann_2006.roles import choose_role
-from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_records
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.sight import SIGHT
@@ -122,7 +122,7 @@ def seen(x: float, mates: list[tuple[float, float]]) -> np.void:
 
 def test_mh23_one_attacks_one_defends_and_the_others_support() -> None:
     places = [(-1.0, 0.0), (-2.5, 0.0), (-3.0, 2.5), (-3.0, -3.0)]
-    play, ranks = settings_of(HeinemannSettings())[1], []
+    play, ranks = settings_records(HeinemannSettings())[1], []
     for i, (x, y) in enumerate(places):
         sight, memory = seen(x, places[:i] + places[i + 1 :]), np.zeros(1, MEMORY)[0]
         sight["y"] = y
@@ -132,7 +132,7 @@ def test_mh23_one_attacks_one_defends_and_the_others_support() -> None:
 
 
 def test_mh23_a_role_is_given_up_for_somebody_clearly_nearer_after_a_while() -> None:
-    play, memory = settings_of(HeinemannSettings(role_gain=0.4, role_time=0.3))[1], np.zeros(1, MEMORY)[0]
+    play, memory = settings_records(HeinemannSettings(role_gain=0.4, role_time=0.3))[1], np.zeros(1, MEMORY)[0]
     choose_role(seen(-1.0, [(-1.2, 0.0)]), memory, K, play)
     assert memory["role"] == ATTACKER
     for _ in range(50):

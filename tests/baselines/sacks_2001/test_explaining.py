@@ -8,7 +8,7 @@ import pytest
 from soccer_env.baselines.sacks_2001.explaining import forces, plan
 from soccer_env.baselines.sacks_2001.memory import APPROACH, DRIBBLE
 from soccer_env.leagues.constants import constants_of
-from soccer_env.teams import Mind as Shown
+from soccer_env.teams import DecisionInputs as Shown
 from tests.scenes.sacks_mind import LEAGUE, Mind
 
 HEADING = 0.4  # [rad]

@@ -9,7 +9,13 @@ import pytest
 from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sacks_2001.steering import choose_way, force_of_players, limited, off_ahead, step_speed
+from soccer_env.baselines.sacks_2001.steering import (
+    choose_dribble_direction,
+    force_of_players,
+    limited,
+    off_ahead,
+    step_speed,
+)
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
@@ -119,7 +125,7 @@ def test_ms43_side_walls_push_straight_off_and_less_than_players() -> None:
         assert abs(wall_force(1.0 - x, 1.0, play)) < repulsion(x, 0.8, 1.0, play)
     belief, tracks, memory = scene()
     belief["own"]["y"] = 0.9
-    choose_way(belief[0], tracks, memory[0], K, play)
+    choose_dribble_direction(belief[0], tracks, memory[0], K, play)
     assert memory["way"][0] < atan2(-0.9, 1.6)  # more to the right than the goal is
 
 
@@ -133,7 +139,7 @@ def test_ms44_players_are_points_whatever_way_they_face() -> None:
     for heading in (0.0, 1.0, 2.0):
         belief, tracks, memory = scene((0.4, 0.1))
         tracks["heading"], tracks["vx"] = heading, 0.1
-        choose_way(belief[0], tracks, memory[0], K, play)
+        choose_dribble_direction(belief[0], tracks, memory[0], K, play)
         ways.append(memory["way"][0])
     assert len(set(ways)) == 1
 

@@ -23,7 +23,7 @@ from soccer_env.leagues import find_league
 from soccer_env.teams import CompiledTeam, TeamRandom, View
 from soccer_env.types import COMMAND, NOISE_STREAMS, Phase
 from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
-from tests.scenes.staging import LEGGED, patient, put_ball, send_off, set_phase
+from tests.scenes.staging import LEGGED, league_without_calls, put_ball, send_off, set_phase
 from tests.scenes.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
 TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")
@@ -83,7 +83,7 @@ def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() 
     The opponent is off the field: legs that hold each other would stop a robot that turns beside him.
     """
     teams = {"home": "sacks-2001", "away": "still"}
-    match = Match(patient(LEGGED), matches=8, home=2, away=1, seed=4, controllers=teams)
+    match = Match(league_without_calls(LEGGED), matches=8, home=2, away=1, seed=4, controllers=teams)
     set_phase(match, Phase.PLAY)
     put_ball(match, 50.0, 50.0)
     send_off(match, [2])

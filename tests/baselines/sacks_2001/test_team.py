@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team
-from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, ORBIT, PASS, SEARCH, SHOOT
+from soccer_env.baselines.sacks_2001.actuators import SWEEP, SWEEP_SHARE, look_around
+from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, MEMORY, ORBIT, PASS, SEARCH, SHOOT
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
+from soccer_env.types import COMMAND
 from tests.scenes.sacks_mind import LEAGUE, Mind
 from tests.scenes.staging import play
 
@@ -297,3 +300,15 @@ def test_ms53_the_goalkeeper_stands_on_the_line_from_its_goal_to_the_ball(side: 
         walk = complex(command[FORWARD], command[LEFT]) * np.exp(1j * heading)
         assert mind.memory["behaviour"] == GUARD
         assert np.sign(walk.imag.round(9)) == -walks and (walks != 0.0 or abs(walk) < 1e-9)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_the_head_sweeps_four_fifths_of_its_pan_to_both_sides_first_to_the_balls(side: float) -> None:
+    k = constants_of(LEAGUE)[0]
+    command, memory, pans = np.zeros(1, COMMAND)[0], np.zeros(1, MEMORY)[0], []
+    for _ in range(int(2.0 * SWEEP / 0.01)):
+        look_around(command, memory, k, side * 0.4, 0.01)
+        pans.append(float(command["pan"]))
+    assert min(pans) == pytest.approx(-SWEEP_SHARE, abs=0.02) and max(pans) == pytest.approx(SWEEP_SHARE, abs=0.02)
+    quarter = len(pans) // 4
+    assert side * (pans[quarter] - pans[0]) > 0.5 * SWEEP_SHARE  # it goes to the ball's side first

@@ -12,7 +12,7 @@ import pytest
 from soccer_env.baselines.weigel_2001 import planner as planner_room
 from soccer_env.baselines.weigel_2001.planner import Planner, PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.drawing import draw_plan, draw_travel
-from soccer_env.baselines.weigel_2001.planner.measuring import turn_of
+from soccer_env.baselines.weigel_2001.planner.measuring import total_turn
 from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE
 from tests.scenes.planning import CROSSING_A, CROSSING_B, random_scene
 
@@ -98,7 +98,7 @@ def test_a_plan_tells_where_everybody_will_be_and_a_travel_its_smallest_gap_and_
     assert planner.plan((0.0, 0.0), (4.0, 0.0), [(4.0, 0.8, -2.6, 0.0)]).clearance() == pytest.approx(0.3, abs=1e-3)
     assert planner.plan((0.0, 0.0), (4.0, 0.0)).clearance() > 1e6
     square = np.array([(0, 0), (1, 0), (1, 0), (1, 1), (2, 1)], float)
-    assert turn_of(square) == pytest.approx(pi) and turn_of(square[:2]) == 0.0
+    assert total_turn(square) == pytest.approx(pi) and total_turn(square[:2]) == 0.0
     assert Planner().plan((0.0, 0.0), (3.0, 0.0)).turn == pytest.approx(0.0, abs=1e-6)
 
 

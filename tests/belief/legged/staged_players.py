@@ -43,7 +43,7 @@ def believe(percepts, owns, tracks, memories, constants, sensors, settings, tabl
         believe_players(percepts[n], owns[n], tracks[n], memories[n], k, s, w, table)
 
 
-def player(u: float = 0.0, v: float = 0.0, height: int = 6, width: int | None = None) -> Blob:
+def full_blob(u: float = 0.0, v: float = 0.0, height: int = 6, width: int | None = None) -> Blob:
     """Return a full blob whose middle lies u to the left and v above the picture's centre [px], in whole pixels."""
     width = height if width is None else width
     left, high = round(u + 0.5 * width), round(v + 0.5 * height)
@@ -105,7 +105,7 @@ class Onlooker:
         bearing, elevation = atan2(y - left, x - ahead), atan2(STICKER_MIDDLE - height, away)
         u, v, inside = pixel_of_direction(bearing, elevation, self.pan, self.tilt, self.sensors[0])
         assert inside, f"a player at {x}, {y} is not in the picture"
-        return player(u, v, round(focal_y(self.sensors[0]) * STICKER_HEIGHT / away))
+        return full_blob(u, v, round(focal_y(self.sensors[0]) * STICKER_HEIGHT / away))
 
 
 def pinhole_tables() -> np.ndarray:

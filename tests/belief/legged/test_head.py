@@ -17,7 +17,7 @@ from soccer_env.records.percepts import LEGGED_PERCEPT
 from soccer_env.types import GAZE
 from tests.belief.legged.staged_ball import Watcher
 from tests.scenes.projection import pixel_of_direction
-from tests.scenes.staging import LEGGED, asking, stage, steady
+from tests.scenes.staging import LEGGED, robot_actions, stage, steady
 
 LEAGUE = find_league(LEGGED)
 RADIUS = LEAGUE.ball.radius
@@ -195,7 +195,7 @@ def watch(match: Match, actions: Any, seconds: float) -> np.ndarray:
 def test_ms07_the_ball_stays_at_the_centre_of_the_picture_while_the_robot_walks() -> None:
     """MS07: the head follows at the speed of its joints; the beam on its axis meets the ball in most frames."""
     match = stage(steady(LEGGED), observe="belief", ball=(-0.5, -0.2), robots={0: (-1.0, -0.5, 0.2)})
-    found = watch(match, asking(match, forward=0.8, left=0.4, turn=0.15), 5.0)
+    found = watch(match, robot_actions(match, forward=0.8, left=0.4, turn=0.15), 5.0)
     settled = found[8:]  # after half a second to find it
     assert (settled < CENTRED).mean() > 0.95
     assert np.median(settled) < 0.1 * CENTRED  # it leads by the robot's own motion, and does not lag behind
@@ -208,6 +208,6 @@ def test_the_head_leads_a_ball_that_lies_still_and_catches_one_aside_at_the_spee
         head.percepts["body"]["turn"] = 0.05
         assert (head.gaze()[0] < at_rest[0]) == lead
     match = stage(steady(LEGGED), observe="belief", ball=(0.4, 0.6), robots={0: (0.0, 0.0)})
-    found = watch(match, asking(match), 1.0)
+    found = watch(match, robot_actions(match), 1.0)
     frames = np.arctan2(0.6, 0.4 - 0.075) / LEAGUE.head.pan_speed * LEAGUE.control_rate
     assert (found > CENTRED).sum() == pytest.approx(frames, abs=1.5)

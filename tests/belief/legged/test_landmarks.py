@@ -31,7 +31,7 @@ def seen_from(x: float, y: float, heading: float, pan: float = 0.0) -> np.ndarra
 
 def look(percepts: np.ndarray) -> tuple[np.ndarray, int]:
     view = np.zeros(1, LANDMARK_VIEW)
-    return view, kernels.look_at_landmarks(percepts[0], view[0], K[0], S[0], W[0])
+    return view, kernels.measure_landmarks(percepts[0], view[0], K[0], S[0], W[0])
 
 
 def cost_at(percepts: np.ndarray, x: float, y: float, heading: float) -> float:
@@ -39,7 +39,7 @@ def cost_at(percepts: np.ndarray, x: float, y: float, heading: float) -> float:
     view, _ = look(percepts)
     particles, noise = np.zeros(1, PARTICLE), np.zeros(NOISE_STREAMS, np.uint64)
     particles["x"], particles["y"], particles["heading"] = x, y, heading
-    kernels.weigh_by_landmarks(particles, view[0], STAND_STILL, noise, 1.0, K[0], W[0])
+    kernels.weigh_particles_by_landmarks(particles, view[0], STAND_STILL, noise, 1.0, K[0], W[0])
     return float(particles["weight"][0])
 
 

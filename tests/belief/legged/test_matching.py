@@ -7,8 +7,14 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.legged import matching
-from soccer_env.belief.legged.matching import angle_between, falloff, likeliest_slot, likelihood, uncertainty_of
-from soccer_env.belief.legged.players import grow_older, remember
+from soccer_env.belief.legged.matching import (
+    angle_between,
+    inverse_power,
+    likeliest_slot,
+    match_likelihood,
+    track_uncertainty,
+)
+from soccer_env.belief.legged.players import age_tracks, remember_player
 from soccer_env.compiled import compiled
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import TRACK
@@ -42,18 +48,18 @@ def slot_for(tracks: np.ndarray, x: float, y: float, **changes: Any) -> int:
 @pytest.mark.parametrize("power", [0.0, 1.0, 2.0, 2.5, 3.0])
 def test_powers_may_be_whole_or_not_and_never_overflow(power: float) -> None:
     for value in (1e-3, 0.07, 1.0, 3.6):
-        assert falloff(value, power) == pytest.approx(value**-power, rel=1e-13)
+        assert inverse_power(value, power) == pytest.approx(value**-power, rel=1e-13)
     for value, huge in ((1e-3, 1e3), (1e-3, 1e300), (4.0, 1e300)):
-        assert 0.0 <= falloff(value, huge) < inf
+        assert 0.0 <= inverse_power(value, huge) < inf
     assert slot_for(memory((1, 0, 1), (2, 0, 1), None), 1.0, 0.0, distance_power=1e6, angle_power=1e6) == 0
 
 
 def test_ms32_uncertainty_grows_from_a_half_to_a_hundred() -> None:
     """MS32: with the time that a player has not been seen for; of two equally near the longer unseen is replaced."""
-    ages = [uncertainty_of(memory((1.0, 0.0, age))[0], settings()) for age in (0.0, 3.0, 15.0, 29.85, 60.0, 1e9)]
+    ages = [track_uncertainty(memory((1.0, 0.0, age))[0], settings()) for age in (0.0, 3.0, 15.0, 29.85, 60.0, 1e9)]
     assert ages == pytest.approx([0.5, 10.5, 50.5, 100.0, 100.0, 100.0])
-    assert uncertainty_of(memory(None)[0], settings()) == 100.0
-    assert uncertainty_of(memory((1.0, 0.0, 3.0))[0], settings(uncertainty_growth=0.0)) == 0.5
+    assert track_uncertainty(memory(None)[0], settings()) == 100.0
+    assert track_uncertainty(memory((1.0, 0.0, 3.0))[0], settings(uncertainty_growth=0.0)) == 0.5
     assert slot_for(memory((1.0, 0.3, 5.0), (1.0, -0.3, 1.0)), 1.0, 0.0) == 0
     later = memory((1.0, 0.3, 1.0), (1.0, -0.3, 5.0))
     assert (slot_for(later, 1.0, 0.0), slot_for(later, 1.0, 0.0, uncertainty_growth=0.0)) == (1, 0)
@@ -63,7 +69,7 @@ def test_ms30_likelihood_is_uncertainty_by_distance_cubed_by_angle() -> None:
     angle = pi / 6
     x, y = 1.2 * np.cos(angle), 1.2 * np.sin(angle)
     distance = hypot(x - 0.7, y)
-    found = likelihood(memory((0.7, 0.0, 3.0))[0], x, y, angle, settings())
+    found = match_likelihood(memory((0.7, 0.0, 3.0))[0], x, y, angle, settings())
     assert found == pytest.approx(10.5 / distance**3 / angle, rel=1e-12)
     tracks = memory((0.8, 0.0, 1.0), (1.5, 0.5, 1.0), (1.0, -0.8, 1.0))  # all seen equally long ago
     assert [slot_for(tracks, *place) for place in ((0.9, 0.05), (1.3, 0.5), (1.0, -0.6))] == [0, 1, 2]
@@ -89,11 +95,11 @@ def test_ms31_the_angle_counts_more_than_the_range() -> None:
 
 def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree_and_angles_are_taken_the_short_way() -> None:
     track = memory((1.0, 0.0, 0.0))[0]
-    assert likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(
+    assert match_likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(
         0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
     )
     own_place = memory((0.0, 0.0, 0.0))[0]
-    assert likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
+    assert match_likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
     assert angle_between(3.0, -3.0) == pytest.approx(2 * pi - 6.0)
     assert angle_between(0.4, 0.1) == angle_between(0.1, 0.4) == angle_between(-0.1, -0.4)
     assert angle_between(pi, -pi) == 0.0
@@ -117,9 +123,9 @@ def watch_one(tracks, views, duplicated, k, w):
     another player's slot holds something within 0.45 m of where it is."""
     for n in range(tracks.shape[0]):
         for frame in range(views.shape[1]):
-            grow_older(tracks[n], tracks.shape[1], k[0], w[0])
+            age_tracks(tracks[n], tracks.shape[1], k[0], w[0])
             x, y = views[n, frame, 0], views[n, frame, 1]
-            remember(tracks[n], likeliest_slot(tracks[n], 0, tracks.shape[1], x, y, w[0]), x, y, 0)
+            remember_player(tracks[n], likeliest_slot(tracks[n], 0, tracks.shape[1], x, y, w[0]), x, y, 0)
             near = 0
             for slot in range(tracks.shape[1]):
                 aside, away = tracks[n, slot].y, tracks[n, slot].x - 1.0

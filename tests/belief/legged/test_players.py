@@ -11,7 +11,13 @@ from math import atan2, cos, hypot, sin
 import numpy as np
 import pytest
 
-from soccer_env.belief.legged.grouping import box_of_player, is_larger, largest_left, player_of, size_of
+from soccer_env.belief.legged.grouping import (
+    blob_size,
+    box_of_player,
+    is_larger,
+    largest_blob_of_player,
+    largest_ungrouped_blob,
+)
 from soccer_env.belief.legged.surface import surface_distance
 from soccer_env.belief.odometry import move_point
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_y
@@ -25,9 +31,9 @@ from tests.belief.legged.staged_players import (
     STICKER_HEIGHT,
     Blob,
     Onlooker,
+    full_blob,
     near,
     places,
-    player,
 )
 
 FOCAL = focal_y(Onlooker().sensors[0])
@@ -68,7 +74,7 @@ def test_several_players_in_one_view_take_several_slots_and_more_than_slots_drop
     assert sorted(places(robot.opponents)) == [near(RIGHT), near(LEFT)]
     assert (robot.memories["teammates"], robot.memories["opponents"]) == (0, 2)
     robot = Onlooker(opponents=2)
-    blobs = [player(-30, 0, 4), player(-10, 0, 6), player(10, 0, 5), player(30, 0, 7)]
+    blobs = [full_blob(-30, 0, 4), full_blob(-10, 0, 6), full_blob(10, 0, 5), full_blob(30, 0, 7)]
     robot.settings["grouping"] = 0.5
     robot.look(blobs)
     assert robot.memories["opponents"][0] == 4
@@ -99,7 +105,7 @@ def test_any_number_of_slots_will_do(teammates: int, opponents: int) -> None:
 def test_a_player_lies_where_head_and_pixel_point_at_the_range_of_its_height(pan: float, tilt: float) -> None:
     robot = Onlooker()
     robot.pan, robot.tilt = pan, tilt
-    blob = player(-13.0, 6.0, 5, 9)
+    blob = full_blob(-13.0, 6.0, 5, 9)
     robot.look([blob])
     bearing, distance = reference(robot, blob)
     track = robot.opponents[0]
@@ -115,13 +121,13 @@ def test_ms33_ranges_come_from_the_height_table_of_a_view(view: str, mode: str) 
     table = f"player_{view}" + ("_all" if mode == "combined" else "")
     for height, width in ((4, 4), (4, 12), (9, 3)):
         robot = Onlooker(player_view=view, player_blob=mode)
-        robot.look([player(0.0, 0.0, height, width)])
+        robot.look([full_blob(0.0, 0.0, height, width)])
         assert away(robot) == pytest.approx(FACTORS[table] * FOCAL * STICKER_HEIGHT / height)
 
 
 def test_ms34_the_range_does_not_jump_when_head_stickers_vanish() -> None:
     """MS34: the box round all blobs shrinks, the largest blob does not."""
-    chest, head = player(0.0, 0.0, 6), player(6.0, 8.0, 4)
+    chest, head = full_blob(0.0, 0.0, 6), full_blob(6.0, 8.0, 4)
     found = {}
     for mode in ("largest", "combined"):
         for stickers in ([chest, head], [chest]):
@@ -139,12 +145,12 @@ def test_ms35_a_player_in_the_beam_is_as_far_as_the_infrared_says() -> None:
     robot.tilt = -0.3
     by_size = FOCAL * STICKER_HEIGHT / 12
     for reading, expected in ((0.2, 0.2 * cos(0.3) + 0.105), (0.39, 0.39 * cos(0.3) + 0.105), (0.41, by_size)):
-        robot.look([player(0.0, 0.0, 12)], infrared=reading)
+        robot.look([full_blob(0.0, 0.0, 12)], infrared=reading)
         assert away(robot) == pytest.approx(expected, abs=1e-6)
-    robot.look([player(0.0, 0.0, 12)], infrared=0.0)  # no reading
+    robot.look([full_blob(0.0, 0.0, 12)], infrared=0.0)  # no reading
     assert away(robot) == pytest.approx(by_size)
     robot.settings["player_infrared"] = 0
-    robot.look([player(0.0, 0.0, 12)], infrared=0.2)
+    robot.look([full_blob(0.0, 0.0, 12)], infrared=0.2)
     assert away(robot) == pytest.approx(by_size)
 
 
@@ -153,10 +159,10 @@ def test_ms35_the_infrared_tells_of_nobody_beside_the_beam() -> None:
     by_size, by_beam = FOCAL * STICKER_HEIGHT / 12, 0.3 + 0.105
     for u, v, expected in ((6, 0, by_beam), (7, 0, by_size), (-6, 0, by_beam), (0, 6, by_beam), (0, -7, by_size)):
         robot = Onlooker()
-        robot.look([player(u, v, 12)], infrared=0.3)
+        robot.look([full_blob(u, v, 12)], infrared=0.3)
         assert away(robot) == pytest.approx(expected, abs=1e-6)
     robot = Onlooker(player_blob="combined")
-    robot.look([player(20.0, 0.0, 12), player(-6.0, 0.0, 6)], infrared=0.3)  # the beam passes between
+    robot.look([full_blob(20.0, 0.0, 12), full_blob(-6.0, 0.0, 6)], infrared=0.3)  # the beam passes between
     assert away(robot) == pytest.approx(by_beam, abs=1e-6)
 
 
@@ -174,7 +180,7 @@ def test_a_player_is_as_far_as_its_chest_from_the_camera_and_never_nearer_than_n
 def test_ms35_the_reading_is_the_distance_to_the_surface(reading: float) -> None:
     """MS35: of a player that the ranger has placed the paper's own quantity, the reading, is left."""
     robot = Onlooker()
-    robot.look([player(0.0, 0.0, 12)], infrared=reading)
+    robot.look([full_blob(0.0, 0.0, 12)], infrared=reading)
     track = robot.opponents[0]
     assert surface_distance(track["x"], track["y"], robot.constants[0]) == pytest.approx(reading, abs=1e-3)
 
@@ -189,7 +195,7 @@ def picture(*blobs: Blob) -> np.ndarray:
 
 def players(blobs: np.ndarray, grouping: float = 3.0) -> list[int]:
     """Return the player, by its largest blob, that each blob belongs to."""
-    return [int(player_of(blobs, i, grouping)) for i in range(BLOBS) if blobs["area"][i]]
+    return [int(largest_blob_of_player(blobs, i, grouping)) for i in range(BLOBS) if blobs["area"][i]]
 
 
 def box(blobs: np.ndarray, i: int, **settings: str) -> tuple[int, ...]:
@@ -199,28 +205,32 @@ def box(blobs: np.ndarray, i: int, **settings: str) -> tuple[int, ...]:
 
 def test_ms29_blobs_nearer_than_three_sizes_of_the_larger_are_one_player() -> None:
     """MS29: the gap has to be less than 3 x 10 px; factor 0 makes a player of every blob, 1 misses what 3 joins."""
-    large = player(0.0, 0.0, 10)
-    assert players(picture(large, player(29.0, 0.0, 4))) == players(picture(large, player(0.0, -29.0, 4))) == [0, 0]
-    assert players(picture(large, player(30.0, 0.0, 4))) == [0, 1]
-    assert players(picture(large, player(-18.0, 24.0, 4))) == [0, 1]  # 30 px along the diagonal
-    blobs = picture(large, player(18.0, 0.0, 4))
+    large = full_blob(0.0, 0.0, 10)
+    assert (
+        players(picture(large, full_blob(29.0, 0.0, 4))) == players(picture(large, full_blob(0.0, -29.0, 4))) == [0, 0]
+    )
+    assert players(picture(large, full_blob(30.0, 0.0, 4))) == [0, 1]
+    assert players(picture(large, full_blob(-18.0, 24.0, 4))) == [0, 1]  # 30 px along the diagonal
+    blobs = picture(large, full_blob(18.0, 0.0, 4))
     assert players(blobs, 0.0) == players(blobs, 1.0) == [0, 1]
     assert players(blobs, 2.0) == players(blobs, 6.0) == [0, 0]
 
 
 def test_ms29_size_is_the_mean_of_width_and_height() -> None:
     """MS29, footnote 6: twice as near, everything is twice as large, and players are the same; areas do not count."""
-    assert size_of(picture(player(height=8, width=4))[0]) == 6.0
-    near, far = (picture(player(0, 0, 4 * n), player(11 * n, 0, 2 * n), player(-13 * n, 0, 2 * n)) for n in (4, 1))
+    assert blob_size(picture(full_blob(height=8, width=4))[0]) == 6.0
+    near, far = (
+        picture(full_blob(0, 0, 4 * n), full_blob(11 * n, 0, 2 * n), full_blob(-13 * n, 0, 2 * n)) for n in (4, 1)
+    )
     assert players(near) == players(far) == [0, 0, 2]  # by area the near one would be all one player
-    thin, square = player(0.0, 0.0, 4, 40), player(60.0, 0.0, 14)
+    thin, square = full_blob(0.0, 0.0, 4, 40), full_blob(60.0, 0.0, 14)
     assert thin[4] < square[4]
     assert players(picture(square, thin)) == [1, 1]  # 60 < 3 x 22
 
 
 def test_ms29_a_blob_joins_the_player_of_any_larger_blob() -> None:
     """MS29: each is near the next larger one alone; so a player behind another is taken for part of it."""
-    chain = [player(0.0, 0.0, 10), player(25.0, 0.0, 8), player(45.0, 0.0, 6), player(60.0, 0.0, 4)]
+    chain = [full_blob(0.0, 0.0, 10), full_blob(25.0, 0.0, 8), full_blob(45.0, 0.0, 6), full_blob(60.0, 0.0, 4)]
     for order in itertools.permutations(range(4)):
         blobs = picture(*(chain[i] for i in order))
         assert players(blobs) == [order.index(0)] * 4
@@ -228,23 +238,23 @@ def test_ms29_a_blob_joins_the_player_of_any_larger_blob() -> None:
 
 
 def test_players_come_largest_first_with_ties_in_the_order_of_the_vision_and_blobs_of_no_size_are_somebodys() -> None:
-    blobs = picture(player(0, 0, 5), player(40, 0, 9), player(-40, 0, 5, 5), player(-10, 0, 6))
+    blobs = picture(full_blob(0, 0, 5), full_blob(40, 0, 9), full_blob(-40, 0, 5, 5), full_blob(-10, 0, 6))
     order, done = [], 0
-    while (i := largest_left(blobs, done)) >= 0:
+    while (i := largest_ungrouped_blob(blobs, done)) >= 0:
         order.append(i)
         done |= 1 << i
     assert order == [1, 3, 0, 2]
     assert is_larger(blobs, 0, 2) and not is_larger(blobs, 2, 0) and not is_larger(blobs, 0, 0)
     blobs["area"][2] += 1
     assert is_larger(blobs, 2, 0)
-    blobs = picture(player(0, 0, 0), player(0, 0, 0), player(2, 0, 0), player(20, 0, 0))
+    blobs = picture(full_blob(0, 0, 0), full_blob(0, 0, 0), full_blob(2, 0, 0), full_blob(20, 0, 0))
     blobs["area"] = 1
     assert players(blobs) == [0, 0, 0, 3]
-    assert largest_left(picture(), 0) == -1
+    assert largest_ungrouped_blob(picture(), 0) == -1
 
 
 def test_ms34_the_largest_blob_alone_stands_for_a_player() -> None:
-    chest, head, other = player(0.0, 0.0, 10), player(12.0, 14.0, 4), player(-40.0, 0.0, 6)
+    chest, head, other = full_blob(0.0, 0.0, 10), full_blob(12.0, 14.0, 4), full_blob(-40.0, 0.0, 6)
     blobs = picture(chest, other, head)
     assert box(blobs, 0) == chest[:4]
     assert box(blobs, 0, player_blob="combined") == (head[0], chest[1], head[2], chest[3])

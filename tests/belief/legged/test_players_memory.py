@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env.belief.odometry import move_point
 from soccer_env.records.beliefs import TRACK
-from tests.belief.legged.staged_players import AHEAD, LEFT, RIGHT, Onlooker, near, places, player
+from tests.belief.legged.staged_players import AHEAD, LEFT, RIGHT, Onlooker, full_blob, near, places
 from tests.scenes.symmetry import assert_same, mirrored_percepts, mirrored_tracks
 
 # What happens to what is remembered
@@ -80,7 +80,7 @@ def test_a_ghost_pushes_a_real_player_out_of_a_full_memory_and_a_missed_one_cost
         robot.pan = pan
         robot.look([robot.show(*move_point(0.9, 0.0, 0.0, 0.0, -pan))])
     robot.pan = 0.0
-    robot.look([robot.show(0.9, 0.0), player(25.0, 15.0, 2)])
+    robot.look([robot.show(0.9, 0.0), full_blob(25.0, 15.0, 2)])
     lost = [bearing for bearing in (-1.2, 0.0, 1.2) if np.abs(robot.opponents["bearing"] - bearing).min() > 0.1]
     assert len(places(robot.opponents)) == 3 and len(lost) == 1 and lost != [0.0]
     robot = Onlooker()
@@ -111,9 +111,9 @@ def test_eleven_robots_in_one_bearing_are_one_player_and_one_in_the_same_place_b
     robot.tables["player_front"] = 0.0
     robot.pan = pi
     for _ in range(20):
-        robot.look([player(0.0, 0.0, 40)], [player(1.0, 1.0, 40)])
+        robot.look([full_blob(0.0, 0.0, 40)], [full_blob(1.0, 1.0, 40)])
     robot.look(forward=float(robot.tracks["x"][0, 0]), left=float(robot.tracks["y"][0, 0]))
-    robot.look([player(0.0, 0.0, 40)])
+    robot.look([full_blob(0.0, 0.0, 40)])
     assert finite(robot)
 
 
@@ -141,7 +141,7 @@ def test_a_mirrored_robot_believes_in_mirrored_players(changes: dict[str, Any]) 
     believed = 0
     for frame in range(300):
         robot.pan, robot.tilt = rng.uniform(-1.5, 1.5), rng.uniform(-1.0, 0.5)
-        blobs = [[player(*rng.uniform(-30, 30, 2), *rng.integers(1, 12, 2)) for _ in range(rng.integers(3))]
+        blobs = [[full_blob(*rng.uniform(-30, 30, 2), *rng.integers(1, 12, 2)) for _ in range(rng.integers(3))]
                  for _ in range(2)]  # fmt: skip
         forward, left, turn = rng.uniform(-0.02, 0.02, 3)
         body = {"forward": forward, "left": left, "turn": turn, "pose": 2 if frame % 100 == 99 else 0}

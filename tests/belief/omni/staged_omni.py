@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env import Match
-from soccer_env.match.staging import begin
+from soccer_env.match.staging import begin_scene
 from tests.belief.staged_talk import Talkers
 from tests.scenes.staging import MIDDLE, stage, steady
 
@@ -17,7 +17,7 @@ CLEAR = {  # what can be seen is seen, but for its pixels
 }
 
 
-def thinking(matches: int = 1, home: int = 1, away: int = 1, sensors: Any = None, memory: Any = None,
+def thinking_matches(matches: int = 1, home: int = 1, away: int = 1, sensors: Any = None, memory: Any = None,
              ball: Any = (2.0, 0.0), robots: Any = None) -> Match:  # fmt: skip
     """Return matches in which robot 0 stands on the centre spot, the others are off, the ball lies 2 m ahead."""
     alone, seen = {"shared": False, **(memory or {})}, {**CLEAR, **(sensors or {})}
@@ -26,11 +26,11 @@ def thinking(matches: int = 1, home: int = 1, away: int = 1, sensors: Any = None
         steady(MIDDLE), matches, home, away, ball=ball, robots=robots, observe="belief", sensors=seen, memory=alone
     )
     match.robots["placed"] = 0
-    begin(match)
+    begin_scene(match)
     return match
 
 
-def in_frame(match: Match, r: int, things: np.ndarray) -> np.ndarray:
+def states_in_frame(match: Match, r: int, things: np.ndarray) -> np.ndarray:
     """Return places and velocities over the ground (M, 4) of things in the frame of robot r."""
     robot = match.robots[:, r]
     cosine, sine = np.cos(robot["heading"]), np.sin(robot["heading"])
@@ -46,9 +46,9 @@ def state(believed: np.ndarray) -> np.ndarray:
     return np.stack([believed[name] for name in ("x", "y", "vx", "vy")], axis=-1)
 
 
-def off(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
+def ball_errors(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
     """Return how far the believed ball of robot r is off in place [m] and velocity [m/s], (M,) each."""
-    error = state(match.beliefs["ball"][:, r]) - in_frame(match, r, match.balls)
+    error = state(match.beliefs["ball"][:, r]) - states_in_frame(match, r, match.balls)
     return np.hypot(error[:, 0], error[:, 1]), np.hypot(error[:, 2], error[:, 3])
 
 

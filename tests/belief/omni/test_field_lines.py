@@ -11,7 +11,7 @@ from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
-from soccer_env.perception.sensing import Sensing, SensorNumbers
+from soccer_env.perception.sensing import SensorArrays, SensorNumbers
 from soccer_env.random_numbers import start_streams
 from soccer_env.records.beliefs import OWN_POSE
 from soccer_env.records.percepts import OMNI_PERCEPT
@@ -31,7 +31,7 @@ def seen_from(x: float, y: float, heading: float) -> np.ndarray:
     world.matches["home_direction"] = world.matches["handedness"] = 1.0
     robots = world.robots
     robots["x"], robots["y"], robots["heading"], robots["active"] = x, y, heading, 1
-    sensing = Sensing(percepts, np.zeros((1, 1), OMNI_SENSOR_STATE), np.zeros((1, 1, 0), OMNI_PERCEPT))
+    sensing = SensorArrays(percepts, np.zeros((1, 1), OMNI_SENSOR_STATE), np.zeros((1, 1, 0), OMNI_PERCEPT))
     sense_slice(world, sensing, SensorNumbers(K, S, 0), np.zeros(1, bool), np.zeros(1, np.int64), 0, 1)
     return percepts[:, 0]
 
@@ -40,7 +40,7 @@ def look(percepts: np.ndarray, settings: np.ndarray = W, **own: float) -> tuple[
     view, pose = np.zeros(1, LINE_VIEW), np.zeros(1, OWN_POSE)
     for name, value in own.items():
         pose[name] = value
-    return view, kernels.look_at_lines(percepts[0], pose[0], view[0], K[0], S[0], settings[0])
+    return view, kernels.measure_lines_and_goals(percepts[0], pose[0], view[0], K[0], S[0], settings[0])
 
 
 def cost_at(percepts: np.ndarray, x: float, y: float, heading: float) -> float:
@@ -48,7 +48,7 @@ def cost_at(percepts: np.ndarray, x: float, y: float, heading: float) -> float:
     view, _ = look(percepts)
     particles, noise = np.zeros(1, PARTICLE), np.zeros(NOISE_STREAMS, np.uint64)
     particles["x"], particles["y"], particles["heading"] = x, y, heading
-    kernels.weigh_by_lines(particles, view[0], STAND_STILL, 6.5, 5.0, noise, 1.0, K[0], W[0], TABLES[0])
+    kernels.weigh_particles_by_lines(particles, view[0], STAND_STILL, 6.5, 5.0, noise, 1.0, K[0], W[0], TABLES[0])
     return float(particles["weight"][0])
 
 

@@ -9,16 +9,16 @@ import pytest
 from soccer_env import Match
 from soccer_env.belief.omni.ball import BALL_MEMORY
 from soccer_env.belief.omni.believe import OMNI_MEMORY
-from soccer_env.belief.omni.players import READING, nearest_pair
+from soccer_env.belief.omni.players import READING, nearest_reading_and_track
 from soccer_env.belief.omni.tracking import FILTER
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import Slots
-from soccer_env.match.staging import begin
+from soccer_env.match.staging import begin_scene
 from soccer_env.records.beliefs import TRACK
 from soccer_env.records.percepts import OMNI_PERCEPT
-from tests.belief.omni.staged_omni import in_frame, state, thinking
-from tests.scenes.staging import MIDDLE, asking, place, play, put, scatter, set_phase
+from tests.belief.omni.staged_omni import state, states_in_frame, thinking_matches
+from tests.scenes.staging import MIDDLE, place, play, put, robot_actions, scatter, set_phase
 
 MATES = find_league(MIDDLE).slots.teammates
 BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
@@ -31,7 +31,7 @@ def tracks_of(match: Match, teammates: bool) -> np.ndarray:
 
 def with_players(places: dict[int, tuple[float, float]], home: int, away: int, **settings: Any) -> Match:
     """Return matches in which robot 0 stands in the middle and others stand somewhere."""
-    return thinking(settings.pop("matches", 10), home, away, **settings, ball=(-5.0, -3.5), robots=places)
+    return thinking_matches(settings.pop("matches", 10), home, away, **settings, ball=(-5.0, -3.5), robots=places)
 
 
 def test_players_are_kept_by_team_nearest_first() -> None:
@@ -42,7 +42,7 @@ def test_players_are_kept_by_team_nearest_first() -> None:
     assert (mates["teammate"][:, :2] == 1).all() and (others["teammate"] == 0).all()
     for found, rows in ((mates, (2, 1)), (others, (3, 4))):
         for slot, r in enumerate(rows):
-            true = in_frame(match, 0, match.robots[:, r])
+            true = states_in_frame(match, 0, match.robots[:, r])
             assert np.hypot(*(state(found[:, slot])[:, :2] - true[:, :2]).T).max() < 0.1
             assert found["distance"][:, slot] == pytest.approx(np.hypot(true[:, 0], true[:, 1]), abs=0.1)
             assert (found["confidence"][:, slot] == 100.0).all()
@@ -54,8 +54,8 @@ def test_mh06_a_player_that_moves_is_tracked_with_its_velocity(name: str) -> Non
     """MH06: most teams of 2005 were unaware of velocities of robots; without a filter there is none."""
     match, bare = (with_players({1: (2.0, -2.0)}, 1, 1, matches=30, memory={"filter": kind}) for kind in (name, "none"))
     for one in (match, bare):
-        play(one, 1.0, asking(one, 1, left=0.7))
-    true = in_frame(match, 0, match.robots[:, 1])
+        play(one, 1.0, robot_actions(one, 1, left=0.7))
+    true = states_in_frame(match, 0, match.robots[:, 1])
     assert true[:, 3].min() > 1.7
     found = tracks_of(match, False)[:, 0]
     error = state(found) - true
@@ -67,7 +67,7 @@ def test_mh06_a_player_that_moves_is_tracked_with_its_velocity(name: str) -> Non
 
 def test_mh06_two_that_pass_each_other_keep_their_tracks() -> None:
     match = with_players({1: (3.0, -2.0), 2: (3.7, 2.0)}, 1, 2, matches=20)
-    actions = asking(match, 1, left=0.7) + asking(match, 2, left=-0.7)
+    actions = robot_actions(match, 1, left=0.7) + robot_actions(match, 2, left=-0.7)
     for step in range(95):  # they are in one line of sight after 1.3 s
         match.step(actions)
         others = tracks_of(match, False)
@@ -80,7 +80,9 @@ def test_mh06_two_that_pass_each_other_keep_their_tracks() -> None:
 
 @compiled
 def find_pair(percepts, tracks, filters, readings, gate, found):  # type: ignore[no-untyped-def]
-    found[0], found[1] = nearest_pair(percepts[0], tracks, filters, readings, len(readings), 1, 0, len(tracks), gate)
+    found[0], found[1] = nearest_reading_and_track(
+        percepts[0], tracks, filters, readings, len(readings), 1, 0, len(tracks), gate
+    )
 
 
 def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
@@ -99,9 +101,9 @@ def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
 
 def test_players_at_rest_stay_at_rest_for_a_robot_that_drives_and_turns() -> None:
     match = with_players({0: (-3.0, 0.0), 1: (1.0, 2.5), 2: (2.0, -2.0)}, 2, 1)
-    play(match, 1.0, asking(match, 0, 0.6, 0.0, 0.15))
+    play(match, 1.0, robot_actions(match, 0, 0.6, 0.0, 0.15))
     for found, r in ((tracks_of(match, True)[:, 0], 1), (tracks_of(match, False)[:, 0], 2)):
-        error = state(found) - in_frame(match, 0, match.robots[:, r])
+        error = state(found) - states_in_frame(match, 0, match.robots[:, r])
         assert np.median(np.hypot(error[:, 0], error[:, 1])) < 0.06
         assert np.median(np.hypot(found["vx"], found["vy"])) < 0.5
 
@@ -154,7 +156,7 @@ def test_any_number_of_slots_will_do(slots: Slots) -> None:
     match = Match(league, home=11, away=11, matches=3, seed=2, observe="belief")
     set_phase(match, 0)
     scatter(match, np.random.default_rng(4))
-    begin(match)
+    begin_scene(match)
     play(match, 0.3)
     assert match.tracks.shape[2] == slots.teammates + slots.opponents
     assert all(np.isfinite(match.tracks[name]).all() for name in TRACK.names)
@@ -163,7 +165,7 @@ def test_any_number_of_slots_will_do(slots: Slots) -> None:
 
 def test_the_memory_of_a_robot_is_small_and_standing_in_a_crowd_breaks_nothing() -> None:
     assert OMNI_MEMORY.itemsize - OMNI_MEMORY["pose"].itemsize <= 768 and BALL_MEMORY.itemsize <= 128
-    match = thinking(2, 11, 11)
+    match = thinking_matches(2, 11, 11)
     for r in range(22):
         put(match, r, 0.0, 0.0)
     for m in range(2):

@@ -6,11 +6,20 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
-from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, correct, predict, reading_of, reading_sd, start
+from soccer_env.belief.omni.tracking import (
+    DELAYS,
+    FILTER,
+    MOTION,
+    correct_track,
+    place_of_sighting,
+    predict,
+    reading_sd,
+    start,
+)
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_of
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_parameters
 from soccer_env.records.percepts import SIGHTING
 from tests.scenes.staging import MIDDLE
 
@@ -44,14 +53,14 @@ def follow(readings, motions, thing, filter, late, agility, slowing, constants, 
             if filter[0].readings == 0:
                 start(thing[0], filter[0], x, y, 4.0, s)
             else:
-                correct(thing[0], filter[0], x, y, late, elapsed, s, w)
+                correct_track(thing[0], filter[0], x, y, late, elapsed, s, w)
             elapsed = 0.0
         found[step] = thing[0].x, thing[0].y, thing[0].vx, thing[0].vy
 
 
 @compiled
 def move_reading(sighting, motions, frame, frames):
-    return reading_of(sighting[0], motions, frame, frames)
+    return place_of_sighting(sighting[0], motions, frame, frames)
 
 
 @compiled
@@ -88,7 +97,7 @@ def noisy(places: np.ndarray, seed: int = 0) -> np.ndarray:
 def test_mh02_readings_are_trusted_as_the_mirrors_curve_allows(distance: float) -> None:
     """MH02: half a pixel of a whole one and the blob's own noise, through the slope of the curve."""
     along, across = deviation(distance, S)
-    mirror = mirror_of(S.view(np.recarray)[0])
+    mirror = mirror_parameters(S.view(np.recarray)[0])
     pixels = np.sqrt(LEAGUE.sensors.pixel_noise**2 + 1.0 / 12.0)
     nearer, farther = (ground_distance(mirror, image_radius(mirror, distance) + step) for step in (-0.01, 0.01))
     assert along == pytest.approx(pixels * (farther - nearer) / 0.02, rel=1e-3)

@@ -31,7 +31,7 @@ def trace_all(balls, robots, constants, sensors, lateral, vertical, paths):  # t
         paths[m] = trace_beam(balls[m], robots[m], constants[0], sensors[0], 0, lateral, vertical)
 
 
-class Place:
+class BeamScene:
     """One or more matches: robot 0 at the centre spot with its head level, the ball and robot 1 far away."""
 
     def __init__(self, matches: int = 1, robots: int = 2, **sensors: float) -> None:
@@ -72,7 +72,7 @@ class Place:
         return np.array([robot["x"] + cosine * ahead - sine * left, robot["y"] + sine * ahead + cosine * left, height])
 
 
-def aim_at(place: Place, x: Any, y: Any, z: float) -> None:
+def aim_at(place: BeamScene, x: Any, y: Any, z: float) -> None:
     """Turn the heads of all robots 0 so that the optical axis goes through a point [m], field frame."""
     robot, sensors = place.robots[:, 0], LEAGUE.sensors
     cosine, sine = np.cos(robot["heading"]), np.sin(robot["heading"])

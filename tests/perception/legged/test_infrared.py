@@ -7,19 +7,19 @@ import pytest
 
 from soccer_env.leagues.constants import constants_of
 from soccer_env.perception.legged.infrared import beam_direction
-from tests.perception.legged.staged_beam import LEAGUE, Place, aim_at, measure_all, trace_all
+from tests.perception.legged.staged_beam import LEAGUE, BeamScene, aim_at, measure_all, trace_all
 from tests.scenes.symmetry import Records
 
 RADIUS = LEAGUE.ball.radius
 
 
-def way_to(place: Place, x: float, y: float, z: float) -> float:
+def way_to(place: BeamScene, x: float, y: float, z: float) -> float:
     """Return how far a point [m] is from the camera."""
     return float(np.linalg.norm(place.camera() - np.array([x, y, z])))
 
 
 def test_a_level_beam_meets_the_goal_or_flies_over_the_boards_and_one_that_points_down_meets_the_carpet() -> None:
-    place = Place()
+    place = BeamScene()
     assert place.path() == pytest.approx(1.8 - place.camera()[0], abs=1e-12)  # the back of the goal
     place.put(0, 1.2, 0.0, 0.0, 0.7)  # through the mouth at x = 1.5 m, to the side at y = 0.3 m
     assert place.path() == pytest.approx((0.3 - place.camera()[1]) / sin(0.7))
@@ -33,7 +33,7 @@ def test_a_level_beam_meets_the_goal_or_flies_over_the_boards_and_one_that_point
 @pytest.mark.parametrize("bearing", [0.0, 0.6, -1.2])
 @pytest.mark.parametrize("distance", [0.2, 0.4, 0.8])
 def test_the_path_to_a_ball_at_the_beam_ends_on_its_surface(distance: float, bearing: float) -> None:
-    place = Place()
+    place = BeamScene()
     x, y = distance * cos(bearing), distance * sin(bearing)
     place.balls["x"], place.balls["y"] = x, y
     aim_at(place, x, y, RADIUS)
@@ -42,7 +42,7 @@ def test_the_path_to_a_ball_at_the_beam_ends_on_its_surface(distance: float, bea
 
 
 def test_a_beam_misses_the_ball_past_its_edge_and_meets_boards_at_their_height_and_not_above() -> None:
-    place = Place()
+    place = BeamScene()
     place.balls["x"], place.balls["y"] = 0.6, 0.0
     aim_at(place, 0.6, 0.0, RADIUS)
     away = way_to(place, 0.6, 0.0, RADIUS)
@@ -50,7 +50,7 @@ def test_a_beam_misses_the_ball_past_its_edge_and_meets_boards_at_their_height_a
     assert place.path(lateral=0.99 * edge) < away
     assert place.path(lateral=1.01 * edge) > away  # the carpet behind it
     assert place.path(vertical=1.02 * edge) > away
-    place = Place()
+    place = BeamScene()
     place.put(0, 0.0, 0.6, pi / 2)
     aim_at(place, 0.0, 1.0, 0.09)
     assert place.path() == pytest.approx(way_to(place, 0.0, 1.0, 0.09))
@@ -64,7 +64,7 @@ def test_a_beam_misses_the_ball_past_its_edge_and_meets_boards_at_their_height_a
 def test_a_beam_meets_trunk_head_and_legs_of_a_robot_and_passes_between_the_legs() -> None:
     body = LEAGUE.body
     rump = body.tip_radius - body.hind_x
-    place = Place()
+    place = BeamScene()
     place.put(1, 0.6, 0.0)  # seen from behind
     for target, part in (((0.6 - rump, 0.0, 0.10), "trunk"), ((0.6 + body.hind_x, body.hind_y, 0.02), "leg")):
         aim_at(place, *target)
@@ -81,7 +81,7 @@ def test_a_beam_meets_trunk_head_and_legs_of_a_robot_and_passes_between_the_legs
 
 
 def test_the_nearest_of_several_robots_is_met_and_none_beside_the_beam_or_behind() -> None:
-    place = Place(robots=4)
+    place = BeamScene(robots=4)
     for r, (x, y) in enumerate(((0.6, 0.30), (0.6, -0.30), (-0.5, 0.0)), start=1):
         place.put(r, x, y, 1.0)
     assert place.path() == pytest.approx(1.8 - place.camera()[0])
@@ -96,7 +96,7 @@ def test_the_nearest_of_several_robots_is_met_and_none_beside_the_beam_or_behind
 def test_a_robot_out_of_the_way_changes_nothing() -> None:
     """The quick test that leaves robots out must never leave out one that is met."""
     rng = np.random.default_rng(3)
-    place = Place(4000)
+    place = BeamScene(4000)
     place.put(0, 0.0, 0.0, rng.uniform(-pi, pi, 4000), rng.uniform(-1.5, 1.5, 4000), rng.uniform(-0.8, 0.2, 4000))
     bearing, away = rng.uniform(-pi, pi, 4000), rng.uniform(0.2, 0.9, 4000)
     place.put(1, away * np.cos(bearing), away * np.sin(bearing), rng.uniform(-pi, pi, 4000))
@@ -111,18 +111,18 @@ def test_a_robot_out_of_the_way_changes_nothing() -> None:
 
 def test_ms05_readings_outside_the_window_are_discarded() -> None:
     away = np.array([0.02, 0.08, 0.099, 0.101, 0.4, 0.8, 0.899, 0.901, 1.3])
-    place = Place(9)
+    place = BeamScene(9)
     place.robots["x"][:, 0] = 1.8 - place.camera()[0] - away  # ahead of a goal's back
     assert place.readings()[:, 0] == pytest.approx([0, 0, 0, 0.101, 0.4, 0.8, 0.899, 0, 0], abs=1e-9)
-    wide = Place(9, infrared_near=0.0, infrared_far=2.0)
+    wide = BeamScene(9, infrared_near=0.0, infrared_far=2.0)
     wide.robots["x"][:, 0] = place.robots["x"][:, 0]
     assert wide.readings()[:, 0] == pytest.approx(away, abs=1e-9)
 
 
 @pytest.mark.parametrize("distance", [0.15, 0.4, 0.6])
 def test_the_error_of_a_reading_grows_as_the_law_says(distance: float) -> None:
-    place = Place(4000, infrared_noise=0.004, infrared_growth=0.018)
-    place.robots["x"][:, 0] = 1.8 - Place().camera()[0] - distance
+    place = BeamScene(4000, infrared_noise=0.004, infrared_growth=0.018)
+    place.robots["x"][:, 0] = 1.8 - BeamScene().camera()[0] - distance
     found = place.readings()[:, 0]
     expected = sqrt(0.004**2 + (0.018 * (distance / 0.4) ** 3) ** 2)
     assert (found > 0.0).all() and found.std() == pytest.approx(expected, rel=0.05)
@@ -130,7 +130,7 @@ def test_the_error_of_a_reading_grows_as_the_law_says(distance: float) -> None:
 
 
 def test_the_beam_strays_by_the_pointing_noise() -> None:
-    place = Place(4000, infrared_pointing=0.03)
+    place = BeamScene(4000, infrared_pointing=0.03)
     place.put(0, 0.0, 0.0, 0.0, 0.0, -0.8)
     found = place.readings()[:, 0]
     assert np.arcsin(place.camera()[2] / found).std() == pytest.approx(0.03, rel=0.05)
@@ -144,7 +144,7 @@ def test_with_its_head_at_the_ball_a_robot_measures_ball_or_carpet_and_no_phanto
     """Nobody stands near: whatever the reading, it is the ball's or the ground's, up to the sensor's own error."""
     count = 3000
     rng = np.random.default_rng(1)
-    place = Place(count, robots=3, infrared_pointing=0.026)
+    place = BeamScene(count, robots=3, infrared_pointing=0.026)
     away, bearing = rng.uniform(0.18, 0.9, count), rng.uniform(-1.3, 1.3, count)
     heading = rng.uniform(-pi, pi, count)
     place.put(0, 0.0, 0.0, heading)
@@ -169,14 +169,14 @@ def test_with_its_head_at_the_ball_a_robot_measures_ball_or_carpet_and_no_phanto
 
 
 def test_who_is_out_measures_nothing_nothing_far_reads_as_near_and_all_in_one_place_break_nothing() -> None:
-    place, far = Place(), Place(4000, infrared_noise=0.004, infrared_growth=0.018)
+    place, far = BeamScene(), BeamScene(4000, infrared_noise=0.004, infrared_growth=0.018)
     place.put(0, 0.0, 0.0, 0.0, 0.0, -0.8)
     assert place.readings()[0, 0] > 0.0
     place.robots["active"][:, 0] = 0
     assert place.readings()[0, 0] == 0.0
     far.robots["x"][:, 0] = -0.3  # the goal's back is 2 m away
     assert not far.readings()[:, 0].any()
-    place = Place(2, robots=6)
+    place = BeamScene(2, robots=6)
     place.robots["x"], place.balls["x"], place.robots["tilt"][1] = 0.0, 0.0, -1.4
     assert np.isfinite(place.readings()).all()
 

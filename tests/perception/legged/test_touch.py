@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from tests.scenes.staging import LEGGED, asking, place, play, stage, stand
+from tests.scenes.staging import LEGGED, place, play, robot_actions, stage, stand
 
 SWITCHES = ("head", "chin", "back", "feet")
 
@@ -26,7 +26,7 @@ def test_ms06_a_collision_presses_no_touch_sensor() -> None:
     """MS06: who runs into another robot, and who has the ball between its paws, feel no more than one alone."""
     match = feeling()
     place(match, robots={1: (-0.4, 0.0)})
-    actions = asking(match, 1, forward=1.0)
+    actions = robot_actions(match, 1, forward=1.0)
     collided, touched, pressed = False, False, set()
     for _ in range(64):
         match.step(actions)
@@ -41,7 +41,7 @@ def test_ms06_paws_feel_the_ground_and_not_what_stands_before_them() -> None:
     match = feeling()
     match.step(stand(match))
     assert felt(match)[3] == 4
-    play(match, actions=asking(match, forward=1.0), steps=12)
+    play(match, actions=robot_actions(match, forward=1.0), steps=12)
     assert felt(match)[3] == 2
     match.robots["fallen"][0, 0] = 1.0
     match.step(stand(match))

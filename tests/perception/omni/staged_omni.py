@@ -16,7 +16,7 @@ SURE = {  # what can be seen is seen
 }
 
 
-def watching(matches: int = 1, home: int = 1, away: int = 1, *, sensors: Any = None, robots: Any = None,
+def watching_matches(matches: int = 1, home: int = 1, away: int = 1, *, sensors: Any = None, robots: Any = None,
              ball: Any = (-4.0, -3.0), **settings: Any) -> Match:  # fmt: skip
     """Return matches in which robot 0 stands on the centre spot and looks at +x, the others are off, the ball aside."""
     seen, robots = {**NOW, **(sensors or {})}, {0: (0.0, 0.0), **(robots or {})}
@@ -44,11 +44,11 @@ def gather(match: Match, frames: int) -> np.ndarray:
     return np.stack(found)
 
 
-def around(count: int) -> np.ndarray:
+def bearings_all_round(count: int) -> np.ndarray:
     """Return bearings [rad] in all directions, none of them special."""
     return (np.arange(count) + 0.37) / count * 2.0 * np.pi - np.pi
 
 
-def apart(one: Any, other: Any) -> Any:
+def angle_difference(one: Any, other: Any) -> Any:
     """Return the difference of two angles [rad] in [-pi, pi)."""
     return (np.asarray(one, float) - other + np.pi) % (2.0 * np.pi) - np.pi

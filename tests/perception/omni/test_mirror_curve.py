@@ -7,13 +7,13 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.optics.mirror_camera import ground_distance, image_radius, metres_per_pixel, mirror_of
-from tests.perception.omni.staged_omni import NOW, SURE, around, look, watching
+from soccer_env.optics.mirror_camera import ground_distance, image_radius, metres_per_pixel, mirror_parameters
+from tests.perception.omni.staged_omni import NOW, SURE, bearings_all_round, look, watching_matches
 from tests.scenes.staging import MIDDLE, play, put, put_ball
 
 SENSORS = find_league(MIDDLE).sensors
 S = SENSORS.record().view(np.recarray)[0]
-MIRROR = mirror_of(S)
+MIRROR = mirror_parameters(S)
 HALF_AXIS = 0.03  # [m] of the hyperbola; its size does not matter
 
 
@@ -58,7 +58,7 @@ def slope_in_image(distance: float, height: float, eccentricity: float) -> float
 @pytest.mark.parametrize("height", [0.5, 0.75])
 def test_mh02_every_ray_is_reflected_into_the_pixel_that_the_curve_names(eccentricity: float, height: float) -> None:
     """MH02: through the inner focus, off the hyperboloid, into the outer focus, to a pixel."""
-    mirror = mirror_of(
+    mirror = mirror_parameters(
         SENSORS.changed({"mirror_eccentricity": eccentricity, "camera_height": height}).record().view(np.recarray)[0]
     )
     edge = slope_in_image(S.mirror_edge, height, eccentricity)
@@ -95,7 +95,7 @@ def test_far_off_a_pixel_spans_as_much_as_the_distances_square_and_no_radius_is_
 
 def test_an_eccentricity_of_one_is_the_paraboloid() -> None:
     """Seen from very far below: the radius is the tangent of half the angle to the axis."""
-    mirror = mirror_of(SENSORS.changed({"mirror_eccentricity": 1.0}).record().view(np.recarray)[0])
+    mirror = mirror_parameters(SENSORS.changed({"mirror_eccentricity": 1.0}).record().view(np.recarray)[0])
     for distance in (0.5, 3.0):
         half = 0.5 * np.arctan2(distance, S.camera_height)
         assert image_radius(mirror, distance) == pytest.approx(mirror[0] * np.tan(half))
@@ -119,13 +119,13 @@ def seeing(match: Match, seconds: float) -> dict[str, np.ndarray]:
 
 def ball_at(match: Match, distance: float) -> None:
     """Put the ball round about robot 0."""
-    bearings = around(match.count)
+    bearings = bearings_all_round(match.count)
     put_ball(match, distance * np.cos(bearings), distance * np.sin(bearings))
 
 
 def test_mh07_light_swings_as_told_and_differs_from_match_to_match() -> None:
     """MH07: the same for all robots of a match, a swing of `light_drift` in `light_period`."""
-    match = watching(20, sensors={**CHANGING, "light_period": 10.0}, seed=5)
+    match = watching_matches(20, sensors={**CHANGING, "light_period": 10.0}, seed=5)
     put(match, 1, 3.0, 0.0)
     light = seeing(match, 10.0)["light"]
     assert light.max(axis=0) == pytest.approx(0.5, abs=0.05) and light.min(axis=0) == pytest.approx(-0.5, abs=0.05)
@@ -137,7 +137,7 @@ def test_mh07_light_swings_as_told_and_differs_from_match_to_match() -> None:
 def test_mh07_the_adaptive_table_follows_the_light_and_the_fixed_one_does_not() -> None:
     shares, errors = {}, {}
     for table in ("adaptive", "fixed"):
-        match = watching(40, sensors={**CHANGING, "light_period": 60.0, "colour_table": table}, seed=6)
+        match = watching_matches(40, sensors={**CHANGING, "light_period": 60.0, "colour_table": table}, seed=6)
         ball_at(match, 2.0)
         seen = seeing(match, 6.0)
         ball = seen["ball"]
@@ -150,9 +150,9 @@ def test_mh07_the_adaptive_table_follows_the_light_and_the_fixed_one_does_not() 
 
 
 def test_mh07_a_table_that_is_off_by_its_width_misses_half() -> None:
-    match = watching(400, sensors={**CHANGING, "light_drift": 1.0, "colour_table": "fixed"}, seed=7)
+    match = watching_matches(400, sensors={**CHANGING, "light_drift": 1.0, "colour_table": "fixed"}, seed=7)
     ball_at(match, 1.0)
-    bearings = around(400) + 1.0
+    bearings = bearings_all_round(400) + 1.0
     put(match, 1, 2.0 * np.cos(bearings), 2.0 * np.sin(bearings))
     percepts = look(match)
     off = abs(percepts["light"])
@@ -173,7 +173,7 @@ def test_in_constant_light_the_table_does_not_matter_and_delayed_pictures_keep_o
     assert percepts[0] == percepts[1]
     lags = []
     for late in (0, 3):
-        match = watching(10, sensors={**CHANGING, "light_period": 20.0, "camera_delay": late}, seed=9)
+        match = watching_matches(10, sensors={**CHANGING, "light_period": 20.0, "camera_delay": late}, seed=9)
         seen = seeing(match, 8.0)
         lags.append(abs(seen["light"] - seen["table"])[100:].mean())
     assert lags[1] == pytest.approx(lags[0], rel=0.1)
@@ -182,7 +182,7 @@ def test_in_constant_light_the_table_does_not_matter_and_delayed_pictures_keep_o
 def table_after(off: float, seconds: float = 1.0, placed: bool = False, **settings: Any) -> float:
     """Put the table of a robot on the centre spot off the still light; return by how much it is off afterwards [1]."""
     sensors = {**CHANGING, "light_period": 1e6, "table_time": 1.0, **settings.pop("sensors", {})}
-    match = watching(sensors=sensors, pose="particles", **settings)
+    match = watching_matches(sensors=sensors, pose="particles", **settings)
     seeing(match, 0.1)
     senses: Any = match.batch.senses
     light = float(senses.percepts["light"][0, 0])
@@ -206,7 +206,7 @@ def test_mh07_who_cannot_know_its_place_learns_no_colours() -> None:
     """MH07: which class a pixel must show follows from the own pose: by lines in the picture, or as it is sensed."""
     blind = {"line_miss": 1.0}
     assert table_after(0.2, sensors=blind) == pytest.approx(0.2, abs=1e-6)
-    match = watching(sensors={**CHANGING, **blind, "light_period": 60.0}, pose="percept", seed=6)
+    match = watching_matches(sensors={**CHANGING, **blind, "light_period": 60.0}, pose="percept", seed=6)
     seen = seeing(match, 6.0)
     assert abs(seen["light"] - seen["table"]).max() < 0.2 < np.ptp(seen["light"])
 

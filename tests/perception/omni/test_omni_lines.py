@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from soccer_env.leagues import find_league
-from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_of
+from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_parameters
 from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
 from soccer_env.records.percepts import OTHERS
-from tests.perception.omni.staged_omni import NOW, SHARP, SURE, apart, gather, look, watching
+from tests.perception.omni.staged_omni import NOW, SHARP, SURE, angle_difference, gather, look, watching_matches
 from tests.scenes.staging import MIDDLE, put
 
 LEAGUE = find_league(MIDDLE)
@@ -64,7 +64,7 @@ def march(x: float, y: float, angle: float) -> float:
 
 
 def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
-    match = watching(40, sensors={**SURE, **SHARP})
+    match = watching_matches(40, sensors={**SURE, **SHARP})
     rng = np.random.default_rng(1)
     x, y, heading = rng.uniform(-6.3, 6.3, 40), rng.uniform(-4.3, 4.3, 40), rng.uniform(-np.pi, np.pi, 40)
     put(match, 0, x, y, heading)
@@ -73,23 +73,23 @@ def test_mh02_the_first_line_in_each_direction_is_seen_to_a_pixel() -> None:
     for m in range(40):
         for i in range(count):
             true = march(x[m], y[m], heading[m] + 2.0 * np.pi * i / count)
-            wrong += abs(lines[m, i] - true) > 0.6 * metres_per_pixel(mirror_of(S), true)[0] + 0.004
+            wrong += abs(lines[m, i] - true) > 0.6 * metres_per_pixel(mirror_parameters(S), true)[0] + 0.004
     assert wrong < 0.01 * 40 * count and (lines[:, :count] > 0.0).mean() > 0.4
     assert not lines[:, count:].any()
 
 
 def test_lines_are_missed_and_misjudged_like_all_things_and_none_is_seen_through_a_robot() -> None:
-    match = watching(20, sensors=NOW)
+    match = watching_matches(20, sensors=NOW)
     put(match, 0, 2.0, 2.0, 0.0)
     found = gather(match, 200)["lines"][..., 6]  # the touchline to the left
     seen = found > 0.0
     assert seen.mean() == pytest.approx(1.0 - S.line_miss, abs=0.02)
     error = found[seen] - 2.0
     assert error.std() == pytest.approx(
-        np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_per_pixel(mirror_of(S), 2.0)[0], rel=0.1
+        np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_per_pixel(mirror_parameters(S), 2.0)[0], rel=0.1
     )
     assert abs(error.mean()) < 0.2 * error.std()
-    match = watching(sensors={**SURE, **SHARP})
+    match = watching_matches(sensors={**SURE, **SHARP})
     put(match, 0, 2.0, 2.0, 0.0)
     assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
     put(match, 1, 2.0, 3.2)
@@ -102,14 +102,14 @@ def test_lines_are_missed_and_misjudged_like_all_things_and_none_is_seen_through
 
 @pytest.mark.parametrize("count", [1, 2, 7, 32])
 def test_there_may_be_1_to_32_directions(count: int) -> None:
-    match = watching(sensors={**SURE, **SHARP, "lines": count})
+    match = watching_matches(sensors={**SURE, **SHARP, "lines": count})
     put(match, 0, 2.0, 2.0, np.pi / 2)
     lines = look(match)["lines"][0]
     assert lines[0] == pytest.approx(2.0, abs=0.03) and not lines[count:].any()
 
 
 def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> None:
-    match = watching(200, 2, 3, sensors=SURE)
+    match = watching_matches(200, 2, 3, sensors=SURE)
     for r, (x, y) in {1: (2.0, 1.0), 2: (-1.0, 0.5), 3: (0.5, -3.0), 4: (-4.0, -1.0)}.items():
         put(match, r, x, y)
     for turned, heading in ((1.0, 0.0), (-1.0, 2.0)):
@@ -120,18 +120,18 @@ def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> N
         assert (np.diff(players["distance"][:, :4], axis=1) >= 0.0).all()
         assert players["teammate"][:, :4].tolist() == [[0, 1, 0, 0]] * 200
         expected = [np.arctan2(0.5, -1.0), np.arctan2(1.0, 2.0), np.arctan2(-3.0, 0.5), np.arctan2(-1.0, -4.0)]
-        assert abs(apart(players["bearing"][:, :4], np.array(expected) - heading)).max() < 0.03
+        assert abs(angle_difference(players["bearing"][:, :4], np.array(expected) - heading)).max() < 0.03
 
 
 def test_a_robot_behind_a_robot_is_not_seen_and_robots_that_are_off_neither_see_nor_are_seen() -> None:
-    match = watching(50, 2, 1, sensors=SURE)
+    match = watching_matches(50, 2, 1, sensors=SURE)
     put(match, 1, 2.0, 0.0)
     put(match, 2, 4.0, 0.0)
     players = look(match)["players"]
     assert players["seen"].sum(axis=1).max() == 1 and (players["teammate"][:, 0] == 1).all()
     put(match, 2, 4.0, 1.0)
     assert look(match)["players"]["seen"].sum() == 100
-    match = watching(20, 1, 1, sensors={**SURE, "false_balls": 1.0})
+    match = watching_matches(20, 1, 1, sensors={**SURE, "false_balls": 1.0})
     assert look(match)["players"]["seen"].sum() == 0
     match.robots["active"][:, 0] = 0
     percepts = look(match)
@@ -140,7 +140,7 @@ def test_a_robot_behind_a_robot_is_not_seen_and_robots_that_are_off_neither_see_
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 def test_goals_are_named_from_the_own_side(direction: float) -> None:
-    match = watching(100, sensors=SURE)
+    match = watching_matches(100, sensors=SURE)
     match.matches["home_direction"] = direction
     put(match, 0, 1.0, 2.0, 0.5)
     percepts = look(match)
@@ -149,12 +149,12 @@ def test_goals_are_named_from_the_own_side(direction: float) -> None:
         assert (goal["seen"] == 1).all()
         assert goal["distance"].mean() == pytest.approx(np.hypot(end - 1.0, -2.0), rel=0.01)
         posts = [np.arctan2(y - 2.0, end - 1.0) - 0.5 for y in (-1.0, 1.0)]
-        middle = posts[0] + 0.5 * apart(posts[1], posts[0])  # of what is seen
-        assert abs(apart(goal["bearing"], middle)).max() < 0.02
+        middle = posts[0] + 0.5 * angle_difference(posts[1], posts[0])  # of what is seen
+        assert abs(angle_difference(goal["bearing"], middle)).max() < 0.02
 
 
 def test_a_goal_is_seen_over_robots_unless_they_are_near() -> None:
-    match = watching(200, 1, 1, sensors=SURE)
+    match = watching_matches(200, 1, 1, sensors=SURE)
     goal = look(match)["opponent_goal"]
     assert goal["seen"].all() and abs(goal["bearing"].mean()) < 0.002
     put(match, 1, 3.0, 0.0)

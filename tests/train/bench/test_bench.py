@@ -28,7 +28,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("league", bench.LEAGUES)
 def test_the_floor_and_two_threads_play_the_same_matches(league: str) -> None:
     core, two = (bench_loads.CoreLoad(league, None, 70, threads, 3) for threads in (1, 2))
-    floor = bench_loads.OwnFloor(league, None, 70, 1, 3)
+    floor = bench_loads.OwnPhysicsLoad(league, None, 70, 1, 3)
     assert core.sample(60) > floor.sample(60) > 0.0 and two.sample(60) > 0.0
     assert core.match.state_hash() == floor.match.state_hash() == two.match.state_hash()
 
@@ -50,7 +50,7 @@ def test_the_reference_scene_is_the_one_of_the_issue_and_nothing_leaves_it() -> 
     space = reference.reference_space(np.random.default_rng(0))
     assert len(space.bodies) == len(space.static_body.shapes) == 7
     assert (space.iterations, reference.REFERENCE_SUBSTEPS) == (10, 8)
-    load = bench_loads.ReferenceFloor(4, 0)
+    load = bench_loads.ReferencePhysicsLoad(4, 0)
     assert load.sample(1000) > 0.0
     reference.read_slice(load.batch.links, 0, 4)
     assert np.abs(load.batch.bodies[:, :7, :2]).max() < 4.6
@@ -99,7 +99,7 @@ def test_the_memory_of_a_match_is_counted_once() -> None:
 
 def test_a_start_that_fails_says_why() -> None:
     with pytest.raises(RuntimeError, match="no such luck"):
-        bench_faces.start_time("raise SystemExit('no such luck')", 1)
+        bench_faces.process_start_time("raise SystemExit('no such luck')", 1)
 
 
 @pytest.mark.slow
@@ -109,7 +109,7 @@ def test_a_small_bench_ends_in_a_table(tmp_path: Path, monkeypatch: pytest.Monke
     for name, value in small.items():
         monkeypatch.setattr(BenchSettings, name, property(lambda _, value=value: value))
     monkeypatch.setattr(bench, "START_TIMES", {"soccer --help": bench.START_TIMES["soccer --help"]})
-    report = bench.run(BenchSettings(quick=True, out=tmp_path / "sub" / "bench.json"))
+    report = bench.run_benchmark(BenchSettings(quick=True, out=tmp_path / "sub" / "bench.json"))
     assert json.loads((tmp_path / "sub" / "bench.json").read_text())["rows"] == report["rows"]
     table = bench.screen_table(report)
     assert table.row_count == len(report["rows"]) > 20
@@ -165,7 +165,7 @@ def checkout(folder: Path, *files: str) -> Path:
 
 
 def test_a_checkout_is_as_fast_as_itself(script: Path, tmp_path: Path) -> None:
-    report = against.run(BenchSettings(quick=True, against=checkout(tmp_path / "same", "there")), script)
+    report = against.compare_checkouts(BenchSettings(quick=True, against=checkout(tmp_path / "same", "there")), script)
     assert [row["name"] for row in report["rows"]] == ["play", "load", "new"]
     for row in report["rows"]:
         assert 0.9 < row["low"] < row["value"] < row["high"] < 1.1
@@ -174,15 +174,15 @@ def test_a_checkout_is_as_fast_as_itself(script: Path, tmp_path: Path) -> None:
 
 def test_rows_are_chosen_by_words_and_words_that_no_row_has_name_the_rows(script: Path, tmp_path: Path) -> None:
     settings = BenchSettings(quick=True, against=checkout(tmp_path / "same", "there"), rows="pl ay")
-    assert [row["name"] for row in against.run(settings, script)["rows"]] == ["play"]
+    assert [row["name"] for row in against.compare_checkouts(settings, script)["rows"]] == ["play"]
     with pytest.raises(ValueError, match="no row contains 'plat'; rows: play; odd; load; new"):
-        against.run(replace(settings, rows="plat"), script)
+        against.compare_checkouts(replace(settings, rows="plat"), script)
 
 
 def test_a_slower_checkout_is_found_out_and_missing_rows_are_named(script: Path, tmp_path: Path) -> None:
     out = tmp_path / "sub" / "bench.json"
     other = checkout(tmp_path / "other", "there", "slow")
-    report = against.run(BenchSettings(quick=True, against=other, out=out), script)
+    report = against.compare_checkouts(BenchSettings(quick=True, against=other, out=out), script)
     assert [row["name"] for row in report["rows"]] == ["play", "load"]
     for row in report["rows"]:
         assert 0.75 < row["low"] < row["high"] < 0.95 and row["verdict"] == "faster", "a fifth"
@@ -211,7 +211,7 @@ def test_each_checkout_runs_its_own_code_wherever_its_folders_stand(tmp_path: Pa
         "found = [soccer_env.__file__, soccer_env.baselines.__file__, soccer_env.train.__file__]\n"
         "print(json.dumps({'rows': [str(Path(file).resolve()) for file in found]}))\n"
     )
-    with against.started(other, "other", BenchSettings(against=other), script) as started:
+    with against.start_worker(other, "other", BenchSettings(against=other), script) as started:
         assert started.rows == [str(other / name / "__init__.py") for name in ("soccer_env", "baselines", "train")]
 
 
@@ -237,7 +237,7 @@ def test_what_is_no_checkout_is_refused(tmp_path: Path, capsys: pytest.CaptureFi
 def test_a_process_that_dies_is_said(tmp_path: Path) -> None:
     (tmp_path / "script.py").write_text("raise SystemExit(3)")
     with pytest.raises(ValueError, match="the process of this checkout ended with 3"):
-        against.run(BenchSettings(against=checkout(tmp_path / "other")), tmp_path / "script.py")
+        against.compare_checkouts(BenchSettings(against=checkout(tmp_path / "other")), tmp_path / "script.py")
 
 
 @pytest.mark.parametrize("name", worker.ROWS)

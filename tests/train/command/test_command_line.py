@@ -67,7 +67,7 @@ def test_a_ctrl_c_that_a_callback_swallows_comes_again(monkeypatch: pytest.Monke
 
     usual = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        assert command_line.guarded(work, []) == STOPPED
+        assert command_line.run_guarded(work, []) == STOPPED
     finally:
         signal.signal(signal.SIGINT, usual)
 
@@ -251,9 +251,11 @@ def test_a_list_of_teams_runs_nothing_of_other_packages(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     lions = {"lions": "canary_that_does_not_exist:team"}
-    monkeypatch.setattr("soccer_env.teams.registered", lambda: lions | registry.NAMES)
-    found = registry.found
-    monkeypatch.setattr(registry, "found", lambda where: found(where) if "canary" not in where else pytest.fail(where))
+    monkeypatch.setattr("soccer_env.teams.registered_teams", lambda: lions | registry.NAMES)
+    found = registry.import_factory
+    monkeypatch.setattr(
+        registry, "import_factory", lambda where: found(where) if "canary" not in where else pytest.fail(where)
+    )
     for what in ("teams", "settings"):
         assert main(["list", what]) == 0
     assert "canary" not in capsys.readouterr().err

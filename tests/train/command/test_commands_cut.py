@@ -63,9 +63,9 @@ def content(path: Path, folder: Path, data: bytes) -> Any:
     if path.suffix == ".pt":
         import torch
 
-        from tests.train.ppo.staged_training import plain
+        from tests.train.ppo.staged_training import as_plain_values
 
-        return plain(torch.load(path, weights_only=True))
+        return as_plain_values(torch.load(path, weights_only=True))
     if path.name == "latest.json":
         return {name: value for name, value in json.loads(data).items() if name != "sha256"}
     data = re.sub(rb"\b20\d\d-\d\d-\d\d\b", b"DATE", data.replace(str(folder).encode(), b"FOLDER"))

@@ -8,23 +8,23 @@ import pytest
 
 from soccer_env.compiled import compiled, config
 from soccer_env.compiling import cache
-from soccer_env.compiling.cache import is_kept
+from soccer_env.compiling.cache import is_cached
 from soccer_env.teams import NAMES
 from soccer_env.train import progress
 from soccer_env.train.command import compiling_beside, warm_up
 from soccer_env.train.command.command_line import main
-from soccer_env.train.command.compiling_beside import step_compiled_beside
-from soccer_env.train.command.warm_up import WarmUpSettings, parts_of
+from soccer_env.train.command.compiling_beside import compile_step_beside
+from soccer_env.train.command.warm_up import WarmUpSettings, warm_up_parts
 from soccer_env.train.progress import EVERY, Progress
 
 
 def test_every_team_is_played_in_its_league() -> None:
-    names = [name for name, _ in parts_of(WarmUpSettings())]
+    names = [name for name, _ in warm_up_parts(WarmUpSettings())]
     assert len(names) == len(set(names))
     assert {name.split(", ")[1] for name in names} >= set(NAMES)
     assert "legged-2001, sacks-2001" in names and "middle-size-2006, sacks-2001" not in names
     assert {"legged-2001, a drill", "middle-size-2006, a drill"} <= set(names)
-    one = [name for name, _ in parts_of(WarmUpSettings(league="legged-2001", team="still"))]
+    one = [name for name, _ in warm_up_parts(WarmUpSettings(league="legged-2001", team="still"))]
     assert one[-1] == "legged-2001, still" and len(one) == 6
 
 
@@ -34,7 +34,7 @@ def test_the_second_time_nothing_is_left(monkeypatch: pytest.MonkeyPatch, capsys
     for _ in range(2):
         assert main(words) == 0
     said = capsys.readouterr().out.splitlines()[-1]
-    assert said == f"nothing was left to compile; the cache is in {cache.folders()[0]}"
+    assert said == f"nothing was left to compile; the cache is in {cache.cache_folders()[0]}"
 
 
 def test_wrong_words_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
@@ -50,7 +50,7 @@ def test_long_compiling_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch, caps
     now = iter([119.0, 121.0, 122.0])
     monkeypatch.setattr(cache.time, "monotonic", lambda: next(now))
     for _ in range(3):
-        cache._count()
+        cache._count_compiled()
     assert capsys.readouterr().err == "soccer_env: compiling ... 9 functions in 21 s\n"
 
 
@@ -88,8 +88,8 @@ def started(monkeypatch: pytest.MonkeyPatch) -> list[Started]:
 def test_with_an_empty_cache_one_process_runs_beside_and_ends_with_the_block(
     started: list[Started], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("soccer_env.compiling.cache.folders", lambda: (tmp_path,))
-    with pytest.raises(KeyboardInterrupt), step_compiled_beside():
+    monkeypatch.setattr("soccer_env.compiling.cache.cache_folders", lambda: (tmp_path,))
+    with pytest.raises(KeyboardInterrupt), compile_step_beside():
         assert [one.command[1:] for one in started] == [["-m", "soccer_env.train.command.compiling_beside"]]
         assert not started[0].killed
         raise KeyboardInterrupt
@@ -99,11 +99,11 @@ def test_with_an_empty_cache_one_process_runs_beside_and_ends_with_the_block(
 @if_compiled
 def test_none_is_started_where_it_would_not_help(started: list[Started], monkeypatch: pytest.MonkeyPatch) -> None:
     compiling_beside.compile_step()
-    with step_compiled_beside():
+    with compile_step_beside():
         pass
-    monkeypatch.setattr(compiling_beside, "is_kept", lambda function: False)
+    monkeypatch.setattr(compiling_beside, "is_cached", lambda function: False)
     monkeypatch.setattr(compiling_beside, "cores", lambda: 1)
-    with step_compiled_beside():
+    with compile_step_beside():
         pass
     assert started == []
 
@@ -115,10 +115,10 @@ def one_more(x):  # type: ignore[no-untyped-def]
 
 @if_compiled
 def test_what_is_kept_is_told_from_what_is_not(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("soccer_env.compiling.cache.folders", lambda: (tmp_path / "cache",))
-    assert not is_kept(one_more)
+    monkeypatch.setattr("soccer_env.compiling.cache.cache_folders", lambda: (tmp_path / "cache",))
+    assert not is_cached(one_more)
     assert one_more(1.0) == 2.0
-    assert is_kept(one_more)
+    assert is_cached(one_more)
 
 
 @pytest.fixture

@@ -25,6 +25,6 @@ def play(env: Any, steps: int, seed: int = 0) -> list[Any]:
     return [env.step(draw(env, rng)) for _ in range(steps)]
 
 
-def same(one: list[Any], other: list[Any]) -> bool:
+def assert_same_play(one: list[Any], other: list[Any]) -> bool:
     pairs = zip(one, other, strict=True)
     return all(np.array_equal(a[part], b[part]) for a, b in pairs for part in range(3))

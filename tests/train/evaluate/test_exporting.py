@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env.statistics.records import CELLS_LONG, CELLS_WIDE
 from soccer_env.train.command.command_line import main
-from soccer_env.train.evaluate.exporting import check_free
+from soccer_env.train.evaluate.exporting import check_targets_free
 
 PLAYED = ["--home", "chaser", "--away", "still", "--players", "1", "--minutes", "0.03"]
 
@@ -57,9 +57,9 @@ def test_a_link_a_folder_or_a_file_of_another_kind_is_in_the_way(tmp_path: Path,
     file.write_bytes(b"")
     for target in (link, folder, file):
         with pytest.raises(ValueError, match=f"{target.name} is in the way"):
-            check_free([tmp_path / "free.csv", target], anew)
+            check_targets_free([tmp_path / "free.csv", target], anew)
     (tmp_path / "own.cdf").mkdir()
-    check_free([tmp_path / "own.cdf"], anew=True)
+    check_targets_free([tmp_path / "own.cdf"], anew=True)
 
 
 @pytest.mark.parametrize("name", ["x.html", "x.xml"])

@@ -13,7 +13,7 @@ from soccer_env.replay import Replay
 from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.evaluate.play_settings import RecordSettings
-from soccer_env.train.evaluate.recording import record, start
+from soccer_env.train.evaluate.recording import record, start_match
 from soccer_env.train.evaluate.replays import Keep, kept_in
 from soccer_env.train.evaluate.results import MatchLine
 
@@ -39,7 +39,7 @@ def test_a_file_that_is_no_replay_is_refused_in_one_line(tmp_path: Path, capsys:
 
 
 def test_a_place_that_cannot_be_written_is_refused_first(tmp_path: Path, monkeypatch: MonkeyPatch, capsys: Any) -> None:
-    monkeypatch.setattr("soccer_env.train.evaluate.recording.start", lambda settings: pytest.fail("it played"))
+    monkeypatch.setattr("soccer_env.train.evaluate.recording.start_match", lambda settings: pytest.fail("it played"))
     (tmp_path / "file").write_bytes(b"")
     assert main(["record", "--out", str(tmp_path)]) == 2
     assert main(["record", "--out", str(tmp_path / "file" / "a.replay")]) == 2
@@ -112,7 +112,7 @@ def test_a_drill_of_ones_own_without_an_end_is_refused(tmp_path: Path, monkeypat
     text = "from soccer_env.scenes import Scene\nENDLESS = Scene('endless', 'without limit', success='home scores')\n"
     (tmp_path / "endless_drills.py").write_text(text)
     with pytest.raises(ValueError, match="might never end"):
-        start(RecordSettings(scene="endless_drills:ENDLESS"))
+        start_match(RecordSettings(scene="endless_drills:ENDLESS"))
 
 
 @pytest.mark.parametrize("words", ["--scene shot-at-keeper --away still --speed 100", "--minutes 0.02 --speed 50"])
@@ -138,9 +138,12 @@ def files(out: Path) -> set[str]:
 
 def test_best_and_worst_are_by_goal_difference_then_goals_then_who_came_first() -> None:
     lines = [line(0, 1, 1), line(1, 3, 1), line(2, 4, 2), line(3, 0, 1), line(4, 1, 2), line(5, 1, 2)]
-    assert [(kind, one.match) for kind, one in Keep("worst, best").chosen(lines)] == [("best", 2), ("worst", 4)]
-    assert [one.match for _, one in Keep("goals").chosen([line(0, 0, 0), line(1, 0, 2)])] == [1]
-    assert Keep("goals,best").chosen([]) == []
+    assert [(kind, one.match) for kind, one in Keep("worst, best").matches_to_keep(lines)] == [
+        ("best", 2),
+        ("worst", 4),
+    ]
+    assert [one.match for _, one in Keep("goals").matches_to_keep([line(0, 0, 0), line(1, 0, 2)])] == [1]
+    assert Keep("goals,best").matches_to_keep([]) == []
 
 
 def test_what_is_kept_is_what_was_played(tmp_path: Path) -> None:
@@ -176,7 +179,7 @@ def test_more_matches_bring_what_is_kept_up_to_date(tmp_path: Path) -> None:
     before = {one.file: (tmp_path / one.file).stat().st_mtime_ns for one in kept_in(tmp_path)}
     result = short(tmp_path, matches=10)  # nothing is asked for: as before
     kept = kept_in(tmp_path)
-    best = Keep("best").chosen(result.lines)[0][1].match
+    best = Keep("best").matches_to_keep(result.lines)[0][1].match
     assert [one.match for one in kept if one.kind == "best"] == [best]
     assert sum(one.kind == "goals" for one in kept) == sum(x.goals_for + x.goals_against for x in result.lines)
     assert files(tmp_path) == {Path(one.file).name for one in kept} | {"kept.json"}

@@ -11,10 +11,10 @@ from soccer_env.leagues import find_league
 from soccer_env.statistics.figures import FIGURES
 from soccer_env.statistics.records import BINS, GoalKind
 from soccer_env.train.evaluate import evaluate
-from soccer_env.train.evaluate.report import markdown, plain, sentence
+from soccer_env.train.evaluate.report import markdown, plain_number, verdict_sentence
 from soccer_env.train.evaluate.results import EvaluationResult, MatchLine, summarise
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, conditions_of
-from soccer_env.train.evaluate.statistics import goal_rows, named, play_rows, totals
+from soccer_env.train.evaluate.statistics import goal_rows, play_rows, statistics_by_name, totals
 
 KEYS = {
     "league", "home", "away", "matches", "minutes", "seed", "senses", "wins", "draws", "losses", "goals_for",
@@ -47,7 +47,7 @@ NUMBERS = [
 
 
 def test_numbers_of_tables_are_plain() -> None:
-    assert [plain(value, digits) for value, digits, _ in NUMBERS] == [text for _, _, text in NUMBERS]
+    assert [plain_number(value, digits) for value, digits, _ in NUMBERS] == [text for _, _, text in NUMBERS]
 
 
 def test_what_is_counted() -> None:
@@ -103,7 +103,7 @@ def test_order_of_the_lines_is_of_no_account_but_missing_matches_are_refused() -
 def test_the_report_says_who_won_and_how_to_make_it_again() -> None:
     result = result_of([(2, 0), (1, 0)] * 10)
     text = markdown(result, ABOUT)
-    assert sentence(result) == "chaser beats random clearly."
+    assert verdict_sentence(result) == "chaser beats random clearly."
     assert "chaser beats random clearly." in text
     assert "```bash\nsoccer evaluate --seed 3\n```" in text
     assert "| won, drawn, lost | 20, 0, 0 |  |" in text
@@ -135,7 +135,7 @@ PLAY = {"home": "chaser", "away": "still", "matches": 4, "minutes": 0.5, "player
 
 def line(**given):
     """Return the statistics of a minute, all in play, in which nothing happened but what is given."""
-    empty = dict.fromkeys([name for name, _ in named()], 0) | {"played": 60.0, "in_play": 60.0}
+    empty = dict.fromkeys([name for name, _ in statistics_by_name()], 0) | {"played": 60.0, "in_play": 60.0}
     return {**empty, "spell_lengths_for": [0] * BINS, "spell_lengths_against": [0] * BINS, **given}
 
 
@@ -158,8 +158,8 @@ def test_the_interval_is_that_of_pairs() -> None:
 
 
 def test_every_statistic_has_a_total_and_lines_without_any_have_none() -> None:
-    assert [*totals([line()] * 2)] == [name for name, _ in named()]
-    assert len(named()) == sum(2 if figure.team else 1 for figure in FIGURES)
+    assert [*totals([line()] * 2)] == [name for name, _ in statistics_by_name()]
+    assert len(statistics_by_name()) == sum(2 if figure.team else 1 for figure in FIGURES)
     assert totals([{}, {}]) == {}
     assert totals([line(), {}]) == {}
 

@@ -14,7 +14,7 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.evaluate import evaluate
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, command_of, conditions_of
-from tests.agents.staged_policies import lively
+from tests.agents.staged_policies import random_policy
 
 LEGGED, MIDDLE = find_league("legged-2001"), find_league("middle-size-2006")
 
@@ -70,7 +70,7 @@ WORDS = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.
 def file_of(folder: Path, **known: Any) -> str:
     """Return the path of a policy file that says of its training what is known."""
     file = folder / "lively.safetensors"
-    file.write_bytes(dump(lively(**known)))
+    file.write_bytes(dump(random_policy(**known)))
     return str(file)
 
 
@@ -89,10 +89,10 @@ def test_another_pose_needs_a_flag_and_the_report_says_what_it_was(tmp_path: Pat
 
 def test_the_team_away_is_looked_at_too() -> None:
     with pytest.raises(ValueError, match=r"'mine' was trained with senses='ideal'.*--senses ideal plays it"):
-        from soccer_env.agents.learned import team_of
+        from soccer_env.agents.learned import team_from_policy
 
         asked = EvaluateSettings(home="still", away="mine", players=1, matches=2, minutes=0.05)
-        evaluate(asked, teams={"mine": team_of(lively(senses="ideal"))})
+        evaluate(asked, teams={"mine": team_from_policy(random_policy(senses="ideal"))})
 
 
 def test_who_observes_the_truth_is_not_offered_sensors(tmp_path: Path, capsys: Any) -> None:

@@ -20,6 +20,6 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[set[str]]:
         names.add(match.league.rules.name)
 
     monkeypatch.setattr(Match, "__init__", record)
-    sampled._sample.cache_clear()
-    branches._follow.cache_clear()
+    sampled._sample_cached.cache_clear()
+    branches._follow_cached.cache_clear()
     yield names

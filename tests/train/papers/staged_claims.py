@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.settings import ReproduceSettings
@@ -43,7 +43,7 @@ KNOWN = {
         claim("A1", 3.0),
         claim("A2", -3.0),
         claim("A3", 0.0, measured("mean above -0.01", mean, above=-0.01)),
-        claim("A4", 3.0, without=Without("the shift", lambda batch: draw(batch, -3.0))),
+        claim("A4", 3.0, without=Ablation("the shift", lambda batch: draw(batch, -3.0))),
         claim("A5", 0.0, reported("mean", mean)),
         claim("A6", 0.0, counted("at least 60 %", "up", "one", at_least=60.0), measured("mean < -1", mean, below=-1.0)),
         claim("look", 0.0, study=True),

@@ -17,14 +17,14 @@ from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.dribble import or_shoot
 from soccer_env.train.papers.claims.stuck import branches
 from soccer_env.train.papers.claims.stuck.alarms_in_play import Approaches
-from soccer_env.train.papers.claims.stuck.branches import FREE_TIME, Fate, follow
-from soccer_env.train.papers.claims.stuck.collisions import near_ball
-from soccer_env.train.papers.claims.stuck.sampled import OUT, Watch, behaviours, gathered
+from soccer_env.train.papers.claims.stuck.branches import FREE_TIME, Fate, follow_moments
+from soccer_env.train.papers.claims.stuck.collisions import count_near_ball
+from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, stack_moments
 from soccer_env.train.papers.claims.stuck.stealing import ended_by_referee
 from soccer_env.train.papers.drill_runs import PAPER, start_drill
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
-from soccer_env.train.papers.staging import begin, drill, kick_off, play, put, put_ball, stage
+from soccer_env.train.papers.staging import begin_scene, kick_off, play, put, put_ball, stage, stage_drill
 from soccer_env.types import Foul, Phase
 
 BATCH = Batch("test", 0, 0)
@@ -73,7 +73,9 @@ def test_all_matches_of_claims_are_made_in_one_place() -> None:
 
 def test_drills_run_under_their_own_rules_and_where_opponents_play_under_those_of_play() -> None:
     assert start_drill(BATCH, "dribble-past-one", {}, 1, PAPER).league.rules.name == PATIENT
-    assert drill(BATCH, "facing-wall", TEAM, matches=1).league.rules.name == SCENES["facing-wall"].rules == PATIENT
+    assert (
+        stage_drill(BATCH, "facing-wall", TEAM, matches=1).league.rules.name == SCENES["facing-wall"].rules == PATIENT
+    )
     simple = Batch("S31", 0, 0, rules=("simple",))
     match = start_drill(simple, or_shoot.SCENE, {}, 1, 0.0, opponents="chaser", rules=simple.play_rules)
     assert match.league.rules.name == "simple"
@@ -91,7 +93,7 @@ def two(rows: int = 1) -> Match:
     put(match, 0, -0.3, 0.0, 0.0, forward=0.12)
     put(match, 1, -0.3, 0.12, 0.0, forward=0.12)
     put_ball(match, 0.3, 0.0)
-    begin(match, placed=True)
+    begin_scene(match, placed=True)
     for r in (0, 1):
         memory_of(match, r)["behaviour"] = APPROACH
     match.robot_events["collision"] = 1
@@ -100,13 +102,13 @@ def two(rows: int = 1) -> Match:
 
 def test_who_is_sent_off_is_not_held() -> None:
     match = two()
-    watch = Watch(match)
+    watch = MotionWindow(match)
     for _ in range(watch.size):
         watch.look()
-    assert watch.held().all() and watch.short().all() and watch.there().all()
+    assert watch.held().all() and watch.fell_short().all() and watch.there().all()
     match.robots["active"][:, 1] = 0  # where it stood: only the record tells
     watch.look()
-    assert watch.held().tolist() == watch.short().tolist() == watch.there().tolist() == [[True, False]]
+    assert watch.held().tolist() == watch.fell_short().tolist() == watch.there().tolist() == [[True, False]]
     assert behaviours(match).tolist() == [[APPROACH, OUT]]
     match.robots["active"][:, 1] = 1
     watch.look()
@@ -115,7 +117,7 @@ def test_who_is_sent_off_is_not_held() -> None:
 
 def test_who_was_put_elsewhere_by_a_whistle_was_not_there_throughout() -> None:
     match = two()
-    watch = Watch(match)
+    watch = MotionWindow(match)
     watch.look()
     match.robot_events["returned"][:, 1] = 1
     watch.look()
@@ -156,9 +158,9 @@ def test_a_recovery_that_goes_on_after_a_penalty_is_no_alarm() -> None:
 def test_who_is_sent_off_is_not_in_a_crowd() -> None:
     match = two()
     match.robots["x"] = 0.1
-    assert near_ball(match).tolist() == [2]
+    assert count_near_ball(match).tolist() == [2]
     match.robots["active"][:, 1] = 0
-    assert near_ball(match).tolist() == [1]
+    assert count_near_ball(match).tolist() == [1]
 
 
 @pytest.mark.parametrize(
@@ -177,8 +179,8 @@ def test_the_referee_ends_a_contest_but_a_goal_does(events: dict[str, int], ends
 
 
 def test_matches_in_which_nobody_is_held_have_no_fate(monkeypatch: pytest.MonkeyPatch) -> None:
-    none = gathered(two(), [])
+    none = stack_moments(two(), [])
     assert len(none) == 0
-    monkeypatch.setattr(branches, "sample", lambda batch: none)
-    found = follow(Batch("test", 99, 0), recovery=True)
+    monkeypatch.setattr(branches, "sample_moments", lambda batch: none)
+    found = follow_moments(Batch("test", 99, 0), recovery=True)
     assert np.isnan(found["near"]).all() and np.isnan(found["freed"]).all()

@@ -9,11 +9,19 @@ from soccer_env.optics import head_camera as optics
 from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import all_claims
-from soccer_env.train.papers.claims.ball.occlusion import APART, CLEAR, draw_scene, stands_before
+from soccer_env.train.papers.claims.ball.occlusion import APART, CLEAR, draw_scene, hides_part_of_ball
 from soccer_env.train.papers.claims.ball.velocity import true_radial, walk_to_ball
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
-from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, blind, camera_of, follow, see_again, stare
+from soccer_env.train.papers.true_sight import (
+    ball_angle,
+    ball_in_sight,
+    blind_cameras,
+    camera_of,
+    follow_ball,
+    restore_cameras,
+    stare_at_ball,
+)
 from soccer_env.train.papers.verdicts import Samples
 
 BATCH = Batch("test", 0, 0)
@@ -22,13 +30,13 @@ BATCH = Batch("test", 0, 0)
 def test_a_ball_put_ahead_is_there() -> None:
     match = staging.stage(BATCH, matches=5)
     staging.put(match, 0, np.linspace(-1.0, 1.0, 5), 0.2, np.linspace(-3.0, 3.0, 5))
-    staging.put_ball(match, *staging.ahead_of(match, 0, 0.4, 0.3))
-    staging.begin(match)
-    distance, bearing = staging.ball_from(match)
+    staging.put_ball(match, *staging.point_ahead(match, 0, 0.4, 0.3))
+    staging.begin_scene(match)
+    distance, bearing = staging.distance_to_ball(match)
     assert distance == pytest.approx(0.4) and bearing == pytest.approx(0.3)
     for _ in staging.play(match, 1.0):
         pass
-    assert staging.ball_from(match)[0] == pytest.approx(0.4)
+    assert staging.distance_to_ball(match)[0] == pytest.approx(0.4)
     assert (match.robots["active"][:, 1] == 0).all()
 
 
@@ -36,7 +44,7 @@ def test_a_ball_put_ahead_is_there() -> None:
 def test_scenes_forget_what_was_seen_before_they_began(league: str) -> None:
     match = staging.stage(BATCH, league, matches=3)
     staging.put(match, 0, 0.0, 0.0)
-    staging.begin(match)
+    staging.begin_scene(match)
     assert (match.beliefs["ball"]["confidence"] == 0.0).all()
     assert (match.tracks["present"] == 0).all()
 
@@ -54,18 +62,18 @@ def test_the_camera_is_where_optics_has_it() -> None:
         expected = (robot["x"] + cosine * ahead - sine * left, robot["y"] + sine * ahead + cosine * left, height)
         assert place[m] == pytest.approx(expected)
         bearing, elevation = optics.direction_of_pixel(0.0, 0.0, robot["pan"], robot["tilt"], s)
-        assert staging.wrapped(np.arctan2(axis[m, 1], axis[m, 0]) - robot["heading"]) == pytest.approx(bearing)
+        assert staging.wrap_angle(np.arctan2(axis[m, 1], axis[m, 0]) - robot["heading"]) == pytest.approx(bearing)
         assert axis[m, 2] == pytest.approx(np.sin(elevation))
 
 
 def test_a_staring_head_has_the_ball_on_its_axis() -> None:
     match = staging.stage(BATCH, matches=6, actions="full")
     staging.put(match, 0, 0.0, 0.0, np.linspace(-2.0, 2.0, 6))
-    staging.put_ball(match, *staging.ahead_of(match, 0, np.linspace(0.25, 0.8, 6), np.linspace(-1.0, 1.0, 6)))
-    staging.begin(match)
-    actions = staging.standing(match)
+    staging.put_ball(match, *staging.point_ahead(match, 0, np.linspace(0.25, 0.8, 6), np.linspace(-1.0, 1.0, 6)))
+    staging.begin_scene(match)
+    actions = staging.standing_actions(match)
     for _ in staging.play(match, 1.0, actions):
-        stare(match, actions)
+        stare_at_ball(match, actions)
     distance, angle = ball_in_sight(match)
     assert angle.max() < np.radians(0.5)
     assert (ball_angle(match, distance) > angle).all()
@@ -75,9 +83,9 @@ def test_blind_robots_see_no_ball_until_they_may() -> None:
     match = staging.stage(BATCH, staging.MIDDLE, matches=4)
     staging.put(match, 0, 0.0, 0.0)
     staging.put_ball(match, 1.5, 0.0)
-    staging.begin(match)
+    staging.begin_scene(match)
     ages = []
-    for switch in (see_again, blind, see_again):
+    for switch in (restore_cameras, blind_cameras, restore_cameras):
         switch(match)
         for _ in staging.play(match, 1.0):
             pass
@@ -104,24 +112,24 @@ def test_the_true_rate_of_the_distance_is_its_difference() -> None:
     match = staging.stage(BATCH, matches=3)
     staging.put(match, 0, 0.0, 0.0, 0.0, 0.1)
     staging.put_ball(match, [0.6, 0.5, -0.6], [0.0, 0.4, 0.3], 0.2, -0.1)
-    staging.begin(match)
-    before, rates = staging.ball_from(match)[0], []
+    staging.begin_scene(match)
+    before, rates = staging.distance_to_ball(match)[0], []
     for _ in staging.play(match, 0.25):
         rates.append(true_radial(match))
-    assert (staging.ball_from(match)[0] - before) / 0.25 == pytest.approx(np.mean(rates, axis=0), abs=0.02)
+    assert (staging.distance_to_ball(match)[0] - before) / 0.25 == pytest.approx(np.mean(rates, axis=0), abs=0.02)
 
 
 def test_who_follows_the_true_ball_reaches_it_or_keeps_away() -> None:
     match = staging.stage(BATCH, matches=8)
     staging.put(match, 0, -0.5, 0.0, np.linspace(-3.0, 3.0, 8))
-    staging.begin(match)
-    actions = staging.standing(match)
+    staging.begin_scene(match)
+    actions = staging.standing_actions(match)
     for _ in staging.play(match, 12.0, actions):
-        actions[:, 0, :3] = follow(match)
+        actions[:, 0, :3] = follow_ball(match)
     assert (match.matches["last_touch_robot"] == 0).all()
     for _ in staging.play(match, 8.0, actions):
-        actions[:, 0, :3] = follow(match, 0.4)
-    assert np.median(staging.ball_from(match)[0]) == pytest.approx(0.4, abs=0.1)
+        actions[:, 0, :3] = follow_ball(match, 0.4)
+    assert np.median(staging.distance_to_ball(match)[0]) == pytest.approx(0.4, abs=0.1)
 
 
 def test_hidden_balls_have_room_and_somebody_before_them() -> None:
@@ -132,8 +140,8 @@ def test_hidden_balls_have_room_and_somebody_before_them() -> None:
     apart = np.linalg.norm(places[:, 0] - places[:, 1], axis=-1)
     assert np.nanmin(gap) > CLEAR and np.nanmin(apart) > APART
     assert np.isfinite(gap[:, 0]).mean() > 0.9
-    assert stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.1]), 0.0)
-    assert not stands_before(np.array([0.6, 0.0]), np.array([0.35, 0.2]), 0.0)
+    assert hides_part_of_ball(np.array([0.6, 0.0]), np.array([0.35, 0.1]), 0.0)
+    assert not hides_part_of_ball(np.array([0.6, 0.0]), np.array([0.35, 0.2]), 0.0)
 
 
 DEAR = {  # 5 s of a core and more

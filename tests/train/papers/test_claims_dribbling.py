@@ -17,12 +17,12 @@ from soccer_env.train.papers.staging import LEGGED, put, put_ball, stage
 BATCH = Batch("test", 0, 0)
 
 
-def way(gaps: list[float], step: float = 0.1) -> dribble_runs.Way:
+def way(gaps: list[float], step: float = 0.1) -> dribble_runs.DribbleRecord:
     """Return the way of one robot that goes straight on, the ball `gaps` [m] from its chest in each step."""
     gap = np.array(gaps)[:, None]
     x = step * np.arange(len(gaps))[:, None]
     nothing, always = np.zeros_like(x), np.ones_like(x, bool)
-    return dribble_runs.Way(x, nothing, gap, gap < 0.02, always, ~always, x, nothing, ~always)
+    return dribble_runs.DribbleRecord(x, nothing, gap, gap < 0.02, always, ~always, x, nothing, ~always)
 
 
 def test_a_ball_is_lost_once_until_the_robot_has_it_again() -> None:
@@ -38,7 +38,7 @@ def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
 
 
 def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
-    match = dribble_runs.dribblers(BATCH, find_league(LEGGED), 8, 1, dribble_runs.NO_SHOTS)
+    match = dribble_runs.set_up_dribblers(BATCH, find_league(LEGGED), 8, 1, dribble_runs.NO_SHOTS)
     dribble_runs.place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
     dribble_runs.begin_dribbling(match)
     own = match.beliefs["own"][:, 0]
@@ -51,9 +51,9 @@ def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
 
 def test_the_knee_is_where_losses_reach_half_of_their_greatest_share() -> None:
     lost = np.array([[0.0] * 5 + [0.2, 0.8, 1.0, 1.0, 1.0, 1.0]])
-    assert dribbling.knee({"lost": lost}) == pytest.approx(52.5)
-    assert np.isnan(dribbling.knee({"lost": np.zeros_like(lost)}))
-    assert dribbling.beyond_less_within({"lost": lost}) == pytest.approx(100.0)
+    assert dribbling.half_loss_angle({"lost": lost}) == pytest.approx(52.5)
+    assert np.isnan(dribbling.half_loss_angle({"lost": np.zeros_like(lost)}))
+    assert dribbling.wide_angle_loss_difference({"lost": lost}) == pytest.approx(100.0)
 
 
 def test_robots_that_walk_against_another_touch_it() -> None:
@@ -61,7 +61,7 @@ def test_robots_that_walk_against_another_touch_it() -> None:
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.05, 0.9], 0.0, np.pi)
     put_ball(match, -1.0, 0.8)
-    found = dribble_runs.run(match, 4.0, dribbling.walking(match, 0.035, np.zeros(2)))
+    found = dribble_runs.record_dribble(match, 4.0, dribbling.walking_actions(match, 0.035, np.zeros(2)))
     assert found.touches.any(axis=0).tolist() == [True, False]
     assert found.x[-1, 1] > found.x[-1, 0]
 
@@ -70,8 +70,8 @@ def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
     """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
     shares = 0.8 - 0.08 * np.log2(np.array(replanning.REPLANS) / 0.5) ** 2
     samples = {"clean": np.tile(shares, (3, 1))}
-    assert replanning.worse(samples) == pytest.approx(8.0)
-    assert replanning.gained(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
+    assert replanning.half_second_gain(samples) == pytest.approx(8.0)
+    assert replanning.fast_decisions_gain(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
 
 
 def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
@@ -81,7 +81,7 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
     put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)
     put_ball(match, -1.0, 0.8)
     dribble_runs.begin_dribbling(match)
-    contacts, actions = contacts_of(match), dribbling.walking(match, 0.035, np.zeros(3))
+    contacts, actions = contacts_of(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
     actions[2] = 0.0
     for _ in range(64):
         match.step(actions)

@@ -14,8 +14,8 @@ from soccer_env.train.papers.claims.field import minima as field_minima
 from soccer_env.train.papers.claims.field import movers as field_movers
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
-from soccer_env.train.papers.claims.field.robots import RobotRuns, filled, run_robots
-from soccer_env.train.papers.dribble_runs import Way
+from soccer_env.train.papers.claims.field.robots import RobotRuns, pad_with_nan, run_robots
+from soccer_env.train.papers.dribble_runs import DribbleRecord
 from soccer_env.train.papers.report import figure_table
 from soccer_env.train.report import draw_curves
 
@@ -31,7 +31,7 @@ def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
 
 def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
     rng = np.random.default_rng(1)
-    makers = (field_movers.one_comes, field_movers.one_on_each_side, field_movers.one_crosses)
+    makers = (field_movers.approaching_player, field_movers.players_on_both_sides, field_movers.crossing_player)
     comes, both, crosses = (make(rng) for make in makers)
     speed = np.hypot(comes["vx"], comes["vy"])
     assert speed.min() >= field_movers.SPEEDS[0] and speed.max() <= field_movers.SPEEDS[1]
@@ -48,7 +48,7 @@ def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
         assert field_forces.matched_gain(exponent) * (1.0 / points.UNIT - 1.0) / points.UNIT ** (
             exponent - 1
         ) == pytest.approx(1.0)
-    samples = field_forces.matched_exponents(BATCH)
+    samples = field_forces.compare_exponents(BATCH)
     assert np.nanmin(samples["onset"]) > points.TOUCH and np.nanmax(samples["onset"]) < 1.0
 
 
@@ -71,7 +71,9 @@ def runs_of(x: list[float], off: list[float], touches: list[int], goal: list[int
     column = np.array(x)[:, None]
     none, flags = np.zeros_like(column), np.array(touches, bool)[:, None]
     scored = np.zeros_like(flags) if goal is None else np.array(goal, bool)[:, None]
-    return RobotRuns(Way(column, none, none, ~flags, ~flags, flags, none, none, scored), np.array(off)[:, None])
+    return RobotRuns(
+        DribbleRecord(column, none, none, ~flags, ~flags, flags, none, none, scored), np.array(off)[:, None]
+    )
 
 
 def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
@@ -86,8 +88,8 @@ def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
 
 def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
     samples = {"time": np.full(10, 2.0), "frame": np.full(10, 10.0)}
-    assert field_cost.planning(samples) == pytest.approx(2.5)
-    assert field_cost.planning(samples, 80.0) == pytest.approx(200.0)
+    assert field_cost.planning_time_share(samples) == pytest.approx(2.5)
+    assert field_cost.planning_time_share(samples, 80.0) == pytest.approx(200.0)
 
 
 def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
@@ -99,11 +101,11 @@ def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
 
 def test_robots_play_the_scenes_that_points_play() -> None:
     rng = BATCH.rng()
-    start, crowd = points.starts(rng)[:4], points.one_ahead(rng, 0.0, 0.25)[:4]
+    start, crowd = points.starts(rng)[:4], points.player_near_path(rng, 0.0, 0.25)[:4]
     runs = run_robots(BATCH, start, crowd)
     assert runs.way.x[0] == pytest.approx(start[:, 0], abs=0.02)
     assert np.isfinite(runs.off).mean() > 0.7 and runs.arrived.any()
-    values = filled(runs.is_clean)
+    values = pad_with_nan(runs.is_clean)
     assert len(values) == points.SCENES and np.isfinite(values).sum() == 4
 
 
@@ -113,16 +115,16 @@ def test_the_least_value_that_suffices_is_near_the_best() -> None:
         for axis, values in field_constants.AXES.items():
             for value, one in zip(values, found, strict=True):
                 samples[f"points {kind} {axis} {value:g}"] = np.array([one])
-    assert field_constants.least_sufficient(samples, "points", "standing", "k2") == pytest.approx(0.2, rel=0.15)
-    assert field_constants.least_sufficient(samples, "points", "moving", "k2") == pytest.approx(0.8, rel=0.4)
-    assert field_constants.larger(samples, "points", "x0") > 1.0
+    assert field_constants.least_sufficient_value(samples, "points", "standing", "k2") == pytest.approx(0.2, rel=0.15)
+    assert field_constants.least_sufficient_value(samples, "points", "moving", "k2") == pytest.approx(0.8, rel=0.4)
+    assert field_constants.moving_over_standing_value(samples, "points", "x0") > 1.0
 
 
 def test_trouble_is_a_stall_or_a_retreat() -> None:
     found = {"stalls": [0, 1, 0.0], "retreats": [0, 0, 1.0]}
     samples = {f"points gap, limit off: {what}": np.array(values) for what, values in found.items()}
-    assert field_minima.trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
-    assert field_minima.share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
+    assert field_minima.has_trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
+    assert field_minima.trouble_share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
 
 
 def test_ms54_points_go_as_the_teams_own_forces_say() -> None:

@@ -8,7 +8,7 @@ from soccer_env.train.papers.claim import STAGED, Batch
 from soccer_env.train.papers.claims import middle_size, own_pose
 from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots
 from soccer_env.train.papers.claims.planning import crossings, plans, runs, scenes, timing
-from soccer_env.train.papers.staging import MIDDLE, begin, play, put, stage
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, stage
 
 BATCH = Batch("test", 0, 0, rules=STAGED)
 
@@ -26,27 +26,27 @@ def test_who_is_carried_is_told_nothing_and_is_elsewhere() -> None:
     match = stage(BATCH, MIDDLE, matches=4, pose="particles", senses={"home": "sensors", "away": "ideal"})
     put(match, 0, 0.0, 0.0)
     put(match, 1, 2.0, 2.0)
-    begin(match)
+    begin_scene(match)
     for _ in play(match, 2.0):
         pass
     before = match.beliefs["own"][:, 0].copy()
     own_pose.carry_away(match, BATCH.rng(3))
     assert (np.hypot(match.robots["x"][:, 0], match.robots["y"][:, 0]) > own_pose.CARRIED).all()
-    place, _ = own_pose.errors_of(match)
+    place, _ = own_pose.pose_errors(match)
     assert (place > 1.5).all()
     assert (match.beliefs["own"][:, 0] == before).all()
     for _ in play(match, 0.02):
         pass
-    assert (own_pose.errors_of(match)[0] > 0.5).any()  # it has not been told
+    assert (own_pose.pose_errors(match)[0] > 0.5).any()  # it has not been told
 
 
 def test_a_robot_that_stands_still_finds_out_where_it_is() -> None:
     match = stage(BATCH, MIDDLE, matches=8, pose="particles", senses={"home": "sensors", "away": "ideal"})
     put(match, 0, np.linspace(-4.0, 4.0, 8), np.linspace(-2.0, 2.0, 8), np.linspace(-3.0, 3.0, 8))
-    begin(match)
+    begin_scene(match)
     for _ in play(match, 3.0):
         pass
-    place, heading = own_pose.errors_of(match)
+    place, heading = own_pose.pose_errors(match)
     assert np.median(place) < 0.15 and np.median(heading) < 0.1
 
 
@@ -54,8 +54,8 @@ def test_drivers_stay_on_the_field_and_move() -> None:
     match = stage(BATCH, MIDDLE, matches=3, away=3)
     for r in range(4):
         put(match, r, 2.0 * r - 3.0, 0.0)
-    begin(match)
-    drivers = own_pose.Drivers(match, BATCH.rng())
+    begin_scene(match)
+    drivers = own_pose.RandomDrivers(match, BATCH.rng())
     for step in play(match, 4.0, drivers.actions):
         drivers.steer(step)
     assert np.hypot(match.robots["vx"], match.robots["vy"]).mean() > 0.5 * own_pose.SPEED
@@ -77,14 +77,16 @@ def test_shares_and_errors_go_by_the_light() -> None:
     samples = counts(
         {"constant": [0.9] * 6, "adaptive": [0.9, 0.9, 0.81, 0.9, 0.9, 0.9], "fixed": [0.9, 0.5] + [0.0] * 4}
     )
-    assert middle_size.shares(samples, "fixed")[:2] == pytest.approx([0.9, 0.5])
-    assert middle_size.errors(samples, "fixed") == pytest.approx(0.1)
-    assert middle_size.over_best(samples, "adaptive", middle_size.shares).min() == pytest.approx(0.9)
+    assert middle_size.seen_shares_by_light(samples, "fixed")[:2] == pytest.approx([0.9, 0.5])
+    assert middle_size.range_errors_by_light(samples, "fixed") == pytest.approx(0.1)
+    assert middle_size.relative_to_constant_light(
+        samples, "adaptive", middle_size.seen_shares_by_light
+    ).min() == pytest.approx(0.9)
     assert middle_size.seen_in_changed_light(samples, "fixed") == 0.0
 
 
 def test_the_ball_and_player_of_the_scene_stay_on_the_field() -> None:
-    seen = middle_size.watch_under(BATCH, middle_size.VARIANTS["constant"])
+    seen = middle_size.watch_in_light(BATCH, middle_size.VARIANTS["constant"])
     assert seen["found"].max() == 4 and np.mean(seen["found"]) > 3.0
     assert np.sqrt(np.nanmean(seen["error"] ** 2)) < 0.1
     assert seen["light"].max() == 0.0
@@ -113,7 +115,7 @@ def test_slow_traffic_leaves_robot_and_target_free() -> None:
 
 
 def test_a_wall_stands_across_the_way() -> None:
-    for scene in runs.scenes_of(BATCH, scenes.wall, 20):
+    for scene in runs.scenes_of(BATCH, scenes.robot_row_or_cup, 20):
         assert len(scene.obstacles) in (2, 3, 9)
         assert runs.plan(scene).arrived
         straight = np.linspace(scene.robot, scene.target, 200)
@@ -124,13 +126,13 @@ def test_a_wall_stands_across_the_way() -> None:
 def test_the_side_on_which_an_obstacle_is_passed() -> None:
     for y, side in ((0.3, 1), (-0.3, -1)):  # an obstacle on the left of the way is passed with it on the left
         travel = Planner().travel((-2.0, 0.0), (2.0, 0.0), [(0.0, y, 0.0, 0.0)])
-        assert runs.side_of(travel, 0) == side and runs.side_changes(travel) == 0
+        assert runs.passing_side(travel, 0) == side and runs.side_changes(travel) == 0
     far = Planner().travel((-2.0, 0.0), (2.0, 0.0), [(0.0, 2.5, 0.0, 0.0)])
-    assert runs.side_of(far, 0) == 0
+    assert runs.passing_side(far, 0) == 0
 
 
 def test_the_canonical_crossings_show_what_the_paper_shows() -> None:
-    found = crossings.canonical(BATCH)
+    found = crossings.canonical_crossings(BATCH)
     assert (found["old gap"] < crossings.NEAR).all() and (found["old away"] > 10).all()
     assert (found["new gap"] > crossings.CLEAR).all() and (found["new sides"] == 0).all()
     figures = crossings.snapshots({})
@@ -143,12 +145,14 @@ def test_first_heading_and_sharpest_turn_of_a_straight_way_are_none() -> None:
     scene = scenes.Scene((-2.0, 0.5), (2.0, 0.5), [])
     plan = runs.plan(scene)
     assert plans.first_heading(plan, scene) == pytest.approx(0.0, abs=1e-6)
-    assert plans.sharpest(plan) == pytest.approx(0.0, abs=1e-6)
+    assert plans.sharpest_turn(plan) == pytest.approx(0.0, abs=1e-6)
 
 
 def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths_are_the_same() -> None:
-    assert timing.times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
-    assert plans.same_paths(BATCH)["same"].all() and not plans.same_paths(BATCH, still=False)["same"].all()
+    assert timing.measure_plan_times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
+    assert (
+        plans.plans_equal_paths(BATCH)["same"].all() and not plans.plans_equal_paths(BATCH, still=False)["same"].all()
+    )
 
 
 def test_the_open_angle_in_closed_form() -> None:
@@ -162,24 +166,27 @@ def test_the_open_angle_in_closed_form() -> None:
 
 
 def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
-    found = places.ways(BATCH)
+    found = places.interception_distances(BATCH)
     assert (found["perpendicular"] <= found["crossing"] + 1e-9).all()
-    assert (places.ways(BATCH, waits=True)["perpendicular"] >= found["perpendicular"] - 1e-9).all()
+    assert (places.interception_distances(BATCH, waits=True)["perpendicular"] >= found["perpendicular"] - 1e-9).all()
 
 
 def test_goals_and_benefits_are_counted() -> None:
     speed = np.array([5.0, 5.0, 9.0, 9.0])
     samples = {"speed": speed, "passive": np.array([1.0, 1, 1, 1]), "active": np.array([0.0, 0, 1, 0])}
-    assert saves.conceded(samples, "active") == 25.0 and saves.slower(samples, "passive") == 100.0
-    assert saves.ratio(samples, saves.conceded) == 0.25 and saves.ratio(samples, saves.slower) == 0.0
+    assert saves.conceded_share(samples, "active") == 25.0 and saves.conceded_share_slow(samples, "passive") == 100.0
+    assert (
+        saves.conceded_ratio(samples, saves.conceded_share) == 0.25
+        and saves.conceded_ratio(samples, saves.conceded_share_slow) == 0.0
+    )
     noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
-    assert saves.benefit(noisy, "fit", "own") == 75.0
+    assert saves.prevented_goals(noisy, "fit", "own") == 75.0
 
 
 @pytest.mark.slow
 def test_shots_reach_the_goal_that_nobody_keeps_and_a_kick_is_received() -> None:
     faced = shots.face_shots(BATCH, {"keeper": "passive", "strength": 0.0})
     assert (faced.speed >= shots.SPEEDS[0]).all() and faced.goal.any() and (faced.moved >= 0.0).all()
-    soft, full = passes.kicked(BATCH, True), passes.kicked(BATCH, False)
+    soft, full = passes.kick_passes(BATCH, True), passes.kick_passes(BATCH, False)
     assert full["top"].mean() == pytest.approx(10.0, rel=0.05) and soft["top"].mean() < 5.0
     assert soft["got"].mean() > full["got"].mean() + 0.3

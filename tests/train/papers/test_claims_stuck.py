@@ -8,35 +8,37 @@ from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.stuck import alarms_in_play, false_alarms, runs, stealing, wall
 from soccer_env.train.papers.claims.stuck import detection as stuck_detection
-from soccer_env.train.papers.claims.stuck.branches import follow, shares_of
-from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, of_camera, sample
-from soccer_env.train.papers.staging import ball_from, play, wrapped
+from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
+from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, distance_from_camera, sample_moments
+from soccer_env.train.papers.staging import distance_to_ball, play, wrap_angle
 from soccer_env.types import HOME
 
 BATCH = Batch("test", 0, 0)
 
 
 def test_a_held_robot_goes_nowhere_can_turn_and_notices() -> None:
-    match = runs.walk_up(BATCH, 8, 0.4, 0.6)
+    match = runs.set_up_walk(BATCH, 8, 0.4, 0.6)
     for _ in play(match, 1.0):
         pass
-    assert (of_camera(match, *ball_from(match)) < 0.55).all() and (memory_of(match)["behaviour"] == APPROACH).all()
-    runs.hold(match)
+    assert (distance_from_camera(match, *distance_to_ball(match)) < 0.55).all() and (
+        memory_of(match)["behaviour"] == APPROACH
+    ).all()
+    runs.immobilise_robots(match)
     x, y = match.robots["x"][:, 0].copy(), match.robots["y"][:, 0].copy()
     noticed = np.zeros(8, bool)
     for _ in play(match, 8.0):
-        noticed |= runs.recovers(match)
+        noticed |= runs.is_recovering(match)
     assert np.hypot(match.robots["x"][:, 0] - x, match.robots["y"][:, 0] - y).max() < 1e-3
     assert noticed.mean() > 0.7
 
 
 def test_one_in_the_way_that_is_anchored_stays_and_overlaps_with_the_straight_way() -> None:
-    match = runs.behind_post(BATCH, 16, recovery=False)
+    match = runs.set_up_blocked_path(BATCH, 16, recovery=False)
     robot, other = match.robots[:, 0].copy(), match.robots[:, 1].copy()
     x, y = other["x"] - robot["x"], other["y"] - robot["y"]
     aside = np.abs(-np.sin(robot["heading"]) * x + np.cos(robot["heading"]) * y)
     assert (aside <= runs.ABREAST + 1e-9).all() and (aside >= runs.ABREAST - runs.OVERLAP - 1e-9).all()
-    assert np.abs(ball_from(match)[1]).max() < 1e-9
+    assert np.abs(distance_to_ball(match)[1]).max() < 1e-9
     for _ in play(match, 6.0):
         pass
     moved = np.hypot(match.robots["x"][:, 1] - other["x"], match.robots["y"][:, 1] - other["y"])
@@ -45,7 +47,7 @@ def test_one_in_the_way_that_is_anchored_stays_and_overlaps_with_the_straight_wa
 
 
 def test_without_an_anchor_a_standing_robot_gives_way_by_millimetres() -> None:
-    match = runs.behind_post(BATCH, 16, recovery=False)
+    match = runs.set_up_blocked_path(BATCH, 16, recovery=False)
     match.rebuild()  # bodies as the league has them
     other = match.robots[:, 1].copy()
     for _ in play(match, 8.0):
@@ -55,40 +57,40 @@ def test_without_an_anchor_a_standing_robot_gives_way_by_millimetres() -> None:
 
 
 def test_a_recovery_that_is_begun_for_it_goes_as_the_team_goes() -> None:
-    match = runs.walk_up(BATCH, 8, 0.6, 0.9, back_steps=2)
+    match = runs.set_up_walk(BATCH, 8, 0.6, 0.9, back_steps=2)
     for _ in play(match, 1.0):
         pass
-    runs.recover(match)
+    runs.begin_recovery(match)
     assert (memory_of(match)["behaviour"] == BACK).all() and (memory_of(match)["tries"] == 1).all()
     seen = set()
     for _ in play(match, 5.0):
         seen |= set(memory_of(match)["behaviour"].tolist())
     assert BACK in seen and APPROACH in seen
-    runs.recover(match, np.arange(match.count) < 3)
+    runs.begin_recovery(match, np.arange(match.count) < 3)
     assert (memory_of(match)["behaviour"][:3] == BACK).all()
 
 
 def test_two_that_converge_on_a_ball_have_it_as_far_ahead_and_meet_at_the_angle_that_is_said() -> None:
-    match = runs.converge(BATCH, 64)
+    match = runs.set_up_converging(BATCH, 64)
     for r in range(2):
-        distance, bearing = ball_from(match, r)
-        ahead = of_camera(match, distance, bearing)
+        distance, bearing = distance_to_ball(match, r)
+        ahead = distance_from_camera(match, distance, bearing)
         assert (ahead > 0.5 - 1e-9).all() and (ahead < 0.7 + 1e-9).all() and np.abs(bearing).max() < 1e-6
-    between = np.abs(wrapped(match.robots["heading"][:, 0] - match.robots["heading"][:, 1]))
+    between = np.abs(wrap_angle(match.robots["heading"][:, 0] - match.robots["heading"][:, 1]))
     assert between.min() > np.radians(29.9) and between.max() < np.radians(120.1)
 
 
 def test_robots_sampled_from_play_are_held_by_others_on_their_way_to_the_ball() -> None:
-    moments = sample(Batch("anything", 0, 0))
+    moments = sample_moments(Batch("anything", 0, 0))
     held = np.flatnonzero(moments.kind == HELD)
     assert len(held) >= 3 and moments.held[held].all() and moments.touching[held].all()
-    assert sample(Batch("another", 0, 0)).match is sample(Batch("third", 0, 0)).match
+    assert sample_moments(Batch("another", 0, 0)).match is sample_moments(Batch("third", 0, 0)).match
     robots = moments.parts["robots"][np.arange(len(moments)), moments.robot]
     assert (robots["team"] == moments.team).all() and (robots["active"] == 1).all()
 
 
 def test_branches_are_the_same_until_somebody_recovers() -> None:
-    moments = sample(BATCH)
+    moments = sample_moments(BATCH)
     rows = np.flatnonzero(moments.team == HOME)
     matches = [branch(BATCH, moments, rows, HOME, {"recovery": recovery}) for recovery in (True, False)]
     recovered = np.zeros(len(rows), bool)
@@ -102,22 +104,22 @@ def test_branches_are_the_same_until_somebody_recovers() -> None:
 
 
 def test_robots_that_begin_to_recover_at_once_are_through_with_it_after_their_steps() -> None:
-    fate = follow(BATCH, begun=True)
+    fate = follow_moments(BATCH, begun=True)
     there = np.isfinite(fate["near"])
     assert there.sum() >= 3 and (fate["began"][there] < 0.1).all()
     over = fate["over"][there & np.isfinite(fate["aside"])]
     assert np.median(over) == pytest.approx(7.5, abs=0.3)  # ten steps back, five aside
     assert (np.isfinite(fate["at ball"]) == np.isfinite(fate["got"])).all()
     assert (fate["at ball"][np.isfinite(fate["got"])] <= 180.0).all()
-    never = follow(BATCH, recovery=False)
+    never = follow_moments(BATCH, recovery=False)
     assert np.isnan(never["began"]).all() and (never["tries"][there] == 0.0).all()
 
 
 def test_moments_without_the_flags_that_are_asked_for_do_not_count() -> None:
     found = {"near": np.array([[1.0, 0.0, np.nan]]), "freed": np.array([[5.0, np.nan, np.nan]])}
-    trials, hits = shares_of(found, lambda f: f["freed"] <= 10.0)
+    trials, hits = count_hits(found, lambda f: f["freed"] <= 10.0)
     assert trials.tolist() == [2.0] and hits.tolist() == [1.0]
-    assert shares_of(found, lambda f: f["freed"] <= 10.0, near=0.0)[0].tolist() == [1.0]
+    assert count_hits(found, lambda f: f["freed"] <= 10.0, near=0.0)[0].tolist() == [1.0]
 
 
 def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_likes() -> None:
@@ -137,16 +139,16 @@ def test_the_cause_of_a_false_alarm_is_the_first_that_holds() -> None:
 
 
 def test_the_area_under_the_curve_is_one_for_what_is_apart_and_a_half_for_what_is_the_same() -> None:
-    assert stuck_detection.area({"free": np.array([-3.0, -2.0]), "stuck": np.array([0.0, 1.0])}) == 1.0
+    assert stuck_detection.roc_area({"free": np.array([-3.0, -2.0]), "stuck": np.array([0.0, 1.0])}) == 1.0
     rng = np.random.default_rng(1)
     same = {"free": rng.normal(size=4000), "stuck": rng.normal(size=4000)}
-    assert stuck_detection.area(same) == pytest.approx(0.5, abs=0.02)
+    assert stuck_detection.roc_area(same) == pytest.approx(0.5, abs=0.02)
 
 
 def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
     none = {"counters 1": np.zeros(3), "counters 2": np.zeros(3)}
-    assert np.isnan(false_alarms.fewer(none, "counters"))
-    assert false_alarms.fewer({"counters 1": np.ones(3), "counters 2": np.zeros(3)}, "counters") == 6.0
+    assert np.isnan(false_alarms.alarm_ratio(none, "counters"))
+    assert false_alarms.alarm_ratio({"counters 1": np.ones(3), "counters 2": np.zeros(3)}, "counters") == 6.0
 
 
 def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:

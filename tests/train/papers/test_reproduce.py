@@ -11,7 +11,7 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.papers import reproduction
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import all_claims, find_claims
-from soccer_env.train.papers.examination import looks_at
+from soccer_env.train.papers.examination import examination_points
 from soccer_env.train.papers.report import row, section
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
@@ -43,8 +43,8 @@ def test_the_cap_ends_what_stays_undecided_and_n_says_so() -> None:
 def test_looks_double_and_share_the_five_per_cent() -> None:
     (once,), (often,) = run("A1", quick=True), run("A1")
     assert once.estimate == often.estimate and often.low < once.low < once.high < often.high
-    assert [looks_at(cap) for cap in (1, 8, 11)] == [[1], [1, 2, 4, 8], [1, 2, 4, 8, 11]]
-    assert [looks_at(cap, least=3) for cap in (11, 1)] == [[3, 6, 11], [1]]
+    assert [examination_points(cap) for cap in (1, 8, 11)] == [[1], [1, 2, 4, 8], [1, 2, 4, 8, 11]]
+    assert [examination_points(cap, least=3) for cap in (11, 1)] == [[3, 6, 11], [1]]
 
 
 def test_what_was_put_in_is_by_construction_and_is_shown_without_it() -> None:
@@ -114,7 +114,7 @@ def test_one_violated_criterion_is_enough_and_each_is_shown() -> None:
 
 def test_quick_takes_few_samples_and_marks_its_verdicts(tmp_path: Path) -> None:
     (result,) = run("A3", quick=True, out=tmp_path)
-    assert result.n == 20 and result.quick and result.marked == "undecided (quick)"
+    assert result.n == 20 and result.quick and result.marked_verdict == "undecided (quick)"
     report = (tmp_path / "report.md").read_text()
     assert "| undecided (quick) | u |" in report and "## A3: undecided (quick)" in report
     (record,) = json.loads((tmp_path / "results.json").read_text())

@@ -14,7 +14,7 @@ from soccer_env.train.papers.report import row, screen_table
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import Samples
-from soccer_env.train.papers.workers import as_json, examine_in_processes, work
+from soccer_env.train.papers.workers import answer_requests, as_json, examine_in_processes
 from tests.train.papers.staged_claims import CALLS, POSES, claim, draw, run
 
 
@@ -124,6 +124,6 @@ def test_a_worker_answers_a_line_for_each_claim_and_is_told_nothing_of_folders()
     told = as_json(ReproduceSettings(claims=("S15",), quick=True, out=Path("somewhere"), anew=True, threads=3))
     assert not {"out", "anew", "threads"} & set(told)
     answers = io.StringIO()
-    work([json.dumps({"settings": told, "hash": "h"}), json.dumps(["S15", 1])], answers)
+    answer_requests([json.dumps({"settings": told, "hash": "h"}), json.dumps(["S15", 1])], answers)
     (answer,) = map(json.loads, answers.getvalue().splitlines())
     assert (answer["id"], answer["settings"], answer["seeds"]) == ("S15", "h", [1, 2, 3])

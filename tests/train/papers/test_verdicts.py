@@ -32,9 +32,11 @@ def test_the_whole_interval_decides(bounds: dict[str, float], low: float, high: 
 
 
 def test_a_reported_number_decides_nothing_and_an_exact_one_has_no_width() -> None:
-    found = verdicts.find(verdicts.reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS})
+    found = verdicts.judge_criterion(
+        verdicts.reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS}
+    )
     assert found.verdict == CONTEXT and found.low < found.estimate < found.high
-    found = verdicts.find(verdicts.exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
+    found = verdicts.judge_criterion(verdicts.exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
     assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)
 
 
@@ -44,9 +46,9 @@ def test_a_claim_needs_all_of_its_criteria_and_one_violation_is_enough() -> None
     assert verdicts.combine([good, open_]) == UNDECIDED
     assert verdicts.combine([good, open_, bad]) == NOT
     assert verdicts.combine([told]) == verdicts.combine([]) == CONTEXT
-    assert verdicts.deciding([good, open_, bad]) is bad
-    assert verdicts.deciding([told, good]) is good
-    assert verdicts.deciding([]) is None
+    assert verdicts.deciding_finding([good, open_, bad]) is bad
+    assert verdicts.deciding_finding([told, good]) is good
+    assert verdicts.deciding_finding([]) is None
 
 
 @pytest.mark.parametrize("bounds", [{}, {"at_least": 1.0, "above": 1.0}, {"more": 1.0}])
@@ -71,8 +73,8 @@ def test_a_value_that_is_not_always_there_leaves_the_interval_open() -> None:
         return float(found.mean()) if len(found) else float("nan")
 
     assert unit_bootstrap({"x": rare}, value) == (1.0, -np.inf, np.inf)
-    assert verdicts.find(verdicts.measured("", value, at_least=0.0), {"x": rare}).verdict == UNDECIDED
-    assert verdicts.find(verdicts.measured("", value, at_least=0.0), {"x": rare[1:]}).verdict == UNDECIDED
+    assert verdicts.judge_criterion(verdicts.measured("", value, at_least=0.0), {"x": rare}).verdict == UNDECIDED
+    assert verdicts.judge_criterion(verdicts.measured("", value, at_least=0.0), {"x": rare[1:]}).verdict == UNDECIDED
 
 
 @pytest.mark.parametrize("wins", [0, 1, 17, 40])
@@ -82,7 +84,9 @@ def test_a_counted_share_of_single_trials_is_wilsons(wins: int) -> None:
     share, low, high = clustered_share(hits, trials)
     assert (share, low, high) == pytest.approx(wilson_interval(wins, 40), abs=1e-12)
     assert (low, high) == pytest.approx((expected.low, expected.high), abs=1e-12)
-    found = verdicts.find(verdicts.counted("", "hits", "trials", at_most=50.0), {"hits": hits, "trials": trials})
+    found = verdicts.judge_criterion(
+        verdicts.counted("", "hits", "trials", at_most=50.0), {"hits": hits, "trials": trials}
+    )
     assert found.high == pytest.approx(100.0 * expected.high)
 
 
@@ -118,5 +122,6 @@ def test_a_criterion_says_in_words_where_it_has_to_lie() -> None:
     assert verdicts.counted("", "hits", "trials", at_most=5.0).asked == "at most 5"
     assert verdicts.reported("", value).asked == ""
     assert (
-        verdicts.find(verdicts.exact("", value, at_least=35.0, at_most=55.0), {}).asked == "at least 35 and at most 55"
+        verdicts.judge_criterion(verdicts.exact("", value, at_least=35.0, at_most=55.0), {}).asked
+        == "at least 35 and at most 55"
     )

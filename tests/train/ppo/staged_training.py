@@ -1,6 +1,6 @@
 """A training so small that it takes a second or two, with everything in it that a run may have.
 
-Its learning curve and its page are not drawn (`plainly`), which would take longer than all the rest.
+Its learning curve and its page are not drawn (`train_plainly`), which would take longer than all the rest.
 """
 
 import json
@@ -28,11 +28,11 @@ TINY: dict[str, Any] = {
 ROLLOUT = 48  # decisions: 8 of each of 6 robots
 
 
-def tiny(out: Path, **changes: Any) -> TrainSettings:
+def tiny_settings(out: Path, **changes: Any) -> TrainSettings:
     return TrainSettings(out=out, **{**TINY, **changes})
 
 
-def plainly(settings: TrainSettings) -> training.TrainResult:
+def train_plainly(settings: TrainSettings) -> training.TrainResult:
     with mock.patch.multiple(training, learning_curve=lambda *_: b"", page_of=lambda *_: ""):
         return train(settings)
 
@@ -41,7 +41,7 @@ def plainly(settings: TrainSettings) -> training.TrainResult:
 def _whole(base: Path, changes: tuple[tuple[str, Any], ...]) -> Path:
     """Train once for all tests; return the folder."""
     folder = base / f"whole-{zlib.crc32(repr(changes).encode())}"
-    plainly(tiny(folder, **dict(changes)))
+    train_plainly(tiny_settings(folder, **dict(changes)))
     return folder
 
 
@@ -66,8 +66,8 @@ def outcome(folder: Path) -> dict[str, Any]:
     return {
         "best": weights(folder / "best.safetensors"),
         "last": weights(folder / "last.safetensors"),
-        "checkpoint": plain({name: state[name] for name in state if name != "generators"}),
-        "log": [untimed(line) for line in records(folder / "log.jsonl")],
+        "checkpoint": as_plain_values({name: state[name] for name in state if name != "generators"}),
+        "log": [without_times(line) for line in records(folder / "log.jsonl")],
         "evaluations": records(folder / "evaluations.jsonl"),
     }
 
@@ -76,14 +76,14 @@ def records(path: Path) -> list[dict[str, Any]]:
     return [json.loads(line) for line in path.read_text().splitlines()]
 
 
-def untimed(line: dict[str, Any]) -> dict[str, Any]:
+def without_times(line: dict[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in line.items() if name != "seconds"}
 
 
-def plain(value: Any) -> Any:
+def as_plain_values(value: Any) -> Any:
     """Return a tree with its arrays and tensors as bytes, to be compared."""
     if isinstance(value, dict):
-        return {name: plain(part) for name, part in value.items()}
+        return {name: as_plain_values(part) for name, part in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(part) for part in value]
+        return [as_plain_values(part) for part in value]
     return np.asarray(value).tobytes() if hasattr(value, "shape") else value

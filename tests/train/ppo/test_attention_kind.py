@@ -13,13 +13,13 @@ pytest.importorskip("stable_baselines3")
 import torch
 from gymnasium import spaces
 
-from soccer_env.agents.learned import team_of
-from soccer_env.agents.perceptron import pack
+from soccer_env.agents.learned import team_from_policy
+from soccer_env.agents.perceptron import pack_policy
 from soccer_env.train.ppo.curriculum import Curriculum
-from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, policy_from
+from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, export_policy
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.ppo.teaching.imitation import fit
-from tests.agents.staged_policies import attentive, decide
+from tests.agents.staged_policies import decide, random_attention_policy
 
 LEAGUE = find_league("legged-2001")
 ENTRIES = layout(LEAGUE, "belief")
@@ -41,20 +41,20 @@ def test_the_policy_before_training_has_the_shape_of_the_one_after(mirror: bool,
     blank = blank_policy(settings, LEAGUE)
     sizes = settings.hidden_sizes
     learned = network(hidden=sizes, mirror=mirror)
-    made = policy_from(learned, name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
+    made = export_policy(learned, name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
     assert made.kind == blank.kind == "attention"
     assert len(made.attention[1]) == max(8, sizes[0] // 4)
     rows = np.random.default_rng(1).uniform(-1.0, 1.0, (5, len(NAMES))).astype(np.float32)
-    assert pack(made).shape == pack(blank).shape
+    assert pack_policy(made).shape == pack_policy(blank).shape
     assert (decide(blank, rows) == 0.0).all() and (decide(made, rows) != 0.0).any()
 
 
 def test_a_past_self_takes_the_blank_ones_place() -> None:
     settings = TrainSettings(kind="attention", hidden="32")
     curriculum = Curriculum(("still",), 1, blank_policy(settings, LEAGUE))
-    later = attentive(32, width=8, mirror=True, action_repeat=8)
+    later = random_attention_policy(32, width=8, mirror=True, action_repeat=8)
     curriculum.add_past(later, 100)
-    assert (curriculum._past[0].settings == team_of(later).settings).all()
+    assert (curriculum._past[0].settings == team_from_policy(later).settings).all()
 
 
 @pytest.mark.parametrize("mirror", [False, True])

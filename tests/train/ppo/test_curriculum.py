@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from soccer_env.agents.perceptron import pack
+from soccer_env.agents.perceptron import pack_policy
 from soccer_env.leagues import find_league
 from soccer_env.match.match import BLOCK
 from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum
-from soccer_env.train.ppo.match_blocks import parts, shares
+from soccer_env.train.ppo.match_blocks import split_evenly, split_matches
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import Result
@@ -81,7 +81,7 @@ def test_the_oldest_past_self_gives_way() -> None:
         made.add_past(policy_with(number), step)
     assert made.filled == [30, 20]
     for team, number in zip(made.lineup.teams[3:], (3.0, 2.0)):
-        assert team.settings.tobytes() == pack(policy_with(number)).tobytes()
+        assert team.settings.tobytes() == pack_policy(policy_with(number)).tobytes()
     made.add_past(policy_with(4.0), 40)
     assert made.filled == [30, 40]
 
@@ -138,10 +138,10 @@ IDEAL = {"senses": "ideal"}
 
 def test_every_size_has_as_many_matches_in_blocks_of_up_to_64() -> None:
     assert BLOCK == 64
-    assert shares([(3, 3)], 64, 0.0) == [((3, 3), 64, {})]
-    assert shares([(3, 3)], 129, 0.0) == [((3, 3), 43, {})] * 3
-    assert shares([(1, 1), (3, 3)], 9, 0.0) == [((1, 1), 4, {}), ((3, 3), 5, {})]
-    assert shares([(1, 1), (2, 2)], 200, 0.25) == [
+    assert split_matches([(3, 3)], 64, 0.0) == [((3, 3), 64, {})]
+    assert split_matches([(3, 3)], 129, 0.0) == [((3, 3), 43, {})] * 3
+    assert split_matches([(1, 1), (3, 3)], 9, 0.0) == [((1, 1), 4, {}), ((3, 3), 5, {})]
+    assert split_matches([(1, 1), (2, 2)], 200, 0.25) == [
         ((1, 1), 37, {}), ((1, 1), 38, {}), ((1, 1), 25, IDEAL), ((2, 2), 37, {}), ((2, 2), 38, {}), ((2, 2), 25, IDEAL)
     ]  # fmt: skip
 
@@ -150,7 +150,7 @@ def test_every_size_has_as_many_matches_in_blocks_of_up_to_64() -> None:
 def test_matches_add_up_and_no_block_is_empty_or_too_large(sizes: int, matches: int, share: float) -> None:
     players = [(size, size) for size in range(1, sizes + 1)]
     try:
-        blocks = shares(players, matches, share)
+        blocks = split_matches(players, matches, share)
     except ValueError as error:
         assert "at least one for each" in str(error)
         return
@@ -164,5 +164,5 @@ def test_matches_add_up_and_no_block_is_empty_or_too_large(sizes: int, matches: 
 
 @given(whole=st.integers(0, 10_000), count=st.integers(1, 50))
 def test_parts_are_nearly_equal(whole: int, count: int) -> None:
-    found = parts(whole, count)
+    found = split_evenly(whole, count)
     assert len(found) == count and sum(found) == whole and max(found) - min(found) <= 1

@@ -16,7 +16,7 @@ from soccer_env.train.ppo.reporting import loggers
 from soccer_env.train.ppo.reporting.loggers import Logs
 from soccer_env.train.ppo.run_folder import TRAINING, RunFolder, flattened
 from soccer_env.train.ppo.settings import TrainSettings
-from tests.train.ppo.staged_training import records, tiny
+from tests.train.ppo.staged_training import records, tiny_settings
 
 ROOT = Path(__file__).parents[3]
 
@@ -28,7 +28,7 @@ def opened(settings: TrainSettings) -> RunFolder:
 
 
 def test_a_folder_holds_its_settings(tmp_path: Path) -> None:
-    settings = tiny(tmp_path / "a" / "b")
+    settings = tiny_settings(tmp_path / "a" / "b")
     opened(settings)
     found = json.loads((settings.out / "settings.json").read_text())
     assert {**found["conditions"], **found["about"], "anew": False} == settings.as_dict()
@@ -36,12 +36,12 @@ def test_a_folder_holds_its_settings(tmp_path: Path) -> None:
 
 
 def test_two_trainings_cannot_share_a_folder(tmp_path: Path) -> None:
-    folder = RunFolder(tiny(tmp_path))
+    folder = RunFolder(tiny_settings(tmp_path))
     with pytest.raises(ValueError, match="another run uses .*give another folder"):
-        RunFolder(tiny(tmp_path, anew=True))
+        RunFolder(tiny_settings(tmp_path, anew=True))
     assert (tmp_path / "settings.json").exists(), "--anew of the second one must not touch the first one's files"
     folder.close()
-    opened(tiny(tmp_path))
+    opened(tiny_settings(tmp_path))
 
 
 HOLDER = """
@@ -60,47 +60,47 @@ def test_the_lock_ends_with_the_process(tmp_path: Path) -> None:
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, cwd=ROOT) as holder:
         assert holder.stdout is not None and holder.stdout.readline() == "mine\n"
         with pytest.raises(ValueError, match="another run uses"):
-            RunFolder(tiny(tmp_path))
+            RunFolder(tiny_settings(tmp_path))
         holder.kill()
-    opened(tiny(tmp_path))
+    opened(tiny_settings(tmp_path))
 
 
 def test_what_decides_is_refused_and_named_and_all_else_may_change(tmp_path: Path) -> None:
-    opened(tiny(tmp_path))
+    opened(tiny_settings(tmp_path))
     with pytest.raises(ValueError, match="seed 3 there, 4 now; .*gamma 0.99 there, 0.9 now"):
-        RunFolder(tiny(tmp_path, seed=4, gamma=0.9))
+        RunFolder(tiny_settings(tmp_path, seed=4, gamma=0.9))
     for name, value in {"steps": 900, "threads": 2, "torch_threads": 2, "device": "auto", "log": "csv"}.items():
-        opened(tiny(tmp_path, **{name: value}))
+        opened(tiny_settings(tmp_path, **{name: value}))
         assert json.loads((tmp_path / "settings.json").read_text())["about"][name] == value
 
 
 def test_anew_starts_again_and_leaves_what_is_not_of_the_run(tmp_path: Path) -> None:
-    opened(tiny(tmp_path))
+    opened(tiny_settings(tmp_path))
     for name in TRAINING.files:
         (tmp_path / name).write_text("old")
     (tmp_path / "tensorboard").mkdir()
     (tmp_path / "tensorboard" / "events").write_text("old")
     (tmp_path / "notes.txt").write_text("mine")
-    opened(tiny(tmp_path, seed=4, anew=True))
+    opened(tiny_settings(tmp_path, seed=4, anew=True))
     assert {path.name for path in tmp_path.iterdir()} == {".lock", "notes.txt", "settings.json"}
 
 
 def test_anew_mends_damaged_settings_beside_a_log_and_removes_what_a_kill_left_half_written(tmp_path: Path) -> None:
     (tmp_path / "settings.json").write_text("{")
     (tmp_path / "log.jsonl").write_text("")  # without a run's log it may be anybody's
-    opened(tiny(tmp_path, anew=True))
+    opened(tiny_settings(tmp_path, anew=True))
     for name in (".checkpoint-0.pt.123.tmp", ".latest.json.9.tmp", ".notes.tmp"):
         (tmp_path / name).write_text("half")
-    opened(tiny(tmp_path))
+    opened(tiny_settings(tmp_path))
     assert {path.name for path in tmp_path.iterdir()} == {".lock", ".notes.tmp", "settings.json"}
 
 
 def test_logs_are_cut_back_to_a_step(tmp_path: Path) -> None:
-    folder = opened(tiny(tmp_path))
+    folder = opened(tiny_settings(tmp_path))
     for step in (48, 96, 144):
         folder.log({"step": step, "points": {"still": 0.5, "a,b": 1.0}})
         folder.log_evaluation({"step": step})
-    folder.forget_after(96)
+    folder.cut_logs_after(96)
     folder.log({"step": 120, "points": {"still": 0.6, "a,b": 0.0}})
     assert [line["step"] for line in records(tmp_path / "log.jsonl")] == [48, 96, 120]
     assert [line["step"] for line in records(tmp_path / "evaluations.jsonl")] == [48, 96]
@@ -108,7 +108,7 @@ def test_logs_are_cut_back_to_a_step(tmp_path: Path) -> None:
         rows = list(csv.DictReader(file))
     assert [row["step"] for row in rows] == ["48", "96", "120"]
     assert [row["points_a,b"] for row in rows] == ["1.0", "1.0", "0.0"]
-    folder.forget_after(-1)
+    folder.cut_logs_after(-1)
     assert folder.lines() == [] and not (tmp_path / "progress.csv").exists()
 
 
@@ -130,7 +130,7 @@ ROW = {"opponent": "chaser", "goal_difference": 0.5, "low": 0.0, "high": 1.0, "p
 
 
 def written(out: Path, log: str, step: int = 0) -> Path:
-    settings = tiny(out, log=log)
+    settings = tiny_settings(out, log=log)
     with RunFolder(settings) as folder:
         logs = Logs(settings, folder, step)
         logs.logger.record("train/approx_kl", 0.01)

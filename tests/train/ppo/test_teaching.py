@@ -15,14 +15,14 @@ pytest.importorskip("stable_baselines3")
 import torch
 
 from soccer_env import Match
-from soccer_env.agents.learned import first_decision
-from soccer_env.train.ppo.reports import best_line, decisions_of
+from soccer_env.agents.learned import first_decision_step
+from soccer_env.train.ppo.reports import best_evaluation_sentence, decisions_of
 from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.ppo.teaching.advice import BEND, KICK_WEIGHT, KNOWN, WALK_WEIGHT, Adviser, advice_error, advised
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, record
 from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.ppo.training import Training
-from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
+from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
 
 ADVISED: dict[str, Any] = {"rounds": 3, "teacher_until": 1.0, "steps": 4 * ROLLOUT}
 
@@ -30,23 +30,23 @@ ADVISED: dict[str, Any] = {"rounds": 3, "teacher_until": 1.0, "steps": 4 * ROLLO
 @pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])
 def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, change: dict[str, Any]) -> None:
     """As long as the critic learns alone they stay what they are in the file, a teacher or not."""
-    plainly(tiny(tmp_path / "first", steps=3 * ROLLOUT, past=0, **change))
+    train_plainly(tiny_settings(tmp_path / "first", steps=3 * ROLLOUT, past=0, **change))
     first = tmp_path / "first" / "last.safetensors"
-    plainly(tiny(tmp_path / "next", steps=2 * ROLLOUT, past=0, start=str(first), seed=4, **change))
+    train_plainly(tiny_settings(tmp_path / "next", steps=2 * ROLLOUT, past=0, start=str(first), seed=4, **change))
     assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
     made = load(tmp_path / "next" / "last.safetensors").made
     assert str(tmp_path) not in str(made) and made["start"] == sha256(first.read_bytes()).hexdigest()
 
 
 def test_it_is_judged_after_every_round_and_the_rounds_are_gone_at_the_end(tmp_path: Path) -> None:
-    result = plainly(tiny(tmp_path / "run", rounds=3, steps=0))
+    result = train_plainly(tiny_settings(tmp_path / "run", rounds=3, steps=0))
     assert result.steps == 0 and not (tmp_path / "run" / "rounds").exists()
     found = records(tmp_path / "run" / "evaluations.jsonl")
     advised = [one["advised"] for one in found]
     assert [one["step"] for one in found] == [0, 0, 0] and advised == sorted({*advised}) and advised[0] > 0
     assert decisions_of(found) == advised
     assert decisions_of([*found, {"step": 48, "advised": 0}])[-1] == advised[-1] + 48, "rewards come after advice"
-    assert any(f"after {count:,} decisions" in best_line(result) for count in advised)
+    assert any(f"after {count:,} decisions" in best_evaluation_sentence(result) for count in advised)
 
 
 @pytest.mark.parametrize("where", ["playing", "fitting", "judging", "keeping"])
@@ -70,7 +70,7 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
     with monkeypatch.context() as patched:
         patched.setattr(owner, name, cut)
         with pytest.raises(KeyboardInterrupt):
-            plainly(tiny(tmp_path / "cut", **ADVISED))
+            train_plainly(tiny_settings(tmp_path / "cut", **ADVISED))
     played: list[int] = []
 
     def counted(self: lessons.Lessons, number: int, progress: Any) -> Any:
@@ -79,7 +79,7 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
 
     round_of = lessons.Lessons._round
     monkeypatch.setattr(lessons.Lessons, "_round", counted)
-    plainly(tiny(tmp_path / "cut", **ADVISED))
+    train_plainly(tiny_settings(tmp_path / "cut", **ADVISED))
     assert outcome(tmp_path / "cut") == whole
     assert played == list(range(count - 1, 3)), "what was kept is not played again"
 
@@ -87,15 +87,15 @@ def test_a_run_that_is_cut_among_its_rounds_goes_on_as_if_it_had_not_been(
 def test_a_damaged_round_is_refused_and_left_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(KeptRounds, "forget", lambda self: None)
     monkeypatch.setattr(Training, "save_checkpoint", lambda self: None)
-    settings = tiny(tmp_path / "run", rounds=2, steps=0)
-    plainly(settings)
+    settings = tiny_settings(tmp_path / "run", rounds=2, steps=0)
+    train_plainly(settings)
     path = tmp_path / "run" / "rounds" / "round-001.npz"
     torn = path.read_bytes()[:-100]
     path.write_bytes(torn)
     with pytest.raises(ValueError, match=r"round-001.npz is damaged \(.*\); --anew starts again"):
-        plainly(settings)
+        train_plainly(settings)
     assert path.read_bytes() == torn
-    plainly(tiny(tmp_path / "run", rounds=2, steps=0, anew=True))
+    train_plainly(tiny_settings(tmp_path / "run", rounds=2, steps=0, anew=True))
 
 
 def test_what_is_kept_of_rounds_is_what_was_given(tmp_path: Path) -> None:
@@ -161,7 +161,7 @@ def test_a_ball_unseen_for_long_is_searched_for_as_beliefs_say() -> None:
     settings = {**SETTINGS, "minutes": 0.3, "scene": "lost-ball-behind", "episode": "match"}
     sides = {"home": "chaser", "away": "still"}
     match = Match(controllers=sides, senses="sensors", home=1, away=1, observe="belief", **settings)
-    for _ in range(first_decision(match.league.delay_steps, 8)):
+    for _ in range(first_decision_step(match.league.delay_steps, 8)):
         match.step()
     done, known = [], []
     while not (match.terminated | match.truncated).all():

@@ -15,7 +15,7 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.toml_file import settings_of
-from tests.train.ppo.staged_training import ROLLOUT, plainly, tiny
+from tests.train.ppo.staged_training import ROLLOUT, tiny_settings, train_plainly
 
 ROOT = Path(__file__).parents[3]
 
@@ -171,17 +171,17 @@ def mine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 
 def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
-    result = plainly(tiny(mine / "run", **OWN, steps=2 * ROLLOUT))
+    result = train_plainly(tiny_settings(mine / "run", **OWN, steps=2 * ROLLOUT))
     asked = sys.modules["own_parts"].asked
     assert {"reward", "scene", "team"} == set(asked)
     assert result.steps >= 2 * ROLLOUT
     assert load(mine / "run" / "last.safetensors").league == "icy"
     assert result.evaluations[-1]["rows"][0]["opponent"] == "own_parts:team"
     (mine / "own_parts.py").write_text(MINE.replace("rolling=0.05", "rolling=0.0625"))
-    for kept in (stamps.sources, stamps._read):  # once per process, and this is to be the next
+    for kept in (stamps.source_hashes, stamps._hash_and_imports):  # once per process, and this is to be the next
         kept.cache_clear()
     with pytest.raises(ValueError, match="own_parts"):
-        plainly(tiny(mine / "run", **OWN, steps=3 * ROLLOUT))
+        train_plainly(tiny_settings(mine / "run", **OWN, steps=3 * ROLLOUT))
 
 
 @pytest.mark.usefixtures("mine")
@@ -197,6 +197,6 @@ def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
 )
 def test_what_is_not_there_is_named_before_a_folder_is_made(changes: dict[str, str], message: str) -> None:
     with pytest.raises(ValueError) as error:
-        plainly(tiny(Path("run"), **changes))
+        train_plainly(tiny_settings(Path("run"), **changes))
     assert message in str(error.value)
     assert not Path("run").exists()

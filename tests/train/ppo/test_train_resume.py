@@ -17,7 +17,7 @@ import pytest
 import torch
 
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES, read_checkpoint
-from tests.train.ppo.staged_training import ROLLOUT, copy_of, outcome, plainly, records, tiny, whole_run
+from tests.train.ppo.staged_training import ROLLOUT, copy_of, outcome, records, tiny_settings, train_plainly, whole_run
 
 ROOT = Path(__file__).parents[3]
 
@@ -27,16 +27,16 @@ ROOT = Path(__file__).parents[3]
 CUTTING = r"""
 import os, random, resource, signal, sys, time, traceback
 from pathlib import Path
-from tests.train.ppo.staged_training import plainly, tiny
-from soccer_env.train.ppo.checkpoints import latest
+from tests.train.ppo.staged_training import train_plainly, tiny_settings
+from soccer_env.train.ppo.checkpoints import read_latest
 
 base, cuts, draw, sync = Path(sys.argv[1]), sys.argv[2].split(","), random.Random(5), os.fsync
 rollouts = 3 * len(cuts)
 longer = {"steps": rollouts * 48, "evaluate_every": 400}
 started = time.monotonic()
-plainly(tiny(base / "whole", **longer))
+train_plainly(tiny_settings(base / "whole", **longer))
 duration = time.monotonic() - started
-settings = tiny(base / "cut", **longer)
+settings = tiny_settings(base / "cut", **longer)
 log = settings.out / "log.jsonl"
 
 def lines():
@@ -65,7 +65,7 @@ def child(cut):
     if cut in ("write", "full"):
         hook(draw.randrange(3, 23), tear if cut == "write" else fill)
     try:
-        plainly(settings)
+        train_plainly(settings)
     except OSError:
         os._exit(2)
     except BaseException:
@@ -84,7 +84,7 @@ for cut in [*cuts, "not"]:
         time.sleep(moment)
         os.kill(process, signal.SIGKILL)
     status = os.waitpid(process, 0)[1]
-    print(cut, os.waitstatus_to_exitcode(status), latest(settings.out).get("step", -1), lines(), flush=True)
+    print(cut, os.waitstatus_to_exitcode(status), read_latest(settings.out).get("step", -1), lines(), flush=True)
 """
 CUTS = ["write", "moment", "full", "write", "moment", "write", "moment", "write"]
 FEW = CUTS[:4]
@@ -202,7 +202,7 @@ def test_a_damaged_run_is_refused_by_file_and_nothing_is_lost(run: Path, damage:
     culprit = damage(run)
     before = {path.name: path.read_bytes() for path in run.iterdir()}
     with pytest.raises(ValueError, match=re.escape(str(culprit))):
-        plainly(tiny(run, steps=400))
+        train_plainly(tiny_settings(run, steps=400))
     assert {path.name: path.read_bytes() for path in run.iterdir()} | before == before
     assert set(before) == {path.name for path in run.iterdir()}
 
@@ -226,7 +226,7 @@ def test_a_checkpoint_never_runs_code(run: Path, tmp_path: Path, write: Callable
     canary.rmdir()
     signed(content)(run)
     with pytest.raises(ValueError, match="no checkpoint of plain values"):
-        plainly(tiny(run, steps=400))
+        train_plainly(tiny_settings(run, steps=400))
     assert not canary.exists()
 
 
@@ -236,14 +236,14 @@ def test_a_checkpoint_that_lacks_something_is_refused(run: Path, lacking: str) -
     del state[lacking]
     signed(torch_bytes(state))(run)
     with pytest.raises(ValueError, match=f"is not of this run as it is now .*{lacking}"):
-        plainly(tiny(run, steps=400))
+        train_plainly(tiny_settings(run, steps=400))
 
 
 def test_a_checkpoint_of_another_network_is_refused(run: Path, tmp_path: Path) -> None:
     found = json.loads((run / "settings.json").read_text())
     (run / "settings.json").write_text(json.dumps(found | {"conditions": found["conditions"] | {"hidden": "9"}}))
     with pytest.raises(ValueError, match="is not of this run as it is now"):
-        plainly(tiny(run, hidden="9"))
+        train_plainly(tiny_settings(run, hidden="9"))
 
 
 def test_a_torn_last_line_of_a_log_is_dropped(run: Path) -> None:
@@ -251,7 +251,7 @@ def test_a_torn_last_line_of_a_log_is_dropped(run: Path) -> None:
         with (run / name).open("ab") as file:
             file.write(b'{"step": 38')
     (run / "progress.csv").write_text("step\n1,")
-    plainly(tiny(run))
+    train_plainly(tiny_settings(run))
     assert_whole_logs(run)
 
 
@@ -268,9 +268,9 @@ def test_a_full_disk_leaves_the_last_good_checkpoint(tmp_path: Path, whole: Path
     with monkeypatch.context() as patched:
         patched.setattr(os, "fsync", full)
         with pytest.raises(OSError, match="No space left"):
-            plainly(tiny(tmp_path / "run"))
+            train_plainly(tiny_settings(tmp_path / "run"))
     state = read_checkpoint(tmp_path / "run")
     assert (state is None) == (write == 2)
-    plainly(tiny(tmp_path / "run"))
+    train_plainly(tiny_settings(tmp_path / "run"))
     assert outcome(tmp_path / "run") == outcome(whole)
     assert_whole_logs(tmp_path / "run")

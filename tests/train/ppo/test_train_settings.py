@@ -16,10 +16,10 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import check_playable
-from soccer_env.train.ppo.learner import part_size
+from soccer_env.train.ppo.learner import minibatch_size
 from soccer_env.train.ppo.settings import TrainSettings, command_of
-from soccer_env.train.written_settings import split
-from tests.train.ppo.staged_training import tiny
+from soccer_env.train.written_settings import split_names
+from tests.train.ppo.staged_training import tiny_settings
 
 ROOT = Path(__file__).parents[3]
 SHARES = ("gae_lambda", "clip", "gamma", "learning_rate")
@@ -137,25 +137,25 @@ def test_what_cannot_be_played_is_found_before_a_folder_is_made(tmp_path: Path, 
     from soccer_env.train.ppo import train
 
     with pytest.raises(ValueError, match=message):
-        train(tiny(**{"out": tmp_path / "run", **changes}))
+        train(tiny_settings(**{"out": tmp_path / "run", **changes}))
     assert not list(tmp_path.iterdir())
 
 
 def test_a_missing_gpu_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("torch.cuda.is_available", lambda: False)
     with pytest.raises(ValueError, match="device='cuda' needs a GPU"):
-        check_playable(tiny(tmp_path, device="cuda"))
+        check_playable(tiny_settings(tmp_path, device="cuda"))
 
 
 def test_a_rollout_is_cut_into_nearly_equal_parts() -> None:
     asked = [(24576, 4096), (16448, 4096), (1000, 4096), (336, 20), (3, 2), (2, 2), (5, 2)]
-    assert [part_size(*one) for one in asked] == [4096, 4112, 1000, 20, 2, 2, 3]
+    assert [minibatch_size(*one) for one in asked] == [4096, 4112, 1000, 20, 2, 2, 3]
 
 
 @given(decisions=st.integers(2, 100_000), batch=st.integers(2, 20_000))
 def test_no_part_of_a_rollout_is_a_scrap(decisions: int, batch: int) -> None:
     """stable-baselines3 takes a gradient step as long from a scrap of 3 decisions as from a whole batch."""
-    size = part_size(decisions, batch)
+    size = minibatch_size(decisions, batch)
     parts = -(-decisions // size)
     last = decisions - (parts - 1) * size
     assert 2 <= size <= decisions
@@ -200,7 +200,7 @@ def test_a_flag_may_say_what_is_the_default_and_names_keep_the_commas_of_their_s
     for word in ("--mirror", "--no-mirror", "--decay", "--no-decay"):
         name, value = word.replace("no-", "")[2:], "no-" not in word
         assert getattr(from_words(f"soccer train {word}"), name) is value
-    assert split("chaser, sacks-2001:a=1,b=2,still", "x") == ("chaser", "sacks-2001:a=1,b=2", "still")
+    assert split_names("chaser, sacks-2001:a=1,b=2,still", "x") == ("chaser", "sacks-2001:a=1,b=2", "still")
 
 
 def test_every_setting_is_explained(capsys: pytest.CaptureFixture[str]) -> None:

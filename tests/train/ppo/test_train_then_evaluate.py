@@ -15,7 +15,7 @@ import stable_baselines3 as sb3
 
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
-from tests.train.ppo.staged_training import plainly, tiny
+from tests.train.ppo.staged_training import tiny_settings, train_plainly
 
 AGAINST = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.05", "--seed", "1"]
 
@@ -75,11 +75,11 @@ def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, capsys:
 
 
 def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of_2006(tmp_path: Path) -> None:
-    settings = tiny(
+    settings = tiny_settings(
         tmp_path / "run", league="middle-size-2006", players="1v1", steps=64, minutes=0.16, evaluate_minutes=0.16,
         evaluate_every=64, opponents="chaser@0.5",
     )  # fmt: skip
-    plainly(settings)
+    train_plainly(settings)
     result = evaluate(
         EvaluateSettings(
             league="middle-size-2006",

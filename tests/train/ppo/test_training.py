@@ -28,12 +28,12 @@ from soccer_env.leagues.rules import rule_set
 from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo import reports, train, training
 from soccer_env.train.ppo.bounds import BOUNDS
-from soccer_env.train.ppo.checks import lesson, make_curriculum, make_matches
-from soccer_env.train.ppo.reports import Board, evaluation_of, learning_curve, rounded, scale
+from soccer_env.train.ppo.checks import make_curriculum, make_lesson_match, make_matches
+from soccer_env.train.ppo.reports import ProgressBoard, learning_curve, policy_contest, rounded, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.progress import Progress
-from tests.train.ppo.staged_training import ROLLOUT, outcome, plainly, records, tiny, weights, whole_run
+from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
 
 ROOT = Path(__file__).parents[3]
 PATIENCE = 1800.0  # [s] a run may have all kernels to compile first, on a machine that does much else
@@ -47,19 +47,19 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("change", [{}, {"threads": 2}])
 def test_the_same_seed_gives_the_same_weights(tmp_path: Path, whole: Path, change: dict[str, Any]) -> None:
-    plainly(tiny(tmp_path / "run", **change))
+    train_plainly(tiny_settings(tmp_path / "run", **change))
     assert outcome(tmp_path / "run") == outcome(whole)
 
 
 def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
-    plainly(tiny(tmp_path / "run", seed=4))
+    train_plainly(tiny_settings(tmp_path / "run", seed=4))
     assert weights(tmp_path / "run" / "last.safetensors") != weights(whole / "last.safetensors")
 
 
 def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:
     assert load(whole / "last.safetensors").rules == recorded(find_league("legged-2001").rules)
     rules = "simple:pushing=True"
-    plainly(tiny(tmp_path / "run", steps=1, past=0, teacher="", rules=rules))
+    train_plainly(tiny_settings(tmp_path / "run", steps=1, past=0, teacher="", rules=rules))
     policy = load(tmp_path / "run" / "last.safetensors")
     assert policy.rules == recorded(rule_set(find_league("legged-2001").rules, rules))
     told = json.loads((tmp_path / "run" / "settings.json").read_text())["conditions"]
@@ -67,10 +67,10 @@ def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Pa
 
 
 def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_path: Path) -> None:
-    settings = tiny(tmp_path / "run", rules="simple:pushing=True", scenes="scattered")
+    settings = tiny_settings(tmp_path / "run", rules="simple:pushing=True", scenes="scattered")
     matches = make_matches(settings, make_curriculum(settings))
-    teacher = lesson(settings, (1, 1), {"home": "sensors", "away": "sensors"})
-    judged = evaluation_of(load(BUNDLED), "still", settings).start("home", [1])
+    teacher = make_lesson_match(settings, (1, 1), {"home": "sensors", "away": "sensors"})
+    judged = policy_contest(load(BUNDLED), "still", settings).start("home", [1])
     for match in (*matches.matches, teacher, judged):
         assert match.league.rules.name == "simple:pushing=True" and match.league.rules.pushing
     assert {match.settings.scene.name for match in (*matches.matches, teacher)} == {"scattered"}
@@ -91,40 +91,40 @@ def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_p
 )
 def test_other_kinds_of_runs_go_on_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict[str, Any]) -> None:
     """Cut by an error in the middle of the third rollout, a run ends as one that was not."""
-    plainly(tiny(tmp_path / "whole", steps=4 * ROLLOUT, **change))
-    show, shown = Board.show, itertools.count(1)
+    train_plainly(tiny_settings(tmp_path / "whole", steps=4 * ROLLOUT, **change))
+    show, shown = ProgressBoard.show, itertools.count(1)
 
-    def cut(self: Board, step: int) -> None:
+    def cut(self: ProgressBoard, step: int) -> None:
         if next(shown) == 20:
             raise KeyboardInterrupt
         show(self, step)
 
     with monkeypatch.context() as patched:
-        patched.setattr(Board, "show", cut)
+        patched.setattr(ProgressBoard, "show", cut)
         with pytest.raises(KeyboardInterrupt):
-            plainly(tiny(tmp_path / "cut", steps=4 * ROLLOUT, **change))
+            train_plainly(tiny_settings(tmp_path / "cut", steps=4 * ROLLOUT, **change))
     assert len(records(tmp_path / "cut" / "log.jsonl")) == 2
-    plainly(tiny(tmp_path / "cut", steps=4 * ROLLOUT, **change))
+    train_plainly(tiny_settings(tmp_path / "cut", steps=4 * ROLLOUT, **change))
     assert outcome(tmp_path / "cut") == outcome(tmp_path / "whole")
 
 
 def test_more_steps_go_on_with_a_finished_run(tmp_path: Path, whole: Path) -> None:
     """Without a falling learning rate the weights are those of a run that was longer from the beginning."""
     for steps in (2 * ROLLOUT, 2 * ROLLOUT, 4 * ROLLOUT):  # a finished run that is asked again does nothing
-        result = plainly(tiny(tmp_path / "two", steps=steps, decay=False))
+        result = train_plainly(tiny_settings(tmp_path / "two", steps=steps, decay=False))
         assert result.steps == steps
-    plainly(tiny(tmp_path / "one", steps=4 * ROLLOUT, decay=False))
+    train_plainly(tiny_settings(tmp_path / "one", steps=4 * ROLLOUT, decay=False))
     assert weights(tmp_path / "one" / "last.safetensors") == weights(tmp_path / "two" / "last.safetensors")
     assert [line["step"] for line in records(tmp_path / "two" / "log.jsonl")] == [48, 96, 144, 192]
     assert [one["step"] for one in records(tmp_path / "two" / "evaluations.jsonl")] == [0, 96, 192]
 
 
 def test_the_actor_waits_while_the_critic_alone_learns(tmp_path: Path) -> None:
-    plainly(tiny(tmp_path / "run", steps=2 * ROLLOUT, critic_first=2))
+    train_plainly(tiny_settings(tmp_path / "run", steps=2 * ROLLOUT, critic_first=2))
     begun = tmp_path / "run" / "best.safetensors"  # all evaluations are alike: the first one stays the best
     assert load(begun).made["step"] == "0"
     assert weights(tmp_path / "run" / "last.safetensors") == weights(begun)
-    plainly(tiny(tmp_path / "run", steps=3 * ROLLOUT, critic_first=2))
+    train_plainly(tiny_settings(tmp_path / "run", steps=3 * ROLLOUT, critic_first=2))
     assert weights(tmp_path / "run" / "last.safetensors") != weights(begun)
 
 
@@ -147,7 +147,7 @@ def test_the_files_of_a_run_say_what_happened(whole: Path) -> None:
 
 def test_a_policy_says_where_it_comes_from(whole: Path) -> None:
     policy = load(whole / "last.safetensors")
-    asked = tiny(whole)
+    asked = tiny_settings(whole)
     assert policy.made["command"] == command_of(replace(asked, out=TrainSettings.out)), "no folder of this machine"
     told = json.dumps({**asked.decisive(), "steps": asked.steps}, sort_keys=True)
     assert json.loads(policy.made["settings"]) == json.loads(told)
@@ -164,7 +164,7 @@ def test_the_best_policy_is_that_of_the_best_evaluation(tmp_path: Path, monkeypa
         return [{"opponent": "still", "goal_difference": difference, "low": 0.0, "high": 0.0, "points": 0.5}]
 
     monkeypatch.setattr(training, "evaluate_policy", pretend)
-    plainly(tiny(tmp_path / "run"))
+    train_plainly(tiny_settings(tmp_path / "run"))
     assert load(tmp_path / "run" / "best.safetensors").made["step"] == "192"
     assert load(tmp_path / "run" / "last.safetensors").made["step"] == "336"
 
@@ -173,15 +173,15 @@ def test_no_warning_of_others_reaches_the_user(tmp_path: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error", UserWarning)
         for batch in (10_000, 13):
-            plainly(tiny(tmp_path / f"run-{batch}", steps=ROLLOUT, batch=batch, teacher=""))
+            train_plainly(tiny_settings(tmp_path / f"run-{batch}", steps=ROLLOUT, batch=batch, teacher=""))
 
 
 def test_weights_that_became_nan_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(BOUNDS, "learning_rate", Range(0.0, 1e40))
-    wild = tiny(tmp_path / "run", learning_rate=1e30, teacher="", critic_first=0)
+    wild = tiny_settings(tmp_path / "run", learning_rate=1e30, teacher="", critic_first=0)
     said = "weights became NaN or infinite by step [0-9]+: a smaller learning_rate"
     with np.errstate(all="ignore"), pytest.raises(ValueError, match=said):
-        plainly(wild)
+        train_plainly(wild)
     assert np.isfinite(load(tmp_path / "run" / "best.safetensors").weights[0]).all()
 
 
@@ -200,7 +200,7 @@ def test_one_bar_is_shown_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
     monkeypatch.setattr(reports, "Progress", Bar)
     monkeypatch.setattr(lessons, "Progress", Bar)
-    plainly(tiny(tmp_path / "run", steps=ROLLOUT))
+    train_plainly(tiny_settings(tmp_path / "run", steps=ROLLOUT))
     assert most == [("learning from chaser",), ("training",)] and not open_bars
 
 
@@ -212,15 +212,15 @@ def evaluation(step: int, *differences: float) -> dict[str, Any]:
 def test_a_learning_curve_is_a_picture() -> None:
     evaluations = [evaluation(n * 10**6, n, n - 2.0) for n in range(3)]
     one, three, again = (
-        learning_curve(found, tiny(Path("x"))) for found in (evaluations[:1], evaluations, evaluations)
+        learning_curve(found, tiny_settings(Path("x"))) for found in (evaluations[:1], evaluations, evaluations)
     )
     assert one.startswith(b"\x89PNG") and three.startswith(b"\x89PNG") and one != three == again
 
 
 def test_without_matplotlib_there_is_no_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    assert learning_curve([evaluation(0, 0.0)], tiny(Path("x"))) == b""
-    train(tiny(tmp_path / "run", steps=ROLLOUT, teacher=""))
+    assert learning_curve([evaluation(0, 0.0)], tiny_settings(Path("x"))) == b""
+    train(tiny_settings(tmp_path / "run", steps=ROLLOUT, teacher=""))
     found = {path.name for path in (tmp_path / "run").iterdir()}
     assert "last.safetensors" in found and "learning_curve.png" not in found
 
@@ -228,13 +228,13 @@ def test_without_matplotlib_there_is_no_picture(tmp_path: Path, monkeypatch: pyt
 def test_logs_are_json_that_others_can_read_and_steps_are_told_in_fitting_units() -> None:
     found = [rounded(value) for value in (1.23456789, np.float32(0.5), None, float("nan"), np.inf)]
     assert found == [1.234568, 0.5, None, None, None]
-    assert scale(2_000_000) == (1e6, " [million]") and scale(336_000) == (1e3, " [thousand]")
-    assert scale(336) == (1.0, "") == scale(0)
+    assert step_unit(2_000_000) == (1e6, " [million]") and step_unit(336_000) == (1e3, " [thousand]")
+    assert step_unit(336) == (1.0, "") == step_unit(0)
 
 
 def words_of(out: Path, **changes: Any) -> list[str]:
     """Return a command as a user gives it to the shell, of a run long enough to be cut."""
-    return [sys.executable, "-m", "soccer_env", *shlex.split(command_of(tiny(out, **changes)))[1:]]
+    return [sys.executable, "-m", "soccer_env", *shlex.split(command_of(tiny_settings(out, **changes)))[1:]]
 
 
 @contextmanager
@@ -261,7 +261,7 @@ def test_a_command_that_is_interrupted_says_how_it_goes_on(tmp_path: Path, monke
     words = words_of(tmp_path / "cut", steps=2 * ROLLOUT, teacher="")[3:]
     monkeypatch.setattr(training, "learning_curve", lambda *_: b"")
     with monkeypatch.context() as patched:
-        patched.setattr(Board, "show", lambda *_: signal.raise_signal(signal.SIGINT))
+        patched.setattr(ProgressBoard, "show", lambda *_: signal.raise_signal(signal.SIGINT))
         assert main(words) == 130
     assert capsys.readouterr().err.endswith(f"stopped; the same command continues the run in {tmp_path / 'cut'}\n")
     assert main(words) == 0
@@ -293,6 +293,6 @@ def test_the_command_is_refused_beside_another_stops_and_goes_on(tmp_path: Path)
     assert "policy: 1,920 steps" in done.stdout and f"written: {out / 'best.safetensors'}" in done.stdout
     assert "Warning" not in done.stderr
     assert (out / "learning_curve.png").read_bytes().startswith(b"\x89PNG")
-    plainly(tiny(tmp_path / "whole", **changes))
+    train_plainly(tiny_settings(tmp_path / "whole", **changes))
     assert outcome(out) == outcome(tmp_path / "whole")
     assert [line["step"] for line in records(out / "log.jsonl")] == list(range(ROLLOUT, steps + 1, ROLLOUT))

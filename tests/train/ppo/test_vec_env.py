@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Rewards
-from soccer_env.agents.learned import first_decision
+from soccer_env.agents.learned import first_decision_step
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import PRESETS
 from soccer_env.teams import Lineup, make_team
-from tests.train.evaluate.staged_rows import MIXED, draw, play, rows, same
+from tests.train.evaluate.staged_rows import MIXED, assert_same_play, draw, play, rows
 
 pytest.importorskip("stable_baselines3")
 
@@ -78,7 +78,7 @@ def test_what_was_returned_is_not_overwritten_by_the_next_step(repeat: int) -> N
 def test_actions_are_clipped_and_nonsense_is_refused() -> None:
     wild, tame = rows(), rows()
     wild.reset(), tame.reset()
-    assert same([wild.step(np.full((8, 4), 1e30))], [tame.step(np.ones((8, 4), np.int64))])
+    assert assert_same_play([wild.step(np.full((8, 4), 1e30))], [tame.step(np.ones((8, 4), np.int64))])
     with pytest.raises(ValueError, match="not finite"):
         wild.step(np.full((8, 4), np.nan))
     with pytest.raises(ValueError, match="actions must be numbers of shape"):
@@ -95,7 +95,7 @@ def test_a_share_of_the_matches_of_each_size_has_ideal_senses() -> None:
     by_match = np.repeat([False, True, False, True], [6, 2, 18, 6])
     assert (seen[by_match, age] == 0.0).all() and (seen[~by_match, age] > 0.0).any()
     alone = rows(players=MIXED, matches=16, observe="belief", senses="ideal")
-    assert same(play(rows(players=MIXED, matches=16, observe="belief", ideal_share=1.0), 3), play(alone, 3))
+    assert assert_same_play(play(rows(players=MIXED, matches=16, observe="belief", ideal_share=1.0), 3), play(alone, 3))
 
 
 @pytest.mark.parametrize(("share", "matches"), [(0.1, 4), (0.9, 4), (0.5, 1)])
@@ -131,7 +131,7 @@ def test_transitions_are_those_of_a_match(repeat: int) -> None:
         minutes=0.15, seeds=seeds_for(3, 4), rewards=Rewards(gamma=0.99),
     )  # fmt: skip
     seen, rng, ends = env.reset(), np.random.default_rng(0), 0
-    for _ in range(first_decision(match.league.delay_steps, repeat)):
+    for _ in range(first_decision_step(match.league.delay_steps, repeat)):
         match.step(np.zeros((4, 4, 4)))
     for _ in range(160 // repeat):
         assert (seen == match.observations[:, :2].reshape(8, -1)).all()
@@ -148,7 +148,7 @@ def test_transitions_are_those_of_a_match(repeat: int) -> None:
 def test_a_repeat_pays_what_its_control_steps_pay() -> None:
     once, eight = rows(action_repeat=1, gamma=1.0), rows(action_repeat=8, gamma=1.0)
     once.reset(), eight.reset()
-    for _ in range(first_decision(once.matches[0].league.delay_steps, 8)):
+    for _ in range(first_decision_step(once.matches[0].league.delay_steps, 8)):
         once.step(np.zeros((8, 4)))
     actions = draw(once, np.random.default_rng(0))
     paid = sum(once.step(actions)[1] for _ in range(8))
@@ -176,10 +176,10 @@ def test_a_seed_tells_the_episodes() -> None:
     starts = [env.reset() for env in (one, other, third)]
     assert (starts[0] == starts[1]).all()
     first = play(one, 40)
-    assert same(first, play(other, 40))
-    assert not same(first, play(third, 40))
+    assert assert_same_play(first, play(other, 40))
+    assert not assert_same_play(first, play(third, 40))
     third.seed(3)
-    assert (third.reset() == starts[0]).all() and same(first, play(third, 40))
+    assert (third.reset() == starts[0]).all() and assert_same_play(first, play(third, 40))
 
 
 def test_all_matches_differ_whatever_their_team_size() -> None:
@@ -192,7 +192,7 @@ def test_all_matches_differ_whatever_their_team_size() -> None:
 def test_threads_change_nothing(players: tuple[tuple[int, int], ...], matches: int) -> None:
     one, two = (rows(players=players, matches=matches, minutes=0.05, threads=threads) for threads in (1, 2))
     one.reset(), two.reset()
-    assert same(play(one, 60), play(two, 60))
+    assert assert_same_play(play(one, 60), play(two, 60))
     assert len(one.results) >= matches and one.results == two.results
     two.close()
 

@@ -14,7 +14,7 @@ from soccer_env import Rewards, make_team
 from soccer_env.match.squads import Lineup
 from soccer_env.scenes import SCENES, mixture
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
-from tests.train.evaluate.staged_rows import MIXED, draw, play, rows, same
+from tests.train.evaluate.staged_rows import MIXED, assert_same_play, draw, play, rows
 
 pytest.importorskip("stable_baselines3")
 
@@ -53,7 +53,7 @@ def test_wrong_actions_are_refused_before_any_match_moves(actions: Any, complain
     with pytest.raises(ValueError, match=complaint):
         env.step(actions)
     assert hashes(env) == before
-    assert same(play(env, 3), play(other, 3))
+    assert assert_same_play(play(env, 3), play(other, 3))
 
 
 def test_a_step_without_actions_is_refused() -> None:

@@ -17,7 +17,7 @@ from gymnasium.spaces import Discrete
 
 from soccer_env.teams import Lineup, make_team
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
-from tests.train.evaluate.staged_rows import MIXED, play, rows, same
+from tests.train.evaluate.staged_rows import MIXED, assert_same_play, play, rows
 
 SETTINGS: dict[str, Any] = {"players": [(2, 1)], "matches": 3, "seed": 4, "minutes": 0.1, "action_repeat": 4}
 
@@ -212,7 +212,7 @@ def test_a_save_goes_on_bit_for_bit(players: Any) -> None:
     seen = other.load(saved)
     assert (seen == one._observations()).all() and other.opponents == one.opponents
     histories = play(one, 30, seed=1), play(other, 30, seed=1)
-    assert same(*histories)
+    assert assert_same_play(*histories)
     assert one.results and [result.opponent for result in one.results] == [result.opponent for result in other.results]
     for (*_, infos), (*_, others) in zip(*histories, strict=True):
         assert [info.get("episode") for info in infos] == [info.get("episode") for info in others]

@@ -21,8 +21,16 @@ from soccer_env.train.evaluate.replays.page_section import add_replays
 from soccer_env.train.report import MISSING, ReportPage, draw_bars, draw_curves, draw_heat_table, draw_intervals
 from soccer_env.train.report.charts import Row
 from soccer_env.train.report.page import alignment
-from soccer_env.train.report.pitch_maps import LONGEST, Maps, cut, draw_network, draw_presence, draw_shots, spread
-from soccer_env.train.report.style import COLOURS, LINES, MARKERS, for_page, shortened
+from soccer_env.train.report.pitch_maps import (
+    LONGEST,
+    Maps,
+    cut_team_name,
+    draw_network,
+    draw_presence,
+    draw_shots,
+    spread_places,
+)
+from soccer_env.train.report.style import COLOURS, LINES, MARKERS, adapt_svg, shorten_svg_path
 from tests.render.chromium import Chromium, find_chromium
 
 pytest.importorskip("matplotlib")
@@ -228,14 +236,14 @@ def test_a_picture_is_the_same_each_time(name: str) -> None:
 
 def test_lost_matches_are_red_and_won_ones_green_whichever_kinds_there_are() -> None:
     for kinds in (("won", "drawn", "lost"), ("drawn", "lost"), ("lost",)):
-        part = for_page(draw_bars("ends", "goals", "matches", [(kind, [0], [1]) for kind in kinds], form="svg"), "p1")
+        part = adapt_svg(draw_bars("ends", "goals", "matches", [(kind, [0], [1]) for kind in kinds], form="svg"), "p1")
         used = {"won": "--c3" in part, "drawn": "--c1" in part, "lost": "--c6" in part}
         assert used == {kind: kind in kinds for kind in used}
 
 
 @pytest.mark.parametrize("name", PICTURES)
 def test_a_part_of_a_page_is_whole_takes_its_colours_and_leaves_names_as_they_are(name: str) -> None:
-    part = for_page(PICTURES[name]("svg"), "p1")
+    part = adapt_svg(PICTURES[name]("svg"), "p1")
     root = ElementTree.fromstring(part)
     ids = [element.get("id") for element in root.iter() if element.get("id")]
     assert all(one.startswith("p1-") for one in ids) and len(ids) == len(set(ids))
@@ -251,7 +259,7 @@ def test_quantities_stand_at_the_axes_curves_differ_without_colour_and_long_name
     words = "".join(ElementTree.fromstring(draw_curves(curves(("a",)), form="svg")).itertext())
     assert "range [cm]" in words and "error [cm]" in words and "in the criteria: 1" in words
     assert len(COLOURS) == len(set(COLOURS)) == len(set(MARKERS)) == len(set(map(str, LINES)))
-    assert cut("chaser") == "chaser" and len(cut("x" * 80)) == LONGEST
+    assert cut_team_name("chaser") == "chaser" and len(cut_team_name("x" * 80)) == LONGEST
 
 
 def test_no_matplotlib_no_picture_but_a_word() -> None:
@@ -268,20 +276,20 @@ def test_no_matplotlib_no_picture_but_a_word() -> None:
 
 def test_discs_in_one_place_are_moved_apart_and_others_left() -> None:
     places = np.array([[-1.0, 0.0], *[[0.5, 0.1]] * 10])
-    moved = spread(places, 0.2)
+    moved = spread_places(places, 0.2)
     apart = np.hypot(*(moved[:, None] - moved).transpose(2, 0, 1)) + np.eye(11)
     assert apart.min() > 0.19 and (moved[0] == places[0]).all() and np.abs(moved - places).max() < 0.8
-    assert (spread(places, 0.2) == moved).all()
+    assert (spread_places(places, 0.2) == moved).all()
 
 
 def test_lines_of_a_path_lose_letters_and_digits_and_curves_keep_theirs() -> None:
     path = "M 1.23456 2 \nL 3 4.5678 \nL 5 6 \nz\nM 1 2 \nQ 3 4 5 6 \nL 7 8.125\n"
-    assert shortened(path) == "M 1.23 2 3 4.56 5 6 z M 1 2 Q 3 4 5 6 L 7 8.12"
+    assert shorten_svg_path(path) == "M 1.23 2 3 4.56 5 6 z M 1 2 Q 3 4 5 6 L 7 8.12"
 
 
 def test_a_hatch_is_drawn_in_full_colour_on_a_pale_bar() -> None:
     groups = [("a", [0], [1]), ("b", [1], [1])]
-    svg = for_page(draw_bars("t", "x", "y", groups, form="svg"), "p1")
+    svg = adapt_svg(draw_bars("t", "x", "y", groups, form="svg"), "p1")
     filled = re.findall(r"fill: (url\(#[^)]*\)|var\(--c2\)); (fill-opacity: 0.33)?", svg)
     assert ("var(--c2)", "fill-opacity: 0.33") in filled
     assert [opacity for fill, opacity in filled if fill.startswith("url")] == ["", ""], "the bar and its legend"

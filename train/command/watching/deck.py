@@ -26,7 +26,7 @@ HELP = (
 FOLLOWS = ("", "robot", "ball")
 
 
-class Deck:
+class PlaybackControls:
     """The state that the keys set; `rate`: shots of the tape per second of play; `agents`: robots that keys select."""
 
     def __init__(
@@ -51,14 +51,14 @@ class Deck:
             self.paused = not self.paused
         elif key in (",", "."):
             self.paused = True
-            self.tape.go(1 if key == "." else -1)
+            self.tape.move_by(1 if key == "." else -1)
         elif key in ("left", "right"):
-            self.tape.go(round(JUMP * self.rate) * (1 if key == "right" else -1))
+            self.tape.move_by(round(JUMP * self.rate) * (1 if key == "right" else -1))
         elif key in ("up", "down"):
             faster = 2.0 if key == "up" else 0.5
             self.speed = min(max(self.speed * faster, SLOWEST), FASTEST)
         elif key == "home":
-            self.tape.go(-self.tape.at)
+            self.tape.move_by(-self.tape.at)
         else:
             self._press_for_view(key)
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from soccer_env.match import Match
-from soccer_env.render.overlays.cast import Shot, shot_of
+from soccer_env.render.overlays.cast import Snapshot, take_snapshot
 from soccer_env.replay import Thoughts
 
 KEPT = 6000  # shots in memory, some 16 kB each
@@ -13,14 +13,14 @@ KEPT = 6000  # shots in memory, some 16 kB each
 class Tape:
     """The shots of a match, one for every `stride` control steps; the tape can rewind over the last KEPT shots."""
 
-    def __init__(self, shots: Iterable[Shot], stride: int = 1) -> None:
+    def __init__(self, shots: Iterable[Snapshot], stride: int = 1) -> None:
         self._coming = iter(shots)
         self._stride = stride
-        self.shots: list[Shot] = [next(self._coming)]
+        self.shots: list[Snapshot] = [next(self._coming)]
         self.at = 0
         self.ended = False
 
-    def go(self, shots: int) -> None:
+    def move_by(self, shots: int) -> None:
         """Move by a number of shots, backwards if negative, no further than either end."""
         self.at = max(0, self.at + shots)
         while self.at >= len(self.shots) and not self.ended:
@@ -41,16 +41,16 @@ class Tape:
             self.at -= KEPT // 4
 
     @property
-    def shot(self) -> Shot:
+    def shot(self) -> Snapshot:
         """Return the current shot."""
         return self.shots[self.at]
 
-    def past(self, shots: int) -> list[Shot]:
+    def past(self, shots: int) -> list[Snapshot]:
         """Return at most `shots` shots before the current one."""
         return self.shots[max(0, self.at - shots) : self.at]
 
 
-def live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Shot]:
+def play_live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Snapshot]:
     """Play a match and yield a shot of its kick-off and of every control step until it ends.
 
     Robots' thoughts are noted at intervals, as in a replay: an overlay can be turned on at any moment.
@@ -59,7 +59,7 @@ def live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Shot]:
     while True:
         if thoughts is not None and thoughts.slots and step % thoughts.every == 0:
             note = thoughts.look(match)
-        yield shot_of(match, note)
+        yield take_snapshot(match, note)
         if (match.terminated | match.truncated).all():
             return
         match.step()

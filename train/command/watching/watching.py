@@ -7,17 +7,17 @@ import numpy as np
 from soccer_env.render import Window, check_display
 from soccer_env.render.closeup import Closeup
 from soccer_env.render.overlays.cast import Cast, cast_of
-from soccer_env.render.overlays.flags import part_of_flags
-from soccer_env.render.overlays.layers import overlays_of
-from soccer_env.render.overlays.onlooker import Reel
-from soccer_env.render.overlays.panels import Help
+from soccer_env.render.overlays.flags import select_flags
+from soccer_env.render.overlays.layers import make_overlays
+from soccer_env.render.overlays.onlooker import ReplaySnapshots
+from soccer_env.render.overlays.panels import HelpPanel
 from soccer_env.render.overlays.paths import TRAVELLED
 from soccer_env.replay import Replay, Thoughts
-from soccer_env.thoughts.thought import Reader
-from soccer_env.train.command.watching.deck import HELP, Deck
+from soccer_env.thoughts.thought import NoteReader
+from soccer_env.train.command.watching.deck import HELP, PlaybackControls
 from soccer_env.train.command.watching.settings import WatchSettings
-from soccer_env.train.command.watching.tape import KEPT, Tape, live
-from soccer_env.train.evaluate.recording import start
+from soccer_env.train.command.watching.tape import KEPT, Tape, play_live
+from soccer_env.train.evaluate.recording import start_match
 
 
 def watch(settings: WatchSettings) -> None:
@@ -25,25 +25,27 @@ def watch(settings: WatchSettings) -> None:
     if settings.file is not None:
         replay = Replay.read(settings.file)
         check_display()
-        reel = Reel(replay)
+        reel = ReplaySnapshots(replay)
         cast, teams, stride = reel.cast, replay.teams, max(1, ceil(len(replay) / KEPT))
         tape = Tape(reel.shots(), stride)
     else:
         check_display()
-        match, played = start(settings)
+        match, played = start_match(settings)
         teams, stride = played.names, 1
         thoughts = Thoughts(match)
-        cast = cast_of(match, Reader.of(thoughts) if thoughts.slots else None)
-        tape = Tape(live(match, thoughts), stride)
-    flags = part_of_flags(settings)
-    cast.picked(flags, tape.shot)
+        cast = cast_of(match, NoteReader.of(thoughts) if thoughts.slots else None)
+        tape = Tape(play_live(match, thoughts), stride)
+    flags = select_flags(settings)
+    cast.selected_row(flags, tape.shot)
     rate, agents = cast.league.control_rate / stride, tuple(cast.agents)
-    deck = Deck(tape, rate, settings.speed, flags, agents, settings.follow)
+    deck = PlaybackControls(tape, rate, settings.speed, flags, agents, settings.follow)
     stays = settings.file is not None
     show(deck, cast, Closeup(cast.league, settings.width), Window("soccer_env"), teams, stays)
 
 
-def show(deck: Deck, cast: Cast, picture: Closeup, window: Window, teams: tuple[str, str], stays: bool) -> None:
+def show(
+    deck: PlaybackControls, cast: Cast, picture: Closeup, window: Window, teams: tuple[str, str], stays: bool
+) -> None:
     """Show a tape until the user closes the window; unless it `stays`, it also closes at the end of the tape."""
     try:
         while True:
@@ -55,21 +57,21 @@ def show(deck: Deck, cast: Cast, picture: Closeup, window: Window, teams: tuple[
                 deck.press(key)
             if deck.paused:
                 continue
-            deck.tape.go(deck.skip)
+            deck.tape.move_by(deck.skip)
             if deck.over() and not stays:
                 return
     finally:
         window.close()
 
 
-def frame_of(deck: Deck, cast: Cast, picture: Closeup, teams: tuple[str, str]) -> np.ndarray:
+def frame_of(deck: PlaybackControls, cast: Cast, picture: Closeup, teams: tuple[str, str]) -> np.ndarray:
     """Return the current frame of the deck, (H, W, 3) uint8."""
     shot, past = deck.tape.shot, deck.tape.past(ceil(TRAVELLED * deck.rate))
-    overlays = overlays_of(deck.flags, cast, shot, past, picture.width)
+    overlays = make_overlays(deck.flags, cast, shot, past, picture.width)
     if deck.helps:
-        overlays.append(Help(HELP))
+        overlays.append(HelpPanel(HELP))
     if not deck.follow:
         return picture.draw(shot.match, shot.ball, shot.robots, title=teams, overlays=overlays)
-    followed = shot.ball if deck.follow == "ball" else shot.robots[cast.picked(deck.flags, shot)]
+    followed = shot.ball if deck.follow == "ball" else shot.robots[cast.selected_row(deck.flags, shot)]
     around = (float(followed["x"]), float(followed["y"]))
     return picture.draw_near(shot.match, shot.ball, shot.robots, around, title=teams, overlays=overlays)

@@ -30,24 +30,27 @@ class Keep:
     pages: bool = False
 
     def __post_init__(self) -> None:
-        for kind in self.each:
+        for kind in self.kinds_in_order:
             if kind not in KINDS:
                 raise ValueError(unknown("keep", kind, KINDS))
 
     @property
-    def each(self) -> list[str]:
+    def kinds_in_order(self) -> list[str]:
         """Return the kinds in the order of KINDS, each once."""
         words = [word.strip() for word in self.kinds.split(",") if word.strip()]
         return [kind for kind in KINDS if kind in words] + [word for word in words if word not in KINDS]
 
-    def joined(self, before: Keep) -> Keep:
+    def joined_with(self, before: Keep) -> Keep:
         """Return a choice of all replays that this choice or an earlier one keeps."""
-        return Keep(",".join(kind for kind in KINDS if kind in {*self.each, *before.each}), self.pages or before.pages)
+        return Keep(
+            ",".join(kind for kind in KINDS if kind in {*self.kinds_in_order, *before.kinds_in_order}),
+            self.pages or before.pages,
+        )
 
-    def chosen(self, lines: Sequence[MatchLine]) -> list[tuple[str, MatchLine]]:
+    def matches_to_keep(self, lines: Sequence[MatchLine]) -> list[tuple[str, MatchLine]]:
         """Return the matches whose replays are kept, each as (kind, line)."""
         chosen: list[tuple[str, MatchLine]] = []
-        for kind in self.each if lines else ():
+        for kind in self.kinds_in_order if lines else ():
             if kind == GOALS:
                 chosen += [(GOALS, line) for line in lines if line.goals_for + line.goals_against]
             else:

@@ -12,12 +12,12 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
-from soccer_env.guards.whole_files import read_plain, write_whole
+from soccer_env.guards.whole_files import read_regular_file, write_atomically
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.clips import Clips
 from soccer_env.shows.browser import write_page
 from soccer_env.train.evaluate.contest import Contest
-from soccer_env.train.evaluate.recording import NOTE_EVERY, shown_of_memory
+from soccer_env.train.evaluate.recording import NOTE_EVERY, shown_memory_fields
 from soccer_env.train.evaluate.replays.choice import GOALS, KINDS, Keep
 from soccer_env.train.evaluate.results import KEPT, REPLAYS, MatchLine
 from soccer_env.train.files import LARGEST
@@ -62,23 +62,23 @@ def keep_replays(
     between contests that share a folder. ValueError if a match ends in another state; OSError.
     """
     earlier_keep, listed = read_list(folder)
-    others, earlier = parted(listed, lambda one: not Path(one.file).name.startswith(before))
-    keep = keep.joined(earlier_keep)
-    if not keep.each:
+    others, earlier = split_replays(listed, lambda one: not Path(one.file).name.startswith(before))
+    keep = keep.joined_with(earlier_keep)
+    if not keep.kinds_in_order:
         return []
     (folder / REPLAYS).mkdir(parents=True, exist_ok=True)
-    wanted = keep.chosen(lines)
-    ready = [one for one in earlier if any(is_of(one, *each) for each in wanted) and is_whole(folder, one)]
-    missing = [(kind, line) for kind, line in wanted if not any(is_of(one, kind, line) for one in ready)]
+    wanted = keep.matches_to_keep(lines)
+    ready = [one for one in earlier if any(is_replay_of(one, *each) for each in wanted) and is_complete(folder, one)]
+    missing = [(kind, line) for kind, line in wanted if not any(is_replay_of(one, kind, line) for one in ready)]
     for one in earlier:
         if one not in ready:
-            remove(folder, one)
-    kept = ready + play_missing(contest, missing, folder, before)
+            remove_files(folder, one)
+    kept = ready + play_missing_replays(contest, missing, folder, before)
     if keep.pages:
-        kept = [with_page(folder, one) for one in kept]
+        kept = [add_page(folder, one) for one in kept]
     kept.sort(key=lambda one: (KINDS.index(one.kind), one.match, one.number))
     record = {"asked": asdict(keep), "replays": [asdict(one) for one in [*others, *kept]]}
-    write_whole(folder / REPLAYS / KEPT, json.dumps(record, indent=1) + "\n")
+    write_atomically(folder / REPLAYS / KEPT, json.dumps(record, indent=1) + "\n")
     return kept
 
 
@@ -90,14 +90,14 @@ def kept_in(folder: Path) -> list[Kept]:
 def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
     """Return the kinds that a folder keeps so far, and the replays that it lists."""
     try:
-        record = json.loads(read_plain(folder / REPLAYS / KEPT, LARGEST))
+        record = json.loads(read_regular_file(folder / REPLAYS / KEPT, LARGEST))
         keep, kept = Keep(**record["asked"]), [Kept(**one) for one in record["replays"]]
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return Keep(), []
-    return (keep, kept) if all(map(is_sound, kept)) else (Keep(), [])
+    return (keep, kept) if all(map(is_valid_entry, kept)) else (Keep(), [])
 
 
-def is_sound(kept: Kept) -> bool:
+def is_valid_entry(kept: Kept) -> bool:
     """Tell whether an entry of kept.json has fields of the right types and names only files in the folder `replays`."""
     values = ((getattr(kept, field.name), getattr(EXAMPLE, field.name)) for field in fields(Kept))
     if not all(isinstance(value, (type(example), int)) for value, example in values):
@@ -110,7 +110,7 @@ def is_sound(kept: Kept) -> bool:
 EXAMPLE = Kept("", "", 0, 0, 0, "", "", 0, 0, 0.0, 0.0, 0, "", "")
 
 
-def parted(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
+def split_replays(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
     """Divide replays into those that pass a test and the rest."""
     both: tuple[list[Kept], list[Kept]] = ([], [])
     for one in kept:
@@ -118,39 +118,43 @@ def parted(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kep
     return both
 
 
-def is_of(kept: Kept, kind: str, line: MatchLine) -> bool:
+def is_replay_of(kept: Kept, kind: str, line: MatchLine) -> bool:
     """Tell whether a replay is of this kind and shows the match of a line, with the line's final state."""
     return (kept.kind, kept.match, kept.state) == (kind, line.match, line.state)
 
 
-def is_whole(folder: Path, kept: Kept) -> bool:
+def is_complete(folder: Path, kept: Kept) -> bool:
     """Tell whether the file of a replay exists with its full length."""
     path = folder / kept.file
     return path.is_file() and path.stat().st_size == kept.bytes
 
 
-def remove(folder: Path, kept: Kept) -> None:
+def remove_files(folder: Path, kept: Kept) -> None:
     """Remove the files of a replay."""
     for name in (kept.file, kept.page):
         if name:
             (folder / name).unlink(missing_ok=True)
 
 
-def play_missing(contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path, before: str) -> list[Kept]:
+def play_missing_replays(
+    contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path, before: str
+) -> list[Kept]:
     """Play the matches of missing replays, each match once for all its kinds, and write the replays."""
     lines = {line.match: line for _, line in missing}
     kept: list[Kept] = []
     with Progress("replays to keep", float(sum(line.steps for line in lines.values()))) as bar:
         for number, line in lines.items():
             kinds = [kind for kind, one in missing if one.match == number]
-            again = play_again(contest, line, GOALS in kinds, bar.advance)
+            again = play_match_again(contest, line, GOALS in kinds, bar.advance)
             for kind in kinds:
-                kept += write(contest, line, kind, again, folder, before)
+                kept += write_replays(contest, line, kind, again, folder, before)
             bar.note(f"{len(kept)} written")
     return kept
 
 
-def write(contest: Contest, line: MatchLine, kind: str, again: Again, folder: Path, before: str) -> list[Kept]:
+def write_replays(
+    contest: Contest, line: MatchLine, kind: str, again: ReplayedMatch, folder: Path, before: str
+) -> list[Kept]:
     """Write the replays of one kind of a match, and return them."""
     conditions, rate = contest.conditions, contest.league.control_rate
     parts = again.goals if kind == GOALS else [(0, again.whole)]
@@ -169,7 +173,7 @@ def write(contest: Contest, line: MatchLine, kind: str, again: Again, folder: Pa
     return kept
 
 
-def with_page(folder: Path, kept: Kept) -> Kept:
+def add_page(folder: Path, kept: Kept) -> Kept:
     """Write the page of a replay unless it exists; return the replay with its page."""
     page = str(Path(kept.file).with_suffix(".html"))
     if not kept.page or not (folder / page).is_file():
@@ -178,21 +182,21 @@ def with_page(folder: Path, kept: Kept) -> Kept:
 
 
 @dataclass(frozen=True)
-class Again:
+class ReplayedMatch:
     """A match played once more; `goals`: a clip of each goal, with its first control step."""
 
     whole: Replay
     goals: list[tuple[int, Replay]]
 
 
-def play_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable[[float], None]) -> Again:
+def play_match_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable[[float], None]) -> ReplayedMatch:
     """Play a match of a contest once more; ValueError if it ends in another state than its line says.
 
     `goals`: cut clips of goals as well. `advance` gets the number of control steps played.
     """
     match = contest.start(line.side, [line.seed])
     try:
-        recorder = Recorder(match, Thoughts(match, shown_of_memory()))
+        recorder = Recorder(match, Thoughts(match, shown_memory_fields()))
         clips = Clips(match, recorder, BEFORE, AFTER)
         for step in range(line.steps):
             if goals:
@@ -210,4 +214,4 @@ def play_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable
             )
     finally:
         match.close()
-    return Again(whole, clips.cut(whole))
+    return ReplayedMatch(whole, clips.cut(whole))

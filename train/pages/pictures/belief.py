@@ -13,9 +13,9 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.render import Area, Label, Overlay, Picture, Points, Polyline
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.render.overlays.sight import fan
-from soccer_env.render.robots import parts_of
-from soccer_env.train.pages.pictures.legend import Entry, with_legend
+from soccer_env.render.overlays.sight import fan_of_rays
+from soccer_env.render.robots import robot_pieces
+from soccer_env.train.pages.pictures.legend import Entry, add_legend
 from soccer_env.train.pages.pictures.settings import PictureSettings
 
 SIGHT: Colour = (255, 246, 190)
@@ -34,10 +34,10 @@ def belief_picture(settings: PictureSettings) -> np.ndarray:
     row, picture = settings.belief_robot, Picture(match.league, settings.still_width)
     overlays, title = belief_overlays(match, row, settings.still_width / 1000.0), (settings.home, settings.away)
     frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=title, overlays=overlays)
-    return with_legend(frame, entries(match, row))
+    return add_legend(frame, legend_entries(match, row))
 
 
-def entries(match: Match, row: int) -> list[Entry]:
+def legend_entries(match: Match, row: int) -> list[Entry]:
     """Return the entries of the legend under the picture of a robot's belief."""
     robot = match.robots[0, row]
     name = f"{('red', 'blue')[int(robot['team'])]} {int(robot['number'])}"
@@ -54,9 +54,9 @@ def entries(match: Match, row: int) -> list[Entry]:
 def belief_overlays(match: Match, row: int, size: float) -> list[Overlay]:
     """Return the belief of a robot in a single match as overlays; `size` [1] scales lines and letters."""
     robot, belief = match.robots[0, row], match.beliefs[0, row]
-    own = into_field(belief["own"], team_direction(match, row))
+    own = pose_in_field(belief["own"], team_direction(match, row))
     true = (float(robot["x"]), float(robot["y"]), float(robot["heading"]))
-    ball, true_ball = place(own, belief["ball"]), (float(match.balls["x"][0]), float(match.balls["y"][0]))
+    ball, true_ball = place_in_field(own, belief["ball"]), (float(match.balls["x"][0]), float(match.balls["y"][0]))
     overlays: list[Overlay] = field_of_view(match.league, true, float(robot["pan"]))
     overlays += particles(match, row, size)
     overlays += outline(match.league, own, WHITE, 2.5 * size)
@@ -77,14 +77,14 @@ def team_direction(match: Match, row: int) -> float:
     return 0.0 if attacks_ahead else pi
 
 
-def into_field(pose: np.void, direction: float) -> Pose:
+def pose_in_field(pose: np.void, direction: float) -> Pose:
     """Convert a pose from the team frame to the field frame; `direction`: heading [rad] in which the team attacks."""
     x, y = float(pose["x"]), float(pose["y"])
     field_x, field_y = out_of_frame(x, y, cos(direction), sin(direction))
     return field_x, field_y, float(pose["heading"]) + direction
 
 
-def place(own: Pose, thing: np.void) -> tuple[float, float]:
+def place_in_field(own: Pose, thing: np.void) -> tuple[float, float]:
     """Convert the place of `thing` from the frame of a robot at pose `own` to the field frame."""
     x, y, heading = own
     at: tuple[float, float] = point_of_frame(x, y, float(thing["x"]), float(thing["y"]), cos(heading), sin(heading))
@@ -98,7 +98,7 @@ def field_of_view(league: League, pose: Pose, pan: float) -> list[Overlay]:
     neck = league.sensors.neck_ahead
     x, y = pose[0] + neck * cos(pose[2]), pose[1] + neck * sin(pose[2])
     half, middle = league.sensors.view_width / 2, pose[2] + pan
-    edge = fan(league, x, y, middle - half, middle + half, RAYS)
+    edge = fan_of_rays(league, x, y, middle - half, middle + half, RAYS)
     return [Area([(x, y), *edge], SIGHT, 70), Polyline([edge[0], (x, y), edge[-1]], SIGHT, 1.5, under=True)]
 
 
@@ -108,14 +108,14 @@ def particles(match: Match, row: int, size: float) -> list[Overlay]:
     if senses is None:
         return []
     direction = team_direction(match, row)
-    places = [into_field(one, direction)[:2] for one in senses.particles[0, row]]
+    places = [pose_in_field(one, direction)[:2] for one in senses.particles[0, row]]
     return [Points(places, KEEPER, 1.6 * size)] if places else []
 
 
 def outline(league: League, pose: Pose, colour: Colour, width: float) -> list[Overlay]:
     """Return the outline of a robot's trunk at a pose."""
     x, y, heading = pose
-    parts = parts_of(league.body, 0.0, walks=True)
+    parts = robot_pieces(league.body, 0.0, walks=True)
     (trunk,) = (part.outline for part in parts if part.role == "body")
     corners = [point_of_frame(x, y, u, v, cos(heading), sin(heading)) for u, v in trunk]
     return [Polyline(corners, colour, width, closed=True)]
@@ -128,7 +128,7 @@ def believed_player(match: Match, row: int, own: Pose, track: np.void, size: flo
     """
     team = int(match.robots["team"][0, row])
     team = team if track["teammate"] else 1 - team
-    colour, where, pitch = TEAMS_LIGHT[team], place(own, track), match.league.pitch
+    colour, where, pitch = TEAMS_LIGHT[team], place_in_field(own, track), match.league.pitch
     if abs(where[0]) > pitch.length / 2 or abs(where[1]) > pitch.width / 2:
         return []
     found: list[Overlay] = [Points([where], colour, 17.0 * size, hollow=True)]

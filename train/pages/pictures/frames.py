@@ -7,7 +7,7 @@ import numpy as np
 from soccer_env.match import Match, staging
 from soccer_env.render import Arrows, Label, Overlay, Picture, Polyline
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
-from soccer_env.train.pages.pictures.legend import Entry, with_legend
+from soccer_env.train.pages.pictures.legend import Entry, add_legend
 from soccer_env.train.pages.pictures.settings import PictureSettings
 from soccer_env.types import Phase
 
@@ -33,10 +33,10 @@ def frames_picture(settings: PictureSettings) -> np.ndarray:
         staging.put(match, row, *pose)
     staging.put_ball(match, *BALL)
     size = settings.still_width / 1000.0
-    overlays = [*axes_of_pitch(size), *axes_of_robot(size), *polar_place(size)]
+    overlays = [*axes_of_pitch(size), *axes_of_robot(size), *distance_and_bearing(size)]
     picture = Picture(match.league, settings.still_width)
     frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=("home", "away"), overlays=overlays)
-    return with_legend(frame, ENTRIES, columns=1)
+    return add_legend(frame, ENTRIES, columns=1)
 
 
 def axes_of_pitch(size: float) -> list[Overlay]:
@@ -53,7 +53,7 @@ def axes_of_robot(size: float) -> list[Overlay]:
     return [along, arc(x, y, 0.0, heading, 0.33, WHITE, size), words, *axes(x, y, heading, KEEPER, size)]
 
 
-def polar_place(size: float) -> list[Overlay]:
+def distance_and_bearing(size: float) -> list[Overlay]:
     """Return the drawn line from the robot to the ball (the distance), and the bearing as an arc."""
     x, y, heading = ROBOT
     direction = atan2(BALL[1] - y, BALL[0] - x)

@@ -21,7 +21,7 @@ class Entry(NamedTuple):
     words: str
 
 
-def with_legend(frame: np.ndarray, entries: Sequence[Entry], columns: int = 2) -> np.ndarray:
+def add_legend(frame: np.ndarray, entries: Sequence[Entry], columns: int = 2) -> np.ndarray:
     """Return a frame (H, W, 3) uint8 with a strip under it that explains its signs."""
     import pygame
 

@@ -56,7 +56,7 @@ def stage_rule(
     staging.put_ball(match, *ball)
     for name, value in records.items():
         match.matches[name] = value
-    staging.begin(match)
+    staging.begin_scene(match)
     actions = np.zeros((1, len(places), 4))
     for row, share in ahead.items():
         actions[0, row, 0] = share
@@ -72,12 +72,12 @@ def play_to_whistle(ruling: Ruling) -> tuple[Match, tuple[np.ndarray, np.ndarray
     for _ in range(round(ruling.longest * match.league.control_rate)):
         before = match.matches.copy(), match.balls.copy(), match.robots.copy()
         match.step(actions)
-        if has_happened(ruling, match):
+        if has_made_decision(ruling, match):
             return match, before
     raise ValueError(f"nobody whistled for {ruling.rule} in {ruling.longest:g} s")
 
 
-def has_happened(ruling: Ruling, match: Match) -> bool:
+def has_made_decision(ruling: Ruling, match: Match) -> bool:
     """Tell whether the referee made the expected decision in the last step."""
     if ruling.row < 0:
         return bool(match.events[ruling.event][0] > 0)

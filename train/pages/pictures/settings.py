@@ -39,7 +39,7 @@ class Moment(NamedTuple):
     shown: dict[str, Any]  # settings of `soccer export`
 
 
-def drill(scene: str, home: str, seed: int, start: float, league: str = "legged-2001", **shown: Any) -> Moment:
+def drill_moment(scene: str, home: str, seed: int, start: float, league: str = "legged-2001", **shown: Any) -> Moment:
     """Return the gallery's entry for a picture of a drill at a time [s], with the trail of the ball."""
     recorded = {"league": league, "scene": scene, "home": home, "seed": seed}
     return Moment(f"{scene}.png", recorded, {"start": start, "width": WIDTH, "trail": True, "robot": "home_0", **shown})
@@ -74,12 +74,12 @@ MOMENTS = (
         {"scene": "dribble-past-two", "home": "sacks-2001", "seed": 1},
         {"start": 6.0, "width": WIDTH, "robot": "home_0", "field": True, "path": True},
     ),
-    drill("empty-goal", "chaser", 1, 5.0),
-    drill("shot-at-keeper", "chaser", 1, 0.6),
-    drill("dribble-past-three", "sacks-2001", 3, 13.5, path=True),
-    drill("head-on-push", "sacks-2001", 4, 2.0),
-    drill("ball-in-corner", "sacks-2001", 1, 8.0),
-    drill("receive-pass", "heinemann-2006", 1, 0.8, **HEINEMANN),
-    drill("three-v-one", "heinemann-2006", 1, 0.6, **HEINEMANN),
-    drill("challenge-2003", "heinemann-2006", 1, 4.0, **HEINEMANN),
+    drill_moment("empty-goal", "chaser", 1, 5.0),
+    drill_moment("shot-at-keeper", "chaser", 1, 0.6),
+    drill_moment("dribble-past-three", "sacks-2001", 3, 13.5, path=True),
+    drill_moment("head-on-push", "sacks-2001", 4, 2.0),
+    drill_moment("ball-in-corner", "sacks-2001", 1, 8.0),
+    drill_moment("receive-pass", "heinemann-2006", 1, 0.8, **HEINEMANN),
+    drill_moment("three-v-one", "heinemann-2006", 1, 0.6, **HEINEMANN),
+    drill_moment("challenge-2003", "heinemann-2006", 1, 4.0, **HEINEMANN),
 )

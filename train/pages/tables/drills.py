@@ -43,7 +43,7 @@ def drills_table(table: dict[str, Any]) -> str:
     parts = [
         crosstable(
             f"{league} [%]",
-            {(f"`{row['drill']}`", f"`{row['team']}`"): share_of(row) for row in rows if row["league"] == league},
+            {(f"`{row['drill']}`", f"`{row['team']}`"): success_share(row) for row in rows if row["league"] == league},
         )
         for league in dict.fromkeys(row["league"] for row in rows)
     ]
@@ -52,7 +52,7 @@ def drills_table(table: dict[str, Any]) -> str:
     return "\n\n".join([*parts, f"{runs}; 95 % intervals (Wilson) are at most {widest:.0f} points to either side."])
 
 
-def share_of(row: dict[str, Any]) -> str:
+def success_share(row: dict[str, Any]) -> str:
     """Return the share of successful runs of a team in a drill [%]."""
     return f"{100 * row['successes'] / row['runs']:.0f}"
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from soccer_env.train.pages.tables.paper_page import counted
+from soccer_env.train.pages.tables.paper_page import verdict_counts
 from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
 from soccer_env.train.pages.tables.teams import PLAYERS
 
@@ -41,7 +41,7 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
             yield Headline(words, speeds[name], data["speed"]["command"])
     yield Headline(
         "statements of the 2001 paper, each measured on three seeds",
-        counted(SACKS_PAGE.stored(), SACKS_PAGE.claims),
+        verdict_counts(SACKS_PAGE.stored(), SACKS_PAGE.claims),
         "make sacks-table",
     )
 

@@ -9,28 +9,30 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.pages.tables.paper_page import SHOWN, PaperPage
 from soccer_env.train.papers.claim import HEINEMANN
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.stored import FOLDERS
-from soccer_env.train.report.style import canvas, plot
+from soccer_env.train.report.style import canvas, picture_maker
 
 RUN = Path("runs/claims-heinemann")  # folder of the run, which can be stopped and resumed
 PATHS = "heinemann-paths.png"
 
 
-def measure() -> Path:
+def measure_paper_claims() -> Path:
     """Measure every claim of the paper; return the folder of the run."""
     reproduce(ReproduceSettings(claims=PAGE.claims, threads=2, out=RUN))
     return RUN
 
 
-PAGE = PaperPage(folder=FOLDERS[HEINEMANN], paper=HEINEMANN, pictures={"H10": 1, "H20": 1}, measure=measure, tables={})
+PAGE = PaperPage(
+    folder=FOLDERS[HEINEMANN], paper=HEINEMANN, pictures={"H10": 1, "H20": 1}, measure=measure_paper_claims, tables={}
+)
 
 
-@plot
+@picture_maker
 def draw_paths() -> Any:
     """Return the paper's figure as a PNG: both planners in crossing a after 1, 30 and 60 cycles.  MH18"""
     from soccer_env.baselines.weigel_2001.planner.drawing import draw_travel
@@ -52,7 +54,7 @@ def main(words: list[str]) -> int:
     """Run the command and redraw the figure after a measurement; return the exit code."""
     code = PAGE.main(words)
     if code == 0 and words != ["write"]:
-        write_whole(SHOWN / PATHS, draw_paths())
+        write_atomically(SHOWN / PATHS, draw_paths())
     return code
 
 

@@ -53,11 +53,11 @@ def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, A
     rows = []
     for settings in evaluations:
         result = evaluate(settings)
-        rows.append(row_of(settings, result) | play_of(result.statistics) | {"rules": settings.rules})
+        rows.append(row_of(settings, result) | whistles_and_goals(result.statistics) | {"rules": settings.rules})
     return rows
 
 
-def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
+def whistles_and_goals(statistics: Mapping[str, Any]) -> dict[str, Any]:
     """Return the numbers of whistles against each team, and of clean goals and of all goals of the learned team."""
     whistles = [
         sum(one.total for name, one in statistics.items() if name.startswith(WHISTLES) and name.endswith(side))
@@ -70,8 +70,8 @@ def play_of(statistics: Mapping[str, Any]) -> dict[str, Any]:
 def learned_table(table: dict[str, Any]) -> str:
     """Return the table of the learned team in Markdown: a row for each kind of match, a column for each opponent."""
     rows = [row for row in table["rows"] if row["away"] not in LADDER]
-    cells = {(kind_of(row), f"`{row['away']}`"): goals_of(row) for row in rows}
-    cells |= {(kind_of(row), WHISTLED): whistles_of(row) for row in rows if row["away"] == "chaser"}
+    cells = {(match_kind(row), f"`{row['away']}`"): goals_of(row) for row in rows}
+    cells |= {(match_kind(row), WHISTLED): whistles_of(row) for row in rows if row["away"] == "chaser"}
     ladder = [f"`{row['away']}` {goals_of(row)}" for row in table["rows"] if row["away"] in LADDER]
     weaker = [f"Against weaker teams at 3v3: {', '.join(ladder)}."] if ladder else []
     shown = f"Goal difference a match in {MATCHES} matches a cell, of {MINUTES:g} minutes unless a row says otherwise."
@@ -79,7 +79,7 @@ def learned_table(table: dict[str, Any]) -> str:
     return "\n".join([crosstable("players", cells), "", shown, *weaker, command])
 
 
-def kind_of(row: dict[str, Any]) -> str:
+def match_kind(row: dict[str, Any]) -> str:
     """Return the kind of a match in words: the team sizes, and every setting that is not the usual one."""
     sizes = row["players"] if isinstance(row["players"], str) else f"{row['players']}v{row['players']}"
     unusual = [f"{row['minutes']:g} minutes"] * (row["minutes"] != MINUTES)

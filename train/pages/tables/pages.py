@@ -21,8 +21,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from soccer_env.guards.whole_files import write_whole
-from soccer_env.train.bench.benchmark import run as run_bench
+from soccer_env.guards.whole_files import write_atomically
+from soccer_env.train.bench.benchmark import run_benchmark as run_bench
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.pages.tables.claims import measure_sensors, sensors_table
 from soccer_env.train.pages.tables.drills import drills_table, measure_drills
@@ -34,7 +34,7 @@ from soccer_env.train.pages.tables.learned import (
     measure_training,
     training_table,
 )
-from soccer_env.train.pages.tables.paper_page import between_markers
+from soccer_env.train.pages.tables.paper_page import replace_between_markers
 from soccer_env.train.pages.tables.plausibility import measure_plausibility, plausibility_table
 from soccer_env.train.pages.tables.teams import (
     first_pair,
@@ -87,15 +87,15 @@ MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
     "plausibility": lambda: {"about": about(), **measure_plausibility()},
 }
 SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Markdown
-    "sensors": lambda table: with_footer(sensors_table(table), table),
-    "scripted": lambda table: with_footer(scripted_table(table), table),
-    "sacks": lambda table: with_footer(sacks_table(table), table),
-    "heinemann": lambda table: with_footer(heinemann_table(table), table),
-    "drills": lambda table: with_footer(drills_table(table), table),
-    "learned": lambda table: with_footer(learned_table(table), table),
-    "training": lambda table: with_footer(training_table(table), table),
+    "sensors": lambda table: add_footer(sensors_table(table), table),
+    "scripted": lambda table: add_footer(scripted_table(table), table),
+    "sacks": lambda table: add_footer(sacks_table(table), table),
+    "heinemann": lambda table: add_footer(heinemann_table(table), table),
+    "drills": lambda table: add_footer(drills_table(table), table),
+    "learned": lambda table: add_footer(learned_table(table), table),
+    "training": lambda table: add_footer(training_table(table), table),
     "speed": lambda table: speed_table(table),
-    "plausibility": lambda table: with_footer(plausibility_table(table), table),
+    "plausibility": lambda table: add_footer(plausibility_table(table), table),
 }
 
 
@@ -124,7 +124,7 @@ def speed_table(table: dict[str, Any]) -> str:
     return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}.", footer(table["about"])])
 
 
-def with_footer(text: str, table: dict[str, Any]) -> str:
+def add_footer(text: str, table: dict[str, Any]) -> str:
     """Return a table with its footer, which has a hash of the settings of all its rows."""
     hashes = [row["settings_hash"] for row in table.get("rows", []) if "settings_hash" in row]
     settings = {"settings": sha256(" ".join(hashes).encode()).hexdigest()[:12]} if hashes else {}
@@ -136,15 +136,15 @@ def footer(facts: dict[str, str]) -> str:
     return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
 
 
-def with_tables(text: str, page: str, data: dict[str, Any]) -> str:
+def fill_page_tables(text: str, page: str, data: dict[str, Any]) -> str:
     """Return a page with its tables between their markers; ValueError for a marker that is missing."""
     for name, where in PAGES.items():
         if where != page:
             continue
         if name == "headlines":
-            text = between_markers(text, name, headlines_table(data))
+            text = replace_between_markers(text, name, headlines_table(data))
         elif name in data:
-            text = between_markers(text, name, SHOW[name](data[name]))
+            text = replace_between_markers(text, name, SHOW[name](data[name]))
     return text
 
 
@@ -157,7 +157,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
     """Measure a small part of each table again; return a sentence for each difference. `quick`: without the speed."""
     problems = []
     for page in dict.fromkeys(PAGES.values()):
-        if with_tables(page_text(page), page, data) != page_text(page):
+        if fill_page_tables(page_text(page), page, data) != page_text(page):
             problems.append(f"{page} does not show what tables.json holds: run python -m {__package__} write")
     now = about()
     for name in PLAYED:
@@ -171,7 +171,7 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
     return problems if quick else problems + slower_rows(data["speed"])
 
 
-def take_states(data: dict[str, Any]) -> list[str]:
+def update_final_states(data: dict[str, Any]) -> list[str]:
     """Play the first pair of each row again; update its final states in `data`; return a sentence per changed score."""
     problems = []
     for row in (row for name in PLAYED for row in data.get(name, {"rows": []})["rows"]):
@@ -196,7 +196,7 @@ def slower_rows(table: dict[str, Any]) -> list[str]:
     ]
 
 
-def stored() -> dict[str, Any]:
+def read_measurements() -> dict[str, Any]:
     """Return the stored measurements."""
     tables: dict[str, Any] = json.loads(DATA.read_text(encoding="utf-8"))
     return tables
@@ -205,7 +205,7 @@ def stored() -> dict[str, Any]:
 def write_pages(data: dict[str, Any]) -> None:
     """Write every table into its page."""
     for page in dict.fromkeys(PAGES.values()):
-        write_whole(ROOT / page, with_tables(page_text(page), page, data))
+        write_atomically(ROOT / page, fill_page_tables(page_text(page), page, data))
 
 
 def main(arguments: list[str]) -> int:
@@ -216,20 +216,20 @@ def main(arguments: list[str]) -> int:
         print(f"usage: python -m soccer_env.train.pages.tables {choices}", file=sys.stderr)
         return 2
     if arguments == ["write"]:
-        write_pages(stored())
+        write_pages(read_measurements())
         return 0
     if arguments == names:
-        data = stored() if names else {}
+        data = read_measurements() if names else {}
         data |= {name: MEASURE[name]() for name in names or MEASURE}
-        write_whole(DATA, json.dumps(data, indent=1) + "\n")
+        write_atomically(DATA, json.dumps(data, indent=1) + "\n")
         write_pages(data)
         return 0
     if arguments == ["states"]:
-        data = stored()
-        problems = take_states(data)
-        write_whole(DATA, json.dumps(data, indent=1) + "\n")
+        data = read_measurements()
+        problems = update_final_states(data)
+        write_atomically(DATA, json.dumps(data, indent=1) + "\n")
     else:
-        problems = check(stored(), quick="--quick" in arguments)
+        problems = check(read_measurements(), quick="--quick" in arguments)
     for problem in problems:
         print(problem, file=sys.stderr)
     print("tables: " + ("all agree" if not problems else f"{len(problems)} no longer agree"))

@@ -15,13 +15,13 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.files import read_lines
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
-from soccer_env.train.papers.report import with_interval
+from soccer_env.train.papers.report import estimate_with_interval
 from soccer_env.train.papers.results import ClaimResult, plot_name
-from soccer_env.train.papers.stored import FILE, KEPT, Measured, as_result, read_stored
+from soccer_env.train.papers.stored import FILE, KEPT, Measured, read_stored, restore_result
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
 
@@ -58,28 +58,28 @@ class PaperPage:
         names = [field.name for field in fields(ClaimResult)]
         records = read_lines(run / "claims.jsonl")
         results = [ClaimResult(**{name: record[name] for name in names}) for record in records]
-        claims = {result.id: taken(result, about) for result in results if result.id in self.claims}
+        claims = {result.id: claim_entry(result, about) for result in results if result.id in self.claims}
         if not claims:
             raise ValueError(f"{run} holds no claim of {self.paper}")
         for claim, number in self.pictures.items():
             drawn = run / plot_name(claim, number)
             if drawn.exists():
-                write_whole(SHOWN / f"claim-{claim}.png", drawn.read_bytes())
+                write_atomically(SHOWN / f"claim-{claim}.png", drawn.read_bytes())
         return claims
 
     def with_tables(self, readme: str, measured: Measured) -> str:
         """Return the README with its tables between their markers."""
         tables = {"claims": claims_table(measured, self.claims), **{name: show() for name, show in self.tables.items()}}
         for name, table in tables.items():
-            readme = between_markers(readme, name, table)
+            readme = replace_between_markers(readme, name, table)
         return readme
 
     def write(self, measured: Measured) -> None:
         """Write claims.json and README.md."""
         ordered = {name: measured[name] for name in self.claims if name in measured}
         readme = self.folder / "README.md"
-        write_whole(self.folder / FILE, json.dumps(ordered, indent=1) + "\n")
-        write_whole(readme, self.with_tables(readme.read_text(encoding="utf-8"), ordered))
+        write_atomically(self.folder / FILE, json.dumps(ordered, indent=1) + "\n")
+        write_atomically(readme, self.with_tables(readme.read_text(encoding="utf-8"), ordered))
 
     def main(self, words: Sequence[str]) -> int:
         """Measure, take over runs or write; return the exit code."""
@@ -98,20 +98,20 @@ class PaperPage:
         return 0
 
 
-def taken(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
+def claim_entry(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     """Return the entry of claims.json for the result of a claim, with the date and commit of the run."""
     return {
         **{name: getattr(result, name) for name in KEPT},
-        "findings": [short(one) for one in result.findings],
-        "without_findings": [short(one) for one in result.without_findings],
+        "findings": [finding_entry(one) for one in result.findings],
+        "without_findings": [finding_entry(one) for one in result.without_findings],
         "about": {name: about.get(name, "") for name in ("date", "commit")},
     }
 
 
-def short(finding: Mapping[str, Any]) -> dict[str, Any]:
+def finding_entry(finding: Mapping[str, Any]) -> dict[str, Any]:
     """Return a finding (the result of one criterion) as claims.json holds it."""
     kept = {name: finding[name] for name in ("criterion", "verdict", "n")}
-    return kept | {"shown": with_interval(dict(finding))}
+    return kept | {"shown": estimate_with_interval(dict(finding))}
 
 
 def claims_table(measured: Measured, claims: Sequence[str]) -> str:
@@ -122,28 +122,28 @@ def claims_table(measured: Measured, claims: Sequence[str]) -> str:
         "|---|---|---|---|---|",
     ]
     for name in claims:
-        cells = cells_of(known[name], measured[name]) if name in measured else ("", NOT_MEASURED, "")
+        cells = claim_cells(known[name], measured[name]) if name in measured else ("", NOT_MEASURED, "")
         row = " | ".join((name, known[name].statement, *cells))
         lines.append(f"| {row} |")
-    return "\n".join([counted(measured, claims), "", *lines, "", sources(measured)])
+    return "\n".join([verdict_counts(measured, claims), "", *lines, "", measurement_sources(measured)])
 
 
-def cells_of(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
+def claim_cells(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
     """Return the cells of a claim: the number that decides the claim, the verdict, and the meaning of that number."""
-    result = as_result(claim, row)
+    result = restore_result(claim, row)
     finding = next(one for one in result.findings if one["criterion"] == result.criterion)
-    verdict = f"**{result.marked}**" if result.verdict == NOT else result.marked
-    return with_interval(finding), verdict, f"{finding['criterion']}{in_signs(finding['asked'])}"
+    verdict = f"**{result.marked_verdict}**" if result.verdict == NOT else result.marked_verdict
+    return estimate_with_interval(finding), verdict, f"{finding['criterion']}{bound_in_signs(finding['asked'])}"
 
 
-def in_signs(bound: str) -> str:
+def bound_in_signs(bound: str) -> str:
     """Return a bound with signs for words, in brackets: " [≥80]" for "at least 80"; "" without a bound."""
     for words, sign in SIGNS.items():
         bound = bound.replace(words, sign)
     return f" [{bound}]" if bound else ""
 
 
-def counted(measured: Measured, claims: Sequence[str]) -> str:
+def verdict_counts(measured: Measured, claims: Sequence[str]) -> str:
     """Return the number of claims with each verdict, in words."""
     counts = Counter(row["verdict"] for row in measured.values())
     parts = [f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict]]
@@ -153,13 +153,13 @@ def counted(measured: Measured, claims: Sequence[str]) -> str:
     return f"{len(claims)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
 
 
-def sources(measured: Measured) -> str:
+def measurement_sources(measured: Measured) -> str:
     """Return the dates and commits of the measurements, in words."""
     runs = {f"{row['about']['date']} ({row['about']['commit'] or 'no commit'})" for row in measured.values()}
     return f"Measured {', '.join(sorted(runs))}." if runs else ""
 
 
-def between_markers(text: str, name: str, table: str) -> str:
+def replace_between_markers(text: str, name: str, table: str) -> str:
     """Return a page with a table between its markers; ValueError for a marker that is missing."""
     begin, end = f"<!-- table: {name} -->", f"<!-- end of table: {name} -->"
     before, opened, rest = text.partition(begin)

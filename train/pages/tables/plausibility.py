@@ -14,7 +14,7 @@ from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.report import table
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings
-from soccer_env.train.evaluate.statistics import Total, finite, in_pairs, in_words
+from soccer_env.train.evaluate.statistics import Total, finite_or_none, sum_in_pairs, total_in_words
 from soccer_env.train.pages.tables.teams import row_of, row_settings
 from soccer_env.train.statistics import ratio_bootstrap
 
@@ -91,40 +91,40 @@ def measure_plausibility() -> dict[str, Any]:
     rows = []
     for settings in plausibility_rows():
         result = evaluate(settings)
-        rows.append(row_of(settings, result) | {"play": play_of(result)})
+        rows.append(row_of(settings, result) | {"play": statistics_of_play(result)})
     return {"rows": rows}
 
 
-def play_of(result: EvaluationResult) -> dict[str, list[Any]]:
+def statistics_of_play(result: EvaluationResult) -> dict[str, list[Any]]:
     """Return value, low, high and unit of each statistic of the table, for both teams together."""
     lines = [line.statistics for line in result.lines]
     better = "goals_for" if result.goals_for >= result.goals_against else "goals_against"
     added = {name: columns_of(names) or [better] for name, (_, names) in SHOWN.items()}
-    parts = in_pairs([[sum(line[x] for x in columns) for columns in added.values()] for line in lines])
-    wholes = in_pairs([[line[whole_of(columns[0])] for columns in added.values()] for line in lines])
+    parts = sum_in_pairs([[sum(line[x] for x in columns) for columns in added.values()] for line in lines])
+    wholes = sum_in_pairs([[line[divisor_name(columns[0])] for columns in added.values()] for line in lines])
     shown = {}
     for name, *numbers in zip(added, *ratio_bootstrap(parts, wholes), strict=True):
-        timed = figure_of(added[name][0]).kind == figures.SHARE
-        shown[name] = [*(finite((100.0 if timed else 60.0) * x) for x in numbers), "%" if timed else "/min"]
+        timed = find_statistic(added[name][0]).kind == figures.SHARE
+        shown[name] = [*(finite_or_none((100.0 if timed else 60.0) * x) for x in numbers), "%" if timed else "/min"]
     return shown
 
 
 def columns_of(names: tuple[str, ...]) -> list[str]:
     """Return the names of the numbers in a match's line that are summed for some statistics, over both teams."""
-    statistics = map(figure_of, names)
+    statistics = map(find_statistic, names)
     return [
         f"{x.name}_{side}" if x.team else x.name for x in statistics for side in (figures.SIDES if x.team else ("",))
     ]
 
 
-def figure_of(name: str) -> figures.Statistic:
+def find_statistic(name: str) -> figures.Statistic:
     """Return the Statistic of a number in a match's line: "kicks" for "kicks_for"."""
     return next(x for x in figures.FIGURES if name in (x.name, f"{x.name}_for", f"{x.name}_against"))
 
 
-def whole_of(name: str) -> str:
+def divisor_name(name: str) -> str:
     """Return the name of the quantity that a number in a match's line is divided by."""
-    return figure_of(name).whole
+    return find_statistic(name).whole
 
 
 def verdict(league: str, name: str, low: float | None, high: float | None) -> str:
@@ -151,4 +151,4 @@ def plausibility_table(measured: dict[str, Any]) -> str:
 def cell_of(row: dict[str, Any], name: str) -> str:
     """Return one statistic of a pairing, and whether it lies inside the published range."""
     value, low, high, unit = row["play"][name]
-    return f"{in_words(Total(0.0, value, low, high, unit))} {verdict(row['league'], name, low, high)}".rstrip()
+    return f"{total_in_words(Total(0.0, value, low, high, unit))} {verdict(row['league'], name, low, high)}".rstrip()

@@ -10,7 +10,7 @@ from textwrap import wrap
 from typing import Any
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.evaluate.report import plain
+from soccer_env.train.evaluate.report import plain_number
 from soccer_env.train.pages.tables.claims import RUN, measure_all
 from soccer_env.train.pages.tables.paper_page import PaperPage
 from soccer_env.train.papers.claim import SACKS
@@ -19,7 +19,7 @@ from soccer_env.train.papers.stored import FOLDERS
 WIDTH = 118  # of a line of text
 
 
-def measure() -> Path:
+def measure_both_papers() -> Path:
     """Measure every claim of both papers; return the folder of the run."""
     measure_all()
     return RUN
@@ -30,7 +30,7 @@ def constants_text() -> str:
     rows = list(SacksSettings().rows())
     assumed = [name for name, _, _, note in rows if "assumed" in note or "ours" in note]
     numbers = [row for row in rows if is_number(row[1]) and row[0] != "strength" and row[0] not in assumed]
-    words = ", ".join(f"`{name}` {shown(value, unit_of(note))}" for name, value, _, note in numbers)
+    words = ", ".join(f"`{name}` {setting_in_words(value, unit_of(note))}" for name, value, _, note in numbers)
     rest = len(rows) - len(numbers) - len(assumed) - 1
     text = (
         f"Of {len(rows)} settings, {len(numbers)} are numbers of the paper: {words}. {rest} are rules of the paper "
@@ -50,11 +50,11 @@ def unit_of(note: str) -> str:
     return note.partition("] ")[0] if note.startswith("[") else ""
 
 
-def shown(value: Any, unit: str) -> str:
+def setting_in_words(value: Any, unit: str) -> str:
     """Return a setting's value with its unit, an angle also in degrees."""
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return str(value)
-    number = plain(float(value), 3)
+    number = plain_number(float(value), 3)
     if unit == "[rad":
         return f"{number} rad ({value * 180.0 / pi:.0f} degrees)"
     return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
@@ -64,7 +64,7 @@ PAGE = PaperPage(
     folder=FOLDERS[SACKS],
     paper=SACKS,
     pictures={"S06": 1, "S29": 1, "S35": 1, "S47": 1, "S63": 1},
-    measure=measure,
+    measure=measure_both_papers,
     tables={"constants": constants_text},
 )
 

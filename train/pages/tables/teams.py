@@ -35,7 +35,7 @@ HEINEMANN = (  # players a side, home, away, matches; a team without one of its 
 )  # fmt: skip
 
 PASSES = "passes a minute"  # completed, of both teams: a column of the middle size
-MEASURED = ("points", "goal difference a match")  # columns of `measured`
+MEASURED = ("points", "goal difference a match")  # columns of `measured_cells`
 
 
 def scripted_rows() -> Iterator[EvaluateSettings]:
@@ -138,13 +138,13 @@ def result_of(row: dict[str, Any]) -> str:
 def sacks_table(table: dict[str, Any]) -> str:
     """Return the table of sacks-2001 in Markdown."""
     rows = [row | {"team": f"`{row['home']}`"} for row in table["rows"]]
-    return with_command({"team": "team", "against": "away", "matches": "matches"}, rows)
+    return table_with_command({"team": "team", "against": "away", "matches": "matches"}, rows)
 
 
 def heinemann_table(table: dict[str, Any]) -> str:
     """Return the table of the teams of 2006 in Markdown."""
     names = {"team": "team", "against": "away", "players": "sizes", "matches": "matches", PASSES: "passed"}
-    return with_command(names, [row | heinemann_words(row) for row in table["rows"]])
+    return table_with_command(names, [row | heinemann_words(row) for row in table["rows"]])
 
 
 def heinemann_words(row: dict[str, Any]) -> dict[str, str]:
@@ -153,15 +153,15 @@ def heinemann_words(row: dict[str, Any]) -> dict[str, str]:
     return {"team": f"`{row['home']}`", "sizes": f"{row['players']}v{row['players']}", "passed": passed}
 
 
-def with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
+def table_with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
     """Return evaluations as a table in Markdown: the columns `names` (title: key), then MEASURED, and one command."""
     head = [*names, *MEASURED]
     lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
-    lines += [f"| {' | '.join(str(row[name]) for name in names.values())} | {measured(row)} |" for row in rows]
+    lines += [f"| {' | '.join(str(row[name]) for name in names.values())} | {measured_cells(row)} |" for row in rows]
     return "\n".join([*lines, "", f"Command of a row: `{rows[0]['command']}`"])
 
 
-def measured(row: dict[str, Any]) -> str:
+def measured_cells(row: dict[str, Any]) -> str:
     """Return the two last cells of a row: share of points and goal difference, with intervals."""
     points = row["points"]
     return f"{100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) | {goals_of(row)}"

@@ -12,7 +12,7 @@ To add a claim:
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
    among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
    names the number in a few words; the bound is the requirement.
-5. `without=Without(ingredient, measure)` marks a claim by construction: its criteria are measured without the
+5. `without=Ablation(ingredient, measure)` marks a claim by construction: its criteria are measured without the
    ingredient, too.
 6. One batch should take 2 to 3 s compiled on one core; write this time into `seconds`, the cap into `batches`
    (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.

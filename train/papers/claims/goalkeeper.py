@@ -13,8 +13,8 @@ from soccer_env.match import Match
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.resolution import LAYERS
-from soccer_env.train.papers.staging import LEGGED, begin, put, put_ball, stage
-from soccer_env.train.papers.values import in_bins, mean, middles_of
+from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
+from soccer_env.train.papers.values import bin_masks, mean, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 SHOTS = 32
@@ -51,7 +51,7 @@ def face_shots(
     there = goal + OUT * np.cos(facing) - aside * np.sin(facing), OUT * np.sin(facing) + aside * np.cos(facing)
     put(match, 0, *there, facing)
     put_ball(match, x, y)
-    begin(match, placed=True)
+    begin_scene(match, placed=True)
     return shoot(match, x, y, speed * np.cos(way), speed * np.sin(way)), speed
 
 
@@ -72,7 +72,7 @@ def shoot(match: Match, x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.nda
 # With and without the angular velocity
 
 
-def angular_on_and_off(batch: Batch) -> Samples:
+def compare_angular_velocity(batch: Batch) -> Samples:
     """Return which shots go in (M,), for goalkeepers that use the ball's angular velocity ("on") or do not ("off").
 
     With a block; "far ...": starting far off the line to the ball; "ideal ...": far, with ideal senses; "step ...":
@@ -88,14 +88,14 @@ def angular_on_and_off(batch: Batch) -> Samples:
     return {name: values.astype(float) for name, values in samples.items()}
 
 
-def saved(samples: Samples, name: str) -> float:
+def saved_share(samples: Samples, name: str) -> float:
     """Return the share of shots saved [%]."""
     return 100.0 * float(1.0 - samples[name].mean())
 
 
-def saved_by_speed(samples: Samples, name: str) -> list[float]:
+def saved_share_by_speed(samples: Samples, name: str) -> list[float]:
     """Return the share of shots saved [%] in each bin of the speed at the kick."""
-    return [100.0 * (1.0 - mean(samples[name][there])) for there in in_bins(samples["speed"], BINS)]
+    return [100.0 * (1.0 - mean(samples[name][there])) for there in bin_masks(samples["speed"], BINS)]
 
 
 def angular_figure(samples: Samples) -> Sequence[Figure]:
@@ -107,7 +107,7 @@ def angular_figure(samples: Samples) -> Sequence[Figure]:
         "step off": "by the bearing, no block",
         "step guards": "guards the line, no reaction",
     }
-    curves = tuple(Curve(text, middles_of(BINS), saved_by_speed(samples, name)) for name, text in names.items())
+    curves = tuple(Curve(text, middles_of(BINS), saved_share_by_speed(samples, name)) for name, text in names.items())
     return (Figure("Shots saved by the goalkeeper", "speed at the kick [m/s]", "saved [%]", curves),)
 
 
@@ -124,21 +124,25 @@ S67 = Claim(
     method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
     "within their reach, in time. Share of the same shots saved, with angular_keeper on and off.",
     criteria=(
-        measured("saved with the angular velocity less saved without", lambda s: saved(s, "on") - saved(s, "off"),
+        measured("saved with the angular velocity less saved without", lambda s: saved_share(s,
+            "on") - saved_share(s, "off"),
                  unit="%", above=0.0),
-        reported("saved with the angular velocity", lambda s: saved(s, "on"), unit="%"),
-        reported("saved by the bearing alone", lambda s: saved(s, "off"), unit="%"),
-        reported("far off the line: with less without", lambda s: saved(s, "far on") - saved(s, "far off"), unit="%"),
-        reported("far off the line: by the bearing alone", lambda s: saved(s, "far off"), unit="%"),
-        reported("far off, ideal senses: with less without", lambda s: saved(s, "ideal on") - saved(s, "ideal off"),
+        reported("saved with the angular velocity", lambda s: saved_share(s, "on"), unit="%"),
+        reported("saved by the bearing alone", lambda s: saved_share(s, "off"), unit="%"),
+        reported("far off the line: with less without", lambda s: saved_share(s, "far on") - saved_share(s,
+            "far off"), unit="%"),
+        reported("far off the line: by the bearing alone", lambda s: saved_share(s, "far off"), unit="%"),
+        reported("far off, ideal senses: with less without", lambda s: saved_share(s, "ideal on") - saved_share(s,
+            "ideal off"),
                  unit="%"),
-        reported("no block: with less without", lambda s: saved(s, "step on") - saved(s, "step off"), unit="%"),
-        reported("no block: with the angular velocity", lambda s: saved(s, "step on"), unit="%"),
-        reported("no block: by the bearing alone", lambda s: saved(s, "step off"), unit="%"),
-        reported("no block: guarding the line, no reaction", lambda s: saved(s, "step guards"), unit="%"),
+        reported("no block: with less without", lambda s: saved_share(s, "step on") - saved_share(s, "step off"),
+            unit="%"),
+        reported("no block: with the angular velocity", lambda s: saved_share(s, "step on"), unit="%"),
+        reported("no block: by the bearing alone", lambda s: saved_share(s, "step off"), unit="%"),
+        reported("no block: guarding the line, no reaction", lambda s: saved_share(s, "step guards"), unit="%"),
     ),
     rules=STAGED,
-    measure=angular_on_and_off,
+    measure=compare_angular_velocity,
     figures=angular_figure,
     ingredients=(
         "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
@@ -158,7 +162,7 @@ S67 = Claim(
 # Reactions by the ball's speed, at two resolutions
 
 
-def speeds_and_layers(batch: Batch) -> Samples:
+def compare_resolutions(batch: Batch) -> Samples:
     """Return which shots go in (M,), with keeper_speed on and off, at both camera resolutions."""
     samples: Samples = {}
     for layer in LAYERS:
@@ -169,16 +173,16 @@ def speeds_and_layers(batch: Batch) -> Samples:
     return samples
 
 
-def gain(samples: Samples, layer: str) -> float:
+def reaction_gain(samples: Samples, layer: str) -> float:
     """Return the share of shots saved with reactions by speed minus the share without such reactions [%]."""
-    return saved(samples, f"on {layer}") - saved(samples, f"off {layer}")
+    return saved_share(samples, f"on {layer}") - saved_share(samples, f"off {layer}")
 
 
 def layer_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of shots saved against the speed of the shot, for both resolutions and settings."""
     names = {f"{name} {layer}": f"{layer}, {text}" for layer in LAYERS
              for name, text in (("on", "by speed"), ("off", "one reaction"))}  # fmt: skip
-    curves = tuple(Curve(text, middles_of(BINS), saved_by_speed(samples, name)) for name, text in names.items())
+    curves = tuple(Curve(text, middles_of(BINS), saved_share_by_speed(samples, name)) for name, text in names.items())
     return (Figure("Shots saved, by resolution", "speed at the kick [m/s]", "saved [%]", curves),)
 
 
@@ -190,15 +194,16 @@ S71 = Claim(
     "it does so by the time in which the ball will arrive, and steps aside faster for a fast ball; without, all balls "
     "count as fast. What that gains in saves at 88x72 and at 176x144 pixels.",
     criteria=(
-        measured("gain at 176x144 less gain at 88x72", lambda s: gain(s, LAYERS[1]) - gain(s, LAYERS[0]), unit="%",
+        measured("gain at 176x144 less gain at 88x72", lambda s: reaction_gain(s, LAYERS[1]) - reaction_gain(s,
+            LAYERS[0]), unit="%",
                  above=0.0),
-        measured("gain at 176x144", lambda s: gain(s, LAYERS[1]), unit="%", above=0.0),
-        reported("gain at 88x72", lambda s: gain(s, LAYERS[0]), unit="%"),
-        reported("saved at 88x72, one reaction", lambda s: saved(s, "off 88x72"), unit="%"),
-        reported("saved at 176x144, one reaction", lambda s: saved(s, "off 176x144"), unit="%"),
+        measured("gain at 176x144", lambda s: reaction_gain(s, LAYERS[1]), unit="%", above=0.0),
+        reported("gain at 88x72", lambda s: reaction_gain(s, LAYERS[0]), unit="%"),
+        reported("saved at 88x72, one reaction", lambda s: saved_share(s, "off 88x72"), unit="%"),
+        reported("saved at 176x144, one reaction", lambda s: saved_share(s, "off 176x144"), unit="%"),
     ),
     rules=STAGED,
-    measure=speeds_and_layers,
+    measure=compare_resolutions,
     figures=layer_figure,
     ingredients=(
         "what keeper_speed does: assumed, for the paper leaves it to the future",

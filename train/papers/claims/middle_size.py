@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.staging import MIDDLE, from_robot, play, put, put_ball, stage
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import MIDDLE, distance_to_point, play, put, put_ball, stage
 from soccer_env.train.papers.values import middles_of, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -26,7 +26,7 @@ LABELS = {"constant": "constant light", "adaptive": "table that adapts", "fixed"
 THINGS = ("ball", "player", "own goal", "opponents' goal")
 
 
-def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
+def watch_in_light(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
     """Return for each frame (M, T): the light, the number of THINGS seen, the ball's range error [m]."""
     rng = batch.rng()
     match = stage(batch, MIDDLE, matches=MATCHES, sensors=sensors, senses={"home": "sensors", "away": "ideal"})
@@ -37,7 +37,7 @@ def watch_under(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
     put_ball(match, x + away * np.cos(course), y + away * np.sin(course))
     put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
     match.rebuild()  # without `begin`: the table has adapted to the light before
-    true, _ = from_robot(match, 0, match.balls["x"], match.balls["y"])
+    true, _ = distance_to_point(match, 0, match.balls["x"], match.balls["y"])
     frames: dict[str, list[np.ndarray]] = {"light": [], "found": [], "error": []}
     for step in play(match, SECONDS):
         if step < match.league.sensors.camera_delay + 1:
@@ -58,7 +58,7 @@ def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
     All three variants see the same scenes, and their frames are binned by the changing light. `adaptive`: further
     settings of the sensors of the variant whose table adapts.
     """
-    seen = {name: watch_under(batch, VARIANTS[name] | (adaptive if name == "adaptive" else {})) for name in VARIANTS}
+    seen = {name: watch_in_light(batch, VARIANTS[name] | (adaptive if name == "adaptive" else {})) for name in VARIANTS}
     place = np.digitize(np.abs(seen["fixed"]["light"]), BINS[1:-1])
     samples: Samples = {}
     for name, frames in seen.items():
@@ -73,21 +73,21 @@ def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
     return samples
 
 
-def shares(samples: Samples, name: str) -> np.ndarray:
+def seen_shares_by_light(samples: Samples, name: str) -> np.ndarray:
     """Return the share of things seen [1] in each bin of the light, for the variant `name`."""
     frames = samples[f"frames {name}"].sum(axis=0)
     share: np.ndarray = samples[f"found {name}"].sum(axis=0) / np.maximum(len(THINGS) * frames, 1.0)
     return np.where(frames > 0, share, np.nan)
 
 
-def errors(samples: Samples, name: str) -> np.ndarray:
+def range_errors_by_light(samples: Samples, name: str) -> np.ndarray:
     """Return the rms range error of the ball [m] in each bin of the light, for the variant `name`."""
     read = samples[f"read {name}"].sum(axis=0)
     error: np.ndarray = np.sqrt(samples[f"square {name}"].sum(axis=0) / np.maximum(read, 1.0))
     return np.where(read > 0, error, np.nan)
 
 
-def over_best(samples: Samples, name: str, quantity: Any) -> np.ndarray:
+def relative_to_constant_light(samples: Samples, name: str, quantity: Any) -> np.ndarray:
     """Return a quantity in each bin of the light, divided by its value for the same frames under constant light."""
     ratio: np.ndarray = quantity(samples, name) / quantity(samples, "constant")
     return ratio
@@ -102,8 +102,8 @@ def seen_in_changed_light(samples: Samples, name: str) -> float:
 def light_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the share of things seen and the range error against the change of the light."""
     middles = middles_of(BINS)
-    seen = [Curve(label, middles, list(100 * shares(samples, name))) for name, label in LABELS.items()]
-    erring = [Curve(label, middles, list(100 * errors(samples, name))) for name, label in LABELS.items()]
+    seen = [Curve(label, middles, list(100 * seen_shares_by_light(samples, name))) for name, label in LABELS.items()]
+    erring = [Curve(label, middles, list(100 * range_errors_by_light(samples, name))) for name, label in LABELS.items()]
     light = "difference of light from the table's own [1]"
     return (
         Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(seen)),
@@ -121,22 +121,27 @@ H26 = Claim(
     "constant light.",
     criteria=(
         measured("adapting table: share seen in the worst light, of constant light",
-                 lambda samples: 100 * float(np.nanmin(over_best(samples, "adaptive", shares))), unit="%",
+                 lambda samples: 100 * float(np.nanmin(relative_to_constant_light(samples, "adaptive",
+                     seen_shares_by_light))), unit="%",
                  at_least=90.0),
         measured("adapting table: range error in the worst light, of constant light",
-                 lambda samples: 100 * float(np.nanmax(over_best(samples, "adaptive", errors))), unit="%",
+                 lambda samples: 100 * float(np.nanmax(relative_to_constant_light(samples, "adaptive",
+                     range_errors_by_light))), unit="%",
                  at_most=110.0),
         measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
                  lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
         reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-                 lambda samples: 100 * float(over_best(samples, "fixed", shares)[1]), unit="%"),
+                 lambda samples: 100 * float(relative_to_constant_light(samples, "fixed", seen_shares_by_light)[1]),
+                 unit="%"),
         reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-                 lambda samples: 100 * float(over_best(samples, "fixed", errors)[1]), unit="%"),
-        reported("range error under constant light", lambda samples: 100 * rms(errors(samples, "constant")), unit="cm"),
+                 lambda samples: 100 * float(relative_to_constant_light(samples, "fixed", range_errors_by_light)[1]),
+                 unit="%"),
+        reported("range error under constant light", lambda samples: 100 * rms(range_errors_by_light(samples,
+            "constant")), unit="cm"),
     ),
     rules=STAGED,
     measure=compare_tables,
-    without=Without("the own pose, by which the table knows what a pixel must show: here no white line tells it",
+    without=Ablation("the own pose, by which the table knows what a pixel must show: here no white line tells it",
                     lambda batch: compare_tables(batch, line_miss=1.0)),
     figures=light_figures,
     ingredients=(

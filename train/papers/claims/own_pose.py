@@ -6,7 +6,16 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import MIDDLE, begin, play, put, put_ball, stage, standing, wrapped
+from soccer_env.train.papers.staging import (
+    MIDDLE,
+    begin_scene,
+    play,
+    put,
+    put_ball,
+    stage,
+    standing_actions,
+    wrap_angle,
+)
 from soccer_env.train.papers.values import median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -26,14 +35,14 @@ EVERY = 5  # frames between two samples, and between two commands
 REACHED = 0.5  # [m] from a target at which the next one is drawn
 
 
-class Drivers:
+class RandomDrivers:
     """Drive all robots from one random target to the next, turning slowly."""
 
     def __init__(self, match: Match, rng: np.random.Generator) -> None:
         self.match, self.rng = match, rng
         self.x, self.y = self.targets()
         self.turn = rng.uniform(-0.3, 0.3, match.robots.shape)  # [1] of the top turn rate
-        self.actions = standing(match)
+        self.actions = standing_actions(match)
 
     def targets(self) -> tuple[np.ndarray, np.ndarray]:
         """Return random target places within the field (M, R) [m]."""
@@ -55,11 +64,11 @@ class Drivers:
         self.actions[..., 2] = self.turn
 
 
-def errors_of(match: Match) -> tuple[np.ndarray, np.ndarray]:
+def pose_errors(match: Match) -> tuple[np.ndarray, np.ndarray]:
     """Return the errors of robot 0's own pose (M,) [m, rad]; home attacks +x, so that its frame is the field's."""
     own, robot = match.beliefs["own"][:, 0], match.robots[:, 0]
     place: np.ndarray = np.hypot(own["x"] - robot["x"], own["y"] - robot["y"])
-    return place, np.abs(wrapped(own["heading"] - robot["heading"]))
+    return place, np.abs(wrap_angle(own["heading"] - robot["heading"]))
 
 
 def carry_away(match: Match, rng: np.random.Generator) -> None:
@@ -86,21 +95,21 @@ def drive_and_carry(batch: Batch) -> Samples:
         aside = rng.uniform(-0.6, 0.6, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
     put_ball(match, 5.0, 3.5)
-    begin(match)
-    drivers = Drivers(match, rng)
+    begin_scene(match)
+    drivers = RandomDrivers(match, rng)
     for step in play(match, SETTLE, drivers.actions):
         drivers.steer(step)
     rows = []
     for step in play(match, SECONDS, drivers.actions):
         drivers.steer(step)
         if step % EVERY == 0:
-            rows.append(np.stack(errors_of(match)))
+            rows.append(np.stack(pose_errors(match)))
     place, heading = np.stack(rows, axis=2)
     carry_away(match, rng)
     lost = []
     for step in play(match, LONGEST + HELD, drivers.actions):
         drivers.steer(step)
-        off, turned = errors_of(match)
+        off, turned = pose_errors(match)
         lost.append((off > LOST) | (turned > TURNED))
     time = recovery(np.stack(lost, axis=1), match.league.dt)
     match.close()

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.claims.players.seen import watchers
-from soccer_env.train.papers.staging import ahead_of, ball_from, begin, play, put_ball, standing
-from soccer_env.train.papers.true_sight import stare
-from soccer_env.train.papers.values import about_own_mean, in_bins, middles_of, rms
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.seen import set_up_watchers
+from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, point_ahead, put_ball, standing_actions
+from soccer_env.train.papers.true_sight import stare_at_ball
+from soccer_env.train.papers.values import bin_masks, middles_of, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 64
@@ -25,14 +25,14 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
     """
     rng = batch.rng()
     settings = {"resolution": layer, "patches": 0.0, **sensors}
-    match = watchers(batch, MATCHES, sensors=settings, memory={"infrared_override": override})
-    put_ball(match, *ahead_of(match, 0, rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
-    begin(match)
-    actions = standing(match)
-    true, _ = ball_from(match)
+    match = set_up_watchers(batch, MATCHES, sensors=settings, memory={"infrared_override": override})
+    put_ball(match, *point_ahead(match, 0, rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
+    begin_scene(match)
+    actions = standing_actions(match)
+    true, _ = distance_to_ball(match)
     frames = []
     for step in play(match, SETTLE + SECONDS, actions):
-        stare(match, actions)
+        stare_at_ball(match, actions)
         if step < SETTLE * match.league.control_rate:
             continue
         ball = match.beliefs["ball"][:, 0]
@@ -40,7 +40,7 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
         frames.append([np.where(seen, value, np.nan) for value in (ball["distance"], ball["radial"])])
     match.close()
     distance, radial = (np.stack(values, axis=1) for values in zip(*frames, strict=True))
-    return {"true": true, "range": about_own_mean(distance), "velocity": radial}
+    return {"true": true, "range": subtract_row_mean(distance), "velocity": radial}
 
 
 def compare_layers(batch: Batch, **fine: Any) -> Samples:
@@ -53,7 +53,7 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
     return samples | {"true": runs["true"]}
 
 
-def as_much_flicker(batch: Batch) -> Samples:
+def compare_with_equal_flicker(batch: Batch) -> Samples:
     """Return `compare_layers` with a flicker of equal angle in both layers: of twice as many pixels in the finer."""
     from soccer_env.leagues import find_league
     from soccer_env.train.papers.staging import LEGGED
@@ -61,7 +61,7 @@ def as_much_flicker(batch: Batch) -> Samples:
     return compare_layers(batch, dither=2.0 * find_league(LEGGED).sensors.dither)
 
 
-def ratio(samples: Samples, name: str, rules: str = "") -> float:
+def scatter_ratio(samples: Samples, name: str, rules: str = "") -> float:
     """Return the rms scatter of the finer layer divided by the rms scatter of the coarser layer."""
     return rms(samples[f"{name} {LAYERS[1]}{rules}"]) / max(rms(samples[f"{name} {LAYERS[0]}{rules}"]), 1e-12)
 
@@ -69,7 +69,7 @@ def ratio(samples: Samples, name: str, rules: str = "") -> float:
 def layer_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the scatter of the range and of the velocity against the distance, for both layers."""
     edges = np.linspace(NEAR, FAR, 8)
-    inside = in_bins(samples["true"], edges)
+    inside = bin_masks(samples["true"], edges)
     middles = middles_of(edges, 100)
     return tuple(
         Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", tuple(
@@ -88,11 +88,13 @@ S66 = Claim(
     "radial velocity from zero, frames that show the ball, same seeds; ranges by size, the ranger's rule off, because "
     "no camera mends what the ranger does. About half: 0.4 to 0.6.",
     criteria=(
-        measured("deviation of the range at 176x144 over that at 88x72", lambda samples: ratio(samples, "range"),
+        measured("deviation of the range at 176x144 over that at 88x72", lambda samples: scatter_ratio(samples,
+            "range"),
                  at_least=0.4, at_most=0.6),
-        measured("deviation of the velocity, the same", lambda s: ratio(s, "velocity"), at_least=0.4, at_most=0.6),
-        reported("range, ranger included", lambda samples: ratio(samples, "range", " rules")),
-        reported("velocity, ranger included", lambda samples: ratio(samples, "velocity", " rules")),
+        measured("deviation of the velocity, the same", lambda s: scatter_ratio(s, "velocity"), at_least=0.4,
+            at_most=0.6),
+        reported("range, ranger included", lambda samples: scatter_ratio(samples, "range", " rules")),
+        reported("velocity, ranger included", lambda samples: scatter_ratio(samples, "velocity", " rules")),
         reported("range at 88x72", lambda samples: 100 * rms(samples["range 88x72"]), unit="cm"),
         reported("range at 176x144", lambda samples: 100 * rms(samples["range 176x144"]), unit="cm"),
         reported("velocity at 88x72", lambda samples: 100 * rms(samples["velocity 88x72"]), unit="cm/s"),
@@ -102,7 +104,8 @@ S66 = Claim(
     measure=compare_layers,
     seconds=1.5,
     batches=32,
-    without=Without("sensors.dither, the same number of pixels in both layers; here the same angle", as_much_flicker),
+    without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",
+        compare_with_equal_flicker),
     figures=layer_figures,
     ingredients=("sensors.dither", "pixels of half the size"),
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "

@@ -7,23 +7,23 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.evaluate.report import plain, table
+from soccer_env.train.evaluate.report import plain_number, table
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import (
     LEGGED,
     MIDDLE,
-    ahead_of,
-    begin,
-    from_robot,
+    begin_scene,
+    distance_to_point,
+    point_ahead,
     put,
     put_ball,
     stage,
-    standing,
+    standing_actions,
     watch,
-    wrapped,
+    wrap_angle,
 )
 from soccer_env.train.papers.true_sight import look_first
-from soccer_env.train.papers.values import in_bins, mean, middles_of, rms
+from soccer_env.train.papers.values import bin_masks, mean, middles_of, rms
 from soccer_env.train.papers.verdicts import Samples
 
 MATCHES = 256
@@ -99,22 +99,22 @@ def set_up(batch: Batch, league: str, **settings: Any) -> Match:
 def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray, **settings: Any) -> Samples:
     """Return the errors of robots' beliefs about a still ball, NaN in frames that do not show it."""
     match = set_up(batch, league, **settings)
-    put_ball(match, *ahead_of(match, 0, place, bearing))
-    begin(match)
-    true, off = from_robot(match, 0, match.balls["x"], match.balls["y"])
+    put_ball(match, *point_ahead(match, 0, place, bearing))
+    begin_scene(match)
+    true, off = distance_to_point(match, 0, match.balls["x"], match.balls["y"])
     if match.league.head.pan_limit > 0.0:
         look_first(match, SETTLE)  # so that no search is needed
     rows: dict[str, list[np.ndarray]] = {}
     for _ in watch(match, SECONDS, settle=SETTLE):
         ball = match.beliefs["ball"][:, 0]
-        seen = ball["age"] < fresh(match)
+        seen = ball["age"] < newest_picture_age(match)
         errors = {
             "ball, range": ball["distance"] - true,
             "ball, filtered range": ball["filtered_distance"] - true,
-            "ball, bearing": wrapped(ball["bearing"] - off),
+            "ball, bearing": wrap_angle(ball["bearing"] - off),
             "ball, velocity along": ball["radial"],
         }
-        note(rows, errors, seen, "ball, seen")
+        append_frame(rows, errors, seen, "ball, seen")
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
@@ -123,10 +123,10 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
     """Return errors of robots' beliefs about a standing opponent with a random heading, NaN in frames without it."""
     match = set_up(batch, league)
     put_ball(match, -BACK[league], 0.45 * match.league.pitch.width)  # far off, out of the way
-    put(match, 1, *ahead_of(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
-    begin(match)
-    true, off = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-    actions, head = standing(match), match.league.head
+    put(match, 1, *point_ahead(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
+    begin_scene(match)
+    true, off = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+    actions, head = standing_actions(match), match.league.head
     if head.pan_limit > 0.0:
         actions[..., 4], actions[..., 5] = 1.0, 0.0  # both: a lowered head would hide the other's jersey
         actions[..., 6] = (2.0 * LEVEL - head.tilt_high - head.tilt_low) / (head.tilt_high - head.tilt_low)
@@ -136,31 +136,31 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
         usable = (tracks["present"] == 1) & (tracks["teammate"] == 0)
         slot = np.where(usable, tracks["age"], np.inf).argmin(axis=1)
         track = tracks[np.arange(MATCHES), slot]
-        seen = usable[np.arange(MATCHES), slot] & (track["age"] < fresh(match))
-        errors = {"player, range": track["distance"] - true, "player, bearing": wrapped(track["bearing"] - off)}
-        note(rows, errors, seen, "player, seen")
+        seen = usable[np.arange(MATCHES), slot] & (track["age"] < newest_picture_age(match))
+        errors = {"player, range": track["distance"] - true, "player, bearing": wrap_angle(track["bearing"] - off)}
+        append_frame(rows, errors, seen, "player, seen")
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def fresh(match: Match) -> float:
+def newest_picture_age(match: Match) -> float:
     """Return the greatest age [s] of an object seen in the newest picture, which may be delivered late."""
     late = getattr(match.league.sensors, "camera_delay", 0)
     return (late + 0.5) * match.league.dt
 
 
-def note(rows: dict[str, list[np.ndarray]], errors: dict[str, np.ndarray], seen: np.ndarray, name: str) -> None:
+def append_frame(rows: dict[str, list[np.ndarray]], errors: dict[str, np.ndarray], seen: np.ndarray, name: str) -> None:
     """Append one frame to `rows`: the errors, NaN where the object is not seen, and, as `name`, whether it is seen."""
     for key, error in errors.items():
         rows.setdefault(key, []).append(np.where(seen, error, np.nan))
     rows.setdefault(name, []).append(seen.astype(float))
 
 
-def profile(samples: Samples, estimate: Estimate) -> list[float]:
+def error_by_distance(samples: Samples, estimate: Estimate) -> list[float]:
     """Return the rms error of an estimate in each bin of the distance, or for "... seen" the share of frames."""
     edges, place = EDGES[estimate.league], samples[f"{estimate.league} place"]
     value = mean if estimate.name.endswith("seen") else rms
-    return [estimate.scale * value(samples[estimate.key][there]) for there in in_bins(place, edges)]
+    return [estimate.scale * value(samples[estimate.key][there]) for there in bin_masks(place, edges)]
 
 
 def sensor_figures(samples: Samples) -> Sequence[Figure]:
@@ -170,7 +170,7 @@ def sensor_figures(samples: Samples) -> Sequence[Figure]:
         middles = middles_of(EDGES[league], 100)
         for unit in ("cm", "deg", "cm/s", "%"):
             estimates = [one for one in ESTIMATES if one.league == league and one.unit == unit]
-            curves = tuple(Curve(one.name, middles, profile(samples, one)) for one in estimates)
+            curves = tuple(Curve(one.name, middles, error_by_distance(samples, one)) for one in estimates)
             label = "share of frames [%]" if unit == "%" else f"rms error [{unit}]"
             figures.append(Figure(f"Sensors of {league}", "distance [cm]", label, curves))
     return figures
@@ -184,7 +184,7 @@ def sensor_tables(samples: Samples) -> str:
         head = (league, *(f"{low:g} to {high:g} m" for low, high in zip(edges, edges[1:], strict=False)))
         rows = []
         for one in (estimate for estimate in ESTIMATES if estimate.league == league):
-            cells = [plain(x, DIGITS).replace("nan", "-") for x in profile(samples, one)]
+            cells = [plain_number(x, DIGITS).replace("nan", "-") for x in error_by_distance(samples, one)]
             rows.append((f"{one.name} [{one.unit}]", *cells))
         parts.append(table(head, rows))
     return "\n\n".join(["Rms errors in frames that show the thing, and the share of frames that do:", *parts])

@@ -5,9 +5,9 @@ from typing import Any
 
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.evaluate.replays.page_section import add_replays
-from soccer_env.train.ppo.reports import curve_of, decisions_of, scale
+from soccer_env.train.ppo.reports import curve_of, decisions_of, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
-from soccer_env.train.provenance import LIBRARIES, made_now, version_of
+from soccer_env.train.provenance import LIBRARIES, date_and_commit, version_of
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_heat_table
 
 MOST_COLUMNS = 9  # evaluations in the table of opponents
@@ -32,14 +32,14 @@ def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Seq
     add_replays(page, kept)
     if lines:
         page.section("Training")
-        for figure in courses(lines) if can_draw() else ():
+        for figure in curves_of_log(lines) if can_draw() else ():
             page.figure(draw_curves(figure, form="svg"), figure["title"])
         last = lines[-1]["seconds"]
         page.table(("last rollout", "seconds"), [(name, f"{value:.2f}") for name, value in last.items()])
     page.section("Conditions")
     page.say("This command goes on with the run, and writes this report again:")
     page.command(command_of(settings))
-    made = {**made_now(), **{name: version_of(name) for name in (*LIBRARIES, "torch", "stable-baselines3")}}
+    made = {**date_and_commit(), **{name: version_of(name) for name in (*LIBRARIES, "torch", "stable-baselines3")}}
     page.table(("", ""), list(made.items()))
     page.fold("all settings")
     page.table(("setting", "value"), [(name, str(value)) for name, value in settings.as_dict().items()])
@@ -71,7 +71,7 @@ def opponents_table(evaluations: Lines) -> bytes:
     every = -(-len(evaluations) // MOST_COLUMNS)
     shown = list(range(len(evaluations) - 1, -1, -every))[::-1]
     decisions = decisions_of(evaluations)
-    unit, words = scale(max(decisions))
+    unit, words = step_unit(max(decisions))
     columns = [f"{decisions[at] / unit:.3g}" for at in shown]
     opponents = [row["opponent"] for row in evaluations[-1]["rows"]]
     values = [[evaluations[at]["rows"][index]["goal_difference"] for at in shown] for index in range(len(opponents))]
@@ -79,10 +79,10 @@ def opponents_table(evaluations: Lines) -> bytes:
     return draw_heat_table(title, opponents, columns, values, f"decisions{words}", "against", form="svg")
 
 
-def courses(lines: Lines) -> Iterator[dict[str, Any]]:
+def curves_of_log(lines: Lines) -> Iterator[dict[str, Any]]:
     """Yield the arguments of `draw_curves` for each quantity of a run's log."""
     lines = lines[:: max(1, len(lines) // POINTS)]
-    unit, words = scale(max(line["step"] for line in lines))
+    unit, words = step_unit(max(line["step"] for line in lines))
     for title, quantity, names in COURSES:
         columns: dict[str, list[Any]] = {}
         for name in names:

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 import torch
 
-from soccer_env.agents.learned import first_decision
+from soccer_env.agents.learned import first_decision_step
 from soccer_env.match import Match
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, WALK, Rows
 
@@ -50,7 +50,7 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
     settings |= {"home": players[0], "away": players[1], "observe": "belief"}
     match = Match(controllers={"home": player, "away": opponents}, senses=senses, **settings)
     advisers = [Adviser(teacher, "ideal", **settings), Adviser(teacher, "sensors", **settings)]
-    for _ in range(first_decision(match.league.delay_steps, repeat)):
+    for _ in range(first_decision_step(match.league.delay_steps, repeat)):
         for adviser in advisers:
             adviser.commands(match)
         match.step()
@@ -60,13 +60,13 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
         plays &= ~(match.terminated | match.truncated)[:, None]
         known = match.beliefs["ball"]["age"][:, : players[0]] < KNOWN
         observations.append(match.observations[:, : players[0]][plays])
-        advice.append(advice_of(match, advisers, known, repeat)[plays])
+        advice.append(play_decision(match, advisers, known, repeat)[plays])
     for one in (match, *(adviser.match for adviser in advisers)):
         one.close()
     return np.concatenate(observations), np.concatenate(advice).astype(np.float32)
 
 
-def advice_of(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: int) -> np.ndarray:
+def play_decision(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: int) -> np.ndarray:
     """Play the control steps of a decision; return the advice (M, home, 4): the first walk, and the strongest kick."""
     kick = np.full(known.shape, NO_KICK)
     for step in range(repeat):

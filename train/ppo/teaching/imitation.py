@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import torch
 
-from soccer_env.agents.learned import first_decision
+from soccer_env.agents.learned import first_decision_step
 from soccer_env.match import Match
 from soccer_env.observations.entry import OWN_COMMAND, Entry
 from soccer_env.train.ppo.networks import SoccerPolicy
@@ -31,7 +31,7 @@ def record(
     match = Match(
         home=home, away=away, controllers={"home": teacher, "away": opponents}, autoreset="same_step", **settings
     )
-    for _ in range(first_decision(match.league.delay_steps, repeat)):
+    for _ in range(first_decision_step(match.league.delay_steps, repeat)):
         match.step()
     observations, actions = [], []
     for _ in range(decisions):
@@ -81,13 +81,13 @@ def fit(
     return errors
 
 
-def holding(settings: TrainSettings, step: int) -> float:
+def imitation_weight(settings: TrainSettings, step: int) -> float:
     """Return the weight of the imitation loss after `step` steps: it falls linearly from 1 to 0."""
     last = settings.teacher_until * settings.steps
     return max(1.0 - step / last, 0.0) if settings.teacher and last > 0.0 else 0.0
 
 
-def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
+def fit_a_little(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
     """Take a few gradient steps towards the recorded decisions, so that the actor keeps rare actions such as kicks.
 
     The optimiser is made anew each time, so that checkpoints need not keep it.
@@ -102,7 +102,7 @@ def hold(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
         optimizer.step()
 
 
-def forget_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
+def permute_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
     """Permute the entries for the robot's last command over all rows, in place, so that they carry no information.
 
     A teacher decides at every control step, so its last command nearly determines the next, and a pupil that sees it

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import torch
 
-from soccer_env.guards.whole_files import write_whole
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.teaching.imitation import Rows
 
@@ -32,7 +32,7 @@ class KeptRounds:
         buffer = io.BytesIO()
         np.savez(buffer, **dict(zip(ROWS, rows, strict=True)), **weights)  # type: ignore[arg-type]  # of arrays by name
         self.folder.mkdir(exist_ok=True)
-        write_whole(self.path(number), buffer.getvalue())
+        write_atomically(self.path(number), buffer.getvalue())
 
     def restore(self, network: torch.nn.Module) -> list[Rows]:
         """Return the rows of all kept rounds; load the last round's weights into `network`; ValueError if damaged."""

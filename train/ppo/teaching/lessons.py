@@ -6,13 +6,20 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.learned import team_of
+from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy_file import load
 from soccer_env.observations.entry import Entry
-from soccer_env.train.ppo.networks import SoccerPolicy, begin_with, policy_from
+from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_policy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.advice import advice_error, advised
-from soccer_env.train.ppo.teaching.imitation import Rows, fit, forget_own_commands, hold, holding, record
+from soccer_env.train.ppo.teaching.imitation import (
+    Rows,
+    fit,
+    fit_a_little,
+    imitation_weight,
+    permute_own_commands,
+    record,
+)
 from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.progress import Progress
 
@@ -22,14 +29,14 @@ ADVICE_BATCH = 2048  # decisions in a step of a fit to advice
 LAST_EPOCHS = 2  # times as many epochs after the last round
 
 
-def cases_of(settings: TrainSettings) -> list[Any]:
+def teaching_cases(settings: TrainSettings) -> list[Any]:
     """Return the match settings in which a teacher is recorded: (team sizes, opponent, (share, senses)) of each."""
     return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
 
 
-def shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
+def recording_shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
     """Yield, for each match setting: opponent, team sizes, decisions of a robot to record, and settings of `Match`."""
-    cases = cases_of(settings)
+    cases = teaching_cases(settings)
     decisions = max(1, round(60.0 * settings.minutes * settings.played.control_rate / settings.action_repeat))
     for index, (players, opponent, (weight, senses)) in enumerate(cases):
         share = weight * len(settings.kinds_of_senses) * settings.teacher_steps / len(cases) / players[0]
@@ -46,17 +53,17 @@ def lessons(
 ) -> Rows:
     """Record the teacher's observations and actions in every match setting of the run, from fixed seeds."""
     parts = []
-    for opponent, players, decisions, given in shares(settings):
+    for opponent, players, decisions, given in recording_shares(settings):
         given |= {"observe": settings.observe}
         parts.append(record(settings.teacher, opponent, players, decisions, settings.action_repeat, **given))
         advance(1.0)
-    return together(parts, settings, entries)
+    return join_lessons(parts, settings, entries)
 
 
-def together(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
-    """Join the rows of all parts; permute the entries for robots' own last commands (`forget_own_commands`)."""
+def join_lessons(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
+    """Join the rows of all parts; permute the entries for robots' own last commands (`permute_own_commands`)."""
     observations = np.concatenate([part[0] for part in parts])
-    forget_own_commands(observations, entries, settings.seed)
+    permute_own_commands(observations, entries, settings.seed)
     return observations, np.concatenate([part[1] for part in parts])
 
 
@@ -83,7 +90,7 @@ class Lessons:
         """
         settings = self.settings
         if settings.start:
-            begin_with(self.network, load(settings.start))
+            copy_actor(self.network, load(settings.start))
         if settings.rounds:
             yield from self._take_advice()
             return
@@ -94,14 +101,14 @@ class Lessons:
     def _imitate(self) -> None:
         """Fit the actor to its teacher's decisions."""
         settings, epochs = self.settings, self.settings.teacher_epochs
-        with Progress(f"learning from {settings.teacher}", len(cases_of(settings)) + epochs / 2) as progress:
+        with Progress(f"learning from {settings.teacher}", len(teaching_cases(settings)) + epochs / 2) as progress:
             self._rows = lessons(settings, self.network.entries, progress.advance)
             fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
 
     def _take_advice(self) -> Iterator[int]:
         """Play rounds, the first by the teacher unless a start is given; fit the actor to the advice of all rounds."""
         settings = self.settings
-        cases = len(cases_of(settings))
+        cases = len(teaching_cases(settings))
         rounds = self.kept.restore(self.network)
         for number in range(len(rounds), settings.rounds):
             with Progress(f"advised by {settings.teacher}, round {number + 1}", 2 * cases) as progress:
@@ -113,8 +120,8 @@ class Lessons:
     def _round(self, number: int, progress: Progress) -> Rows:
         """Play a round in every match setting; return observations and advice."""
         settings, parts = self.settings, []
-        player = self._player() if number or settings.start else settings.teacher
-        for opponent, players, _, given in shares(settings):
+        player = self._actor_as_team() if number or settings.start else settings.teacher
+        for opponent, players, _, given in recording_shares(settings):
             given["seed"] += ROUND_SEED * number
             parts.append(advised(player, settings.teacher, opponent, players, settings.action_repeat, **given))
             progress.advance(1.0)
@@ -124,17 +131,17 @@ class Lessons:
         """Fit the actor to the advice of all rounds so far, for more epochs after the last round."""
         settings, number = self.settings, len(rounds)
         epochs = settings.teacher_epochs * (LAST_EPOCHS if number == settings.rounds else 1)
-        cases = len(cases_of(settings))
+        cases = len(teaching_cases(settings))
         fit(
-            self.network, *together(rounds, settings, self.network.entries), epochs, settings.seed + number - 1,
+            self.network, *join_lessons(rounds, settings, self.network.entries), epochs, settings.seed + number - 1,
             lambda share: progress.advance(share * cases), batch=ADVICE_BATCH, error=advice_error,
         )  # fmt: skip
 
-    def _player(self) -> Any:
+    def _actor_as_team(self) -> Any:
         """Return the actor as it is now, as a team."""
         settings = self.settings
-        return team_of(
-            policy_from(
+        return team_from_policy(
+            export_policy(
                 self.network,
                 name=settings.name,
                 league=settings.played,
@@ -144,8 +151,8 @@ class Lessons:
             )  # fmt: skip
         )
 
-    def go_on(self, step: int, rollout: int) -> None:
+    def continue_imitation(self, step: int, rollout: int) -> None:
         """Fit the actor a little to the teacher after an update of PPO, while the imitation loss has a weight."""
-        settings, strength = self.settings, holding(self.settings, step)
+        settings, strength = self.settings, imitation_weight(self.settings, step)
         if rollout >= settings.critic_first and strength > 0.0:
-            hold(self.network, self.rows, strength, settings.seed + rollout)
+            fit_a_little(self.network, self.rows, strength, settings.seed + rollout)

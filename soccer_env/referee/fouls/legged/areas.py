@@ -13,7 +13,7 @@ No book at hand has an illegal attacker in the legged league: the rule exists, a
 from math import cos, sin
 
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import direction_of, point_of_frame
+from soccer_env.geometry import attack_direction, point_of_frame
 from soccer_env.physics.gait import LEGS, stance
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.referee.restarts import TO_WALK_OUT
@@ -30,7 +30,7 @@ def judge_areas(match, ball, robots, events, robot_events, k):
         robot = robots[r]
         if robot.active == 0 or robot.keeper == 1:
             continue
-        foul = trespass_of(match, ball, robots, r, k)
+        foul = trespass_foul(match, ball, robots, r, k)
         if foul == 0:
             robot.trespass = max(robot.trespass - k.dt, 0.0)
             continue
@@ -43,9 +43,9 @@ def judge_areas(match, ball, robots, events, robot_events, k):
 
 
 @compiled
-def trespass_of(match, ball, robots, r, k):
+def trespass_foul(match, ball, robots, r, k):
     """Return the foul that a field player commits if it stays where it is, or 0."""
-    robot, end = robots[r], -direction_of(match, robots[r].team)
+    robot, end = robots[r], -attack_direction(match, robots[r].team)
     if k.rules_illegal_defender == 1 and in_area(robot, k, end, FEET) and has_keeper(robots, robot.team):
         return DEFENDER
     if k.rules_illegal_attacker == 1 and in_area(robot, k, -end, FEET) and not is_inside(ball.x, ball.y, k, -end):
@@ -65,7 +65,7 @@ def has_keeper(robots, team):
 @compiled
 def in_own_area(match, robot, k, feet):
     """Tell whether a robot has at least `feet` feet in its own penalty area or goal."""
-    return in_area(robot, k, -direction_of(match, robot.team), feet)
+    return in_area(robot, k, -attack_direction(match, robot.team), feet)
 
 
 @compiled

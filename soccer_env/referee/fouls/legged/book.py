@@ -15,8 +15,8 @@ from soccer_env.referee.fouls.legged.keeper_pushing import judge_keeper_pushing
 from soccer_env.referee.fouls.legged.kick_off_shot import watch_kick_off
 from soccer_env.referee.fouls.legged.leaving import judge_leaving
 from soccer_env.referee.fouls.legged.pushing import judge_pushing
-from soccer_env.referee.fouls.legged.stuck import GLOBAL, TO_CENTRE, defender_at, judge_stuck
-from soccer_env.referee.fouls.penalties import take_out
+from soccer_env.referee.fouls.legged.stuck import GLOBAL, TO_CENTRE, defending_team_at, judge_stuck
+from soccer_env.referee.fouls.penalties import take_out_robot
 from soccer_env.referee.restart_call import call_restart
 from soccer_env.types import NO_TEAM, Foul, Phase
 
@@ -56,7 +56,7 @@ def restart_if_stuck(match, ball, robots, events, robot_events, k):
     verdict = judge_stuck(match, ball, robots, events, robot_events, k)
     if verdict == GLOBAL:
         events.stuck = 1
-        call_restart(match, events, KICK_OFF, defender_at(match, ball.x), 0.0, 0.0)
+        call_restart(match, events, KICK_OFF, defending_team_at(match, ball.x), 0.0, 0.0)
     elif verdict == TO_CENTRE:
         events.stuck = 1
         call_restart(match, events, DROP_BALL, NO_TEAM, 0.0, 0.0)
@@ -74,6 +74,6 @@ def take_out_guilty(match, ball, robots, robot_events, k):
         if foul == 0:
             continue
         at_once = foul in (FALLEN, GAME_STUCK) or (foul == HOLDING and robots[r].keeper == 1)
-        take_out(match, ball, robots, robot_events, r, 0.0 if at_once else k.rules_removal_time, k)
+        take_out_robot(match, ball, robots, robot_events, r, 0.0 if at_once else k.rules_removal_time, k)
         moved = True
     return moved

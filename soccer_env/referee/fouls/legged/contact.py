@@ -61,11 +61,11 @@ def walks_into(robot, other, k):
     """Tell whether the walk of a robot leads it towards another."""
     if robot.stands == 1:
         return False
-    return press_of(robot, other) > PRESS * k.drive_forward
+    return walk_speed_towards(robot, other) > PRESS * k.drive_forward
 
 
 @compiled
-def press_of(robot, other):
+def walk_speed_towards(robot, other):
     """Return the component of a robot's walk towards another robot [m/s]."""
     x, y = other.x - robot.x, other.y - robot.y
     walk_x, walk_y = out_of_frame(robot.walk.forward, robot.walk.left, cos(robot.heading), sin(robot.heading))

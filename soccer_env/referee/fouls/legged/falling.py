@@ -11,8 +11,8 @@ source says how often an ERS-210 fell, and its four paws stand wider than it is 
 """
 
 from soccer_env.compiled import compiled, inlined
-from soccer_env.random_numbers import uniform
-from soccer_env.referee.fouls.legged.contact import press_of
+from soccer_env.random_numbers import draw_uniform
+from soccer_env.referee.fouls.legged.contact import walk_speed_towards
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import Foul, RobotStream
 
@@ -31,7 +31,7 @@ def judge_falling(match, robots, events, robot_events, k):
                 whistle(match, robots, events, robot_events, r, FALLEN)
         elif k.drive_fall > 0.0 and robot_events[r].pushed == 1:
             impulse = impulse_on(robots, robot_events, r, k)
-            if uniform(robot.noise, FALL) < k.drive_fall * impulse:
+            if draw_uniform(robot.noise, FALL) < k.drive_fall * impulse:
                 robot.fallen = k.drive_fall_time
                 robot.kick_clock = 0.0
 
@@ -43,6 +43,6 @@ def impulse_on(robots, robot_events, r, k):
     for other in range(robots.shape[0]):
         x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
         if robots[other].team != robots[r].team and robot_events[other].pushes > 0 and x * x + y * y < near * near:
-            share = max(press_of(robots[other], robots[r]), 0.0) / k.drive_forward
+            share = max(walk_speed_towards(robots[other], robots[r]), 0.0) / k.drive_forward
             total += share * k.body_mass * k.drive_thrust * k.dt
     return total

@@ -23,7 +23,7 @@ from soccer_env.compiled import compiled, inlined
 from soccer_env.geometry import length
 from soccer_env.physics.contacts import outline_gap_of
 from soccer_env.referee.fouls.legged.areas import in_own_area
-from soccer_env.referee.fouls.legged.pushing import square_to_ball
+from soccer_env.referee.fouls.legged.pushing import squared_ball_distance
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import Foul
 
@@ -39,33 +39,37 @@ def judge_holding(match, ball, robots, events, robot_events, k):
     reach = k.body_reach + k.ball_radius + 2.0 * k.body_tip_radius  # no paw fits between at this distance
     for r in range(robots.shape[0]):
         robot = robots[r]
-        near = robot.active == 1 and square_to_ball(ball, robot) < reach * reach
+        near = robot.active == 1 and squared_ball_distance(ball, robot) < reach * reach
         if k.rules_carrying == 1 and carries_too_far(robot, k):
             whistle(match, robots, events, robot_events, r, HOLDING)
         if not near and robot.holding == 0.0:
             continue
-        way = way_of_ball(ball, robots, r, robot_events, k) if near else FREE
+        way = judge_hold(ball, robots, r, robot_events, k) if near else FREE
         robot.holding = max(robot.holding + way * k.dt, 0.0)
-        if way == TRAPPED and k.rules_holding == 1 and robot.holding > time_to_hold(match, robot, k) + 0.5 * k.dt:
+        if (
+            way == TRAPPED
+            and k.rules_holding == 1
+            and robot.holding > allowed_holding_time(match, robot, k) + 0.5 * k.dt
+        ):
             whistle(match, robots, events, robot_events, r, HOLDING)
 
 
 @compiled
-def time_to_hold(match, robot, k):
+def allowed_holding_time(match, robot, k):
     """Return the time [s] for which a robot may hold the ball at its present position."""
     keeps = robot.keeper == 1 and in_own_area(match, robot, k, 1)
     return k.rules_keeper_holding_time if keeps else k.rules_holding_time
 
 
 @compiled
-def way_of_ball(ball, robots, r, robot_events, k):
+def judge_hold(ball, robots, r, robot_events, k):
     """Return whether a robot traps the ball, leaves it free, or neither: TRAPPED, FREE or KEPT."""
     for other in range(robots.shape[0]):
         if robots[other].team != robots[r].team and robot_events[other].touch == 1:
             return FREE
     robot = robots[r]
     ahead = robot.walk.forward > WALKS * k.drive_forward
-    if robot.has_ball == 1 and not ahead and moves(robot, k):
+    if robot.has_ball == 1 and not ahead and turns_or_sidesteps(robot, k):
         return TRAPPED
     if is_covered(robot, ball, k):
         return TRAPPED
@@ -73,7 +77,7 @@ def way_of_ball(ball, robots, r, robot_events, k):
 
 
 @compiled
-def moves(robot, k):
+def turns_or_sidesteps(robot, k):
     """Tell whether a robot turns, steps aside or goes back."""
     back = robot.walk.forward < -WALKS * k.drive_backward
     aside = abs(robot.walk.left) > WALKS * k.drive_sideways

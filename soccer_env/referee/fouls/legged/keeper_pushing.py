@@ -28,12 +28,14 @@ def judge_keeper_pushing(match, robots, events, robot_events, k):
     for r in range(robots.shape[0]):
         if robot_events[r].pushes != KEEPER:
             continue
-        if robots[r].keeper_pushing > k.rules_keeper_pushing_time + 0.5 * k.dt or joins(robots, robot_events, r, k):
+        if robots[r].keeper_pushing > k.rules_keeper_pushing_time + 0.5 * k.dt or joins_pushing_mate(
+            robots, robot_events, r, k
+        ):
             whistle(match, robots, events, robot_events, r, KEEPER_PUSHING)
 
 
 @compiled
-def joins(robots, robot_events, r, k):
+def joins_pushing_mate(robots, robot_events, r, k):
     """Tell whether robot r joins a mate that has pushed the goalkeeper for longer; at equal times neither joins."""
     for mate in range(robots.shape[0]):
         if mate == r or robots[mate].team != robots[r].team or robot_events[mate].pushes != KEEPER:

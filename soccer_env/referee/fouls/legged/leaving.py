@@ -8,7 +8,7 @@ assumed: half a turn takes 4 s. A goalkeeper may stand in its own goal.
 """
 
 from soccer_env.compiled import inlined
-from soccer_env.geometry import direction_of
+from soccer_env.geometry import attack_direction
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import Foul
 
@@ -22,7 +22,7 @@ def judge_leaving(match, robots, events, robot_events, k):
     for r in range(robots.shape[0]):
         robot = robots[r]
         away = robot.active == 1 and abs(robot.x) > edge
-        if not away or (robot.keeper == 1 and robot.x * direction_of(match, robot.team) < 0.0):
+        if not away or (robot.keeper == 1 and robot.x * attack_direction(match, robot.team) < 0.0):
             robot.beyond = 0.0
             continue
         robot.beyond += k.dt

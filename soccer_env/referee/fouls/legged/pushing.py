@@ -21,7 +21,7 @@ def judge_pushing(match, ball, robots, events, robot_events, k):
     """Whistle robots that have pushed for too long."""
     for r in range(robots.shape[0]):
         robot = robots[r]
-        guilty = robot_events[r].pushes > 0 and not is_exempt(match, ball, robots, r, k)
+        guilty = robot_events[r].pushes > 0 and not may_push(match, ball, robots, r, k)
         if not guilty and robot.pushing == 0.0:
             continue
         robot.pushing = run_clock(robot.pushing, guilty, k.dt)
@@ -30,22 +30,22 @@ def judge_pushing(match, ball, robots, events, robot_events, k):
 
 
 @compiled
-def is_exempt(match, ball, robots, r, k):
+def may_push(match, ball, robots, r, k):
     """Tell whether a robot may push: its team's nearest to the ball and near it, or a goalkeeper in its area."""
     if robots[r].keeper == 1 and in_own_area(match, robots[r], k, FEET):
         return True
-    mine = square_to_ball(ball, robots[r])
+    mine = squared_ball_distance(ball, robots[r])
     if mine > k.rules_pushing_exempt * k.rules_pushing_exempt:
         return False
     for mate in range(robots.shape[0]):
         plays = robots[mate].active == 1 and robots[mate].team == robots[r].team
-        if plays and square_to_ball(ball, robots[mate]) < mine:
+        if plays and squared_ball_distance(ball, robots[mate]) < mine:
             return False
     return True
 
 
 @compiled
-def square_to_ball(ball, robot):
+def squared_ball_distance(ball, robot):
     """Return the squared distance of a robot's centre from the ball [m2]."""
     x, y = ball.x - robot.x, ball.y - robot.y
     return x * x + y * y

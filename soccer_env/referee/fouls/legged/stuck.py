@@ -15,8 +15,8 @@ The book of 2008 lacks the dropped ball after 15 s, which is remembered of 2001.
 """
 
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import direction_of
-from soccer_env.referee.fouls.legged.pushing import square_to_ball
+from soccer_env.geometry import attack_direction
+from soccer_env.referee.fouls.legged.pushing import squared_ball_distance
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.types import AWAY, HOME, Foul, Phase
 
@@ -36,7 +36,7 @@ def judge_stuck(match, ball, robots, events, robot_events, k):
     """Whistle a stuck game; return GLOBAL or TO_CENTRE if the ball has to be moved, STUCK or NOBODY if not."""
     if match.phase != PLAY and match.phase != DROP_BALL:
         match.idle_clock = 0.0
-        start_anew(match, ball)
+        restart_stuck_clock(match, ball)
         return NOBODY
     if k.rules_global_stuck == 1 and match.idle_clock > k.rules_global_stuck_time - 0.5 * k.dt:
         return GLOBAL
@@ -44,7 +44,7 @@ def judge_stuck(match, ball, robots, events, robot_events, k):
         return NOBODY
     x, y, far = ball.x - match.local_x, ball.y - match.local_y, k.rules_local_stuck_radius
     if x * x + y * y > far * far:
-        start_anew(match, ball)
+        restart_stuck_clock(match, ball)
         return NOBODY
     if match.idle_clock < AT_BALL:
         match.local_clock += k.dt
@@ -52,18 +52,18 @@ def judge_stuck(match, ball, robots, events, robot_events, k):
         match.local_clock = 0.0
     if match.local_clock < k.rules_local_stuck_time - 0.5 * k.dt:
         return NOBODY
-    start_anew(match, ball)
+    restart_stuck_clock(match, ball)
     r = nearest_robot(ball, robots)
     if r < 0:
         return NOBODY
-    if robots[r].keeper == 1 and robots[r].x * direction_of(match, robots[r].team) < k.body_reach:
+    if robots[r].keeper == 1 and robots[r].x * attack_direction(match, robots[r].team) < k.body_reach:
         return TO_CENTRE
     whistle(match, robots, events, robot_events, r, GAME_STUCK)
     return STUCK
 
 
 @compiled
-def start_anew(match, ball):
+def restart_stuck_clock(match, ball):
     """Restart the clock of local game stuck, and store the ball's position as the point that the ball has to leave."""
     match.local_x, match.local_y, match.local_clock = ball.x, ball.y, 0.0
 
@@ -73,13 +73,13 @@ def nearest_robot(ball, robots):
     """Return the row of the robot nearest to the ball, or -1."""
     nearest, least = -1, 0.0
     for r in range(robots.shape[0]):
-        square = square_to_ball(ball, robots[r])
+        square = squared_ball_distance(ball, robots[r])
         if robots[r].active == 1 and (nearest < 0 or square < least):
             nearest, least = r, square
     return nearest
 
 
 @compiled
-def defender_at(match, x):
+def defending_team_at(match, x):
     """Return the team in whose half a place lies."""
     return HOME if x * match.home_direction < 0.0 else AWAY

@@ -31,7 +31,7 @@ def find_trespassing(match, ball, robots, k):
         trespasses = in_goal_area(match, robot, HOME, k) or in_goal_area(match, robot, AWAY, k)
         trespasses = trespasses and not (robot.keeper == 1 and in_goal_area(match, robot, robot.team, k))
         robot.area_clock = robot.area_clock + k.dt if trespasses else 0.0
-        robot.crowd_clock = robot.crowd_clock + k.dt if crowds(match, ball, robots, r, k) else 0.0
+        robot.crowd_clock = robot.crowd_clock + k.dt if crowds_own_area(match, ball, robots, r, k) else 0.0
         if k.rules_goal_area == 1 and robot.area_clock >= limit:
             row, where = r, GOAL_AREA
         elif k.rules_penalty_area == 1 and robot.crowd_clock >= limit:
@@ -40,7 +40,7 @@ def find_trespassing(match, ball, robots, k):
 
 
 @compiled
-def crowds(match, ball, robots, r, k):
+def crowds_own_area(match, ball, robots, r, k):
     """Tell whether field player r is in its own penalty area with a mate that is nearer to the ball."""
     if robots[r].keeper == 1 or not in_penalty_area(match, robots[r], robots[r].team, k):
         return False

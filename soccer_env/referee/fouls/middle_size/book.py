@@ -14,9 +14,9 @@ from soccer_env.geometry import clip
 from soccer_env.referee.calls import goal_scored
 from soccer_env.referee.fouls.middle_size.areas import GOAL_AREA, find_trespassing
 from soccer_env.referee.fouls.middle_size.charging import CHARGES, CHARGES_KEEPER, find_charging
-from soccer_env.referee.fouls.middle_size.distances import TOUCHED, find_encroaching, put_back
+from soccer_env.referee.fouls.middle_size.distances import TOUCHED, find_encroaching, put_back_robot
 from soccer_env.referee.fouls.middle_size.handling import SURROUNDS, find_handling
-from soccer_env.referee.fouls.middle_size.taking import watch_taking
+from soccer_env.referee.fouls.middle_size.taking import watch_restart_taker
 from soccer_env.referee.fouls.penalties import send_off, whistle
 from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.types import Foul, Phase
@@ -32,7 +32,7 @@ YELLOW, OUT = 1, 2  # cards
 @inlined
 def judge_middle_size(match, ball, robots, events, robot_events, touching, k):
     """Whistle for a foul of the middle size; tell whether robots were moved."""
-    again = watch_taking(match, ball, robots, robot_events, k)
+    again = watch_restart_taker(match, ball, robots, robot_events, k)
     if match.phase != PLAY:
         return judge_distances(match, robots, events, robot_events, k)
     if again:
@@ -65,8 +65,8 @@ def punish(match, ball, robots, events, robot_events, k, r, foul, hard):
         give_free_kick(match, events, k, robots[r].team, robots[r].x, robots[r].y)
     else:
         match.phase_clock = k.rules_shoot_out_time  # the kick is over
-    forget(robots)
-    return book(robots, robot_events, r, hard, k)
+    reset_foul_clocks(robots)
+    return book_foul(robots, robot_events, r, hard, k)
 
 
 @compiled
@@ -80,13 +80,13 @@ def judge_distances(match, robots, events, robot_events, k):
         x, y = match.restart_x, match.restart_y
         call_restart(match, events, match.phase, match.restart_team, x, y)
     else:
-        put_back(match, robots, row, k)
-    book(robots, robot_events, row, False, k)
+        put_back_robot(match, robots, row, k)
+    book_foul(robots, robot_events, row, False, k)
     return True
 
 
 @compiled
-def forget(robots):
+def reset_foul_clocks(robots):
     """Reset all clocks of fouls: the ball is dead."""
     for r in range(robots.shape[0]):
         robot = robots[r]
@@ -97,12 +97,12 @@ def forget(robots):
 @compiled
 def give_free_kick(match, events, k, culprit_team, x, y):
     """Call a free kick for the opponents of a team, near a point of the field [m]."""
-    x, y = spot(k, x, y)
+    x, y = free_kick_spot(k, x, y)
     call_restart(match, events, FREE_KICK, other_team(culprit_team), x, y)
 
 
 @compiled
-def spot(k, x, y):
+def free_kick_spot(k, x, y):
     """Return the spot of a free kick for a foul at a point [m]: on the pitch, not within a goal area.
 
     FIFA's Law 13 of 2005: a free kick within the opponents' goal area is taken from that area's line, at the point
@@ -117,7 +117,7 @@ def spot(k, x, y):
 
 
 @compiled
-def book(robots, robot_events, r, hard, k):
+def book_foul(robots, robot_events, r, hard, k):
     """Count a foul of robot r; tell whether it is sent off for it.
 
     FIFA's Laws 5 and 12 of 2005: two yellow cards are a red card, for the rest of the match. Remembered: this held in

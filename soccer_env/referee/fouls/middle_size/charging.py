@@ -28,7 +28,7 @@ def find_charging(match, ball, robots, robot_events, touching, k):
     for r in range(robots.shape[0]):
         offence = NEVER
         if robot_events[r].collision == 1 and robots[r].active == 1:
-            offence = judge_driver(match, ball, robots, touching, r, k)
+            offence = judge_charging_robot(match, ball, robots, touching, r, k)
         elif robots[r].charging > 0.0:
             robots[r].charging = max(robots[r].charging - k.dt, 0.0)
         if offence > worst:
@@ -37,13 +37,13 @@ def find_charging(match, ball, robots, robot_events, touching, k):
 
 
 @compiled
-def judge_driver(match, ball, robots, touching, r, k):
+def judge_charging_robot(match, ball, robots, touching, r, k):
     """Return the offence of robot r against the opponents that it touches."""
     offence, speed = NEVER, 0.0
     for other in range(robots.shape[0]):
         if robots[other].team == robots[r].team or robots[other].active == 0:
             continue
-        into = drives_into(robots[r], robots[other], k)
+        into = charging_speed(robots[r], robots[other], k)
         if into < k.rules_charging_speed or not touches(touching, r, other):
             continue
         keeper = robots[other].keeper == 1 and in_goal_area(match, robots[other], robots[other].team, k)
@@ -64,19 +64,19 @@ def judge_driver(match, ball, robots, touching, r, k):
 
 
 @compiled
-def drives_into(robot, other, k):
+def charging_speed(robot, other, k):
     """Return the speed at which a robot drives into another [m/s]; 0 if they are far apart."""
     x, y = other.x - robot.x, other.y - robot.y
     away = length(x, y)
     if away > 2.0 * k.body_reach + k.dt * k.drive_forward or away < 1e-6:
         return 0.0
-    vx, vy = driven(robot)
-    other_vx, other_vy = driven(other)
+    vx, vy = wanted_velocity(robot)
+    other_vx, other_vy = wanted_velocity(other)
     return (vx * x + vy * y - max(other_vx * x + other_vy * y, 0.0)) / away
 
 
 @compiled
-def driven(robot):
+def wanted_velocity(robot):
     """Return the velocity that a robot's legs or wheels want [m/s, field frame]."""
     return out_of_frame(robot.walk.forward, robot.walk.left, cos(robot.heading), sin(robot.heading))
 

@@ -10,8 +10,8 @@ goalkeeper may stay in its goal area.
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.referee.areas import in_goal_area
-from soccer_env.referee.fouls.middle_size.taking import touches
-from soccer_env.referee.restarts import distance_from_ball, put_robot, send_back, stay
+from soccer_env.referee.fouls.middle_size.taking import touches_ball
+from soccer_env.referee.restarts import distance_from_ball, keep_present_pose, put_robot, send_back
 from soccer_env.types import NO_TEAM, Phase
 
 PLAY = int(Phase.PLAY)
@@ -28,7 +28,7 @@ def find_encroaching(match, robots, robot_events, k):
         robot = robots[r]
         if robot.team == match.restart_team or robot.active == 0:
             continue
-        if touches(robot_events[r]):
+        if touches_ball(robot_events[r]):
             return r, TOUCHED
         far = distance_from_ball(match, robot, k) - k.rules_distance_slack
         near = length(robot.x - match.restart_x, robot.y - match.restart_y) < far
@@ -42,10 +42,10 @@ def find_encroaching(match, robots, robot_events, k):
 
 
 @compiled
-def put_back(match, robots, r, k):
+def put_back_robot(match, robots, r, k):
     """Put robot r back to the nearest place where it may stand at the restart."""
     for other in range(robots.shape[0]):
-        stay(robots[other])
+        keep_present_pose(robots[other])
     send_back(match, robots, r, k)
     put_robot(robots[r])
     robots[r].near_clock = 0.0

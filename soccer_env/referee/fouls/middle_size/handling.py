@@ -28,18 +28,18 @@ def find_handling(ball, robots, k):
         if robots[r].active == 0 or x * x + y * y > near * near:
             robots[r].handling = robots[r].backed = robots[r].dribbled = 0.0
             continue
-        offence = judge_handler(robots[r], k, x, y)
+        offence = judge_handling_robot(robots[r], k, x, y)
         if offence != FAIR:
             row, what = r, offence
     return row, what
 
 
 @compiled
-def judge_handler(robot, k, x, y):
+def judge_handling_robot(robot, k, x, y):
     """Run the clocks of a robot near the ball; return its offence."""
     cosine, sine = cos(robot.heading), sin(robot.heading)
     ahead, left = into_frame(x, y, cosine, sine)
-    deep = share_within(k, ahead, left) > k.rules_handling_share
+    deep = ball_share_within(k, ahead, left) > k.rules_handling_share
     robot.handling = robot.handling + k.dt if deep else 0.0
     if robot.has_ball == 1:
         speed, _ = into_frame(robot.vx, robot.vy, cosine, sine)
@@ -54,7 +54,7 @@ def judge_handler(robot, k, x, y):
 
 
 @compiled
-def share_within(k, ahead, left):
+def ball_share_within(k, ahead, left):
     """Return the share of the ball's diameter that lies within a robot's convex hull, seen from its front.
 
     The front of the hull is the line that touches both tips of the guide; a ball within it lies between them.

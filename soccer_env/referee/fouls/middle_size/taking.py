@@ -18,7 +18,7 @@ THROW_IN, GOAL_KICK, CORNER_KICK = int(Phase.THROW_IN), int(Phase.GOAL_KICK), in
 
 
 @inlined
-def watch_taking(match, ball, robots, robot_events, k):
+def watch_restart_taker(match, ball, robots, robot_events, k):
     """Note the taker of a restart until another robot touches the ball; tell whether it touches the ball twice."""
     if match.phase != PLAY:
         note_taker(match, robots, robot_events, k)
@@ -27,11 +27,11 @@ def watch_taking(match, ball, robots, robot_events, k):
         match.indirect = 0
         return False
     for r in range(robots.shape[0]):
-        if r != match.taker and touches(robot_events[r]):
+        if r != match.taker and touches_ball(robot_events[r]):
             match.taker = -1
             match.indirect = 0
             return False
-    if not touches(robot_events[match.taker]):
+    if not touches_ball(robot_events[match.taker]):
         match.taker_clock += k.dt
         return False
     again = match.taker_clock >= k.rules_touch_break - 0.5 * k.dt
@@ -47,14 +47,14 @@ def note_taker(match, robots, robot_events, k):
     if match.restart_team == NO_TEAM:
         return
     for r in range(robots.shape[0]):
-        if robots[r].team == match.restart_team and touches(robot_events[r]):
+        if robots[r].team == match.restart_team and touches_ball(robot_events[r]):
             match.taker = r
             match.taker_clock = 0.0
             match.indirect = 0 if allows_goal(k, match.phase) else 1
 
 
 @compiled
-def touches(robot_event):
+def touches_ball(robot_event):
     """Tell whether a robot touched or kicked the ball in this step."""
     return robot_event.touch == 1 or robot_event.kick == 1
 

@@ -11,7 +11,7 @@ from soccer_env.referee.fouls.legged.falling import impulse_on
 from soccer_env.referee.fouls.legged.holding import is_covered
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, KEEPER, NOSES, POCKET, asks, court, face, fouls, rows
-from tests.scenes.staging import LEGGED, asking, place, play, put, put_ball, stage, stand
+from tests.scenes.staging import LEGGED, place, play, put, put_ball, robot_actions, stage, stand
 
 HOLDING, CARRYING = "holding=True", "carrying=True,carrying_distance=0.3"
 DT = 1.0 / 16.0
@@ -39,7 +39,7 @@ def at_work(match, r, x, y=0.0, **asked):
         robot["walk"][name] = robot["target"][name] = robot["delayed"][name] = share * (
             drive.backward if name == "forward" and share < 0.0 else tops[name]
         )
-    return asking(match, r, **asked)
+    return robot_actions(match, r, **asked)
 
 
 @pytest.mark.parametrize("asked", [{"turn": 0.5}, {"turn": -0.5}, {"left": 0.6}, {"forward": -0.6}])

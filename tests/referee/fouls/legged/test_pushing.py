@@ -7,10 +7,10 @@ import pytest
 
 from soccer_env.referee.fouls.legged import contact
 from soccer_env.referee.fouls.legged.contact import note_push, note_pushes_through_ball
-from soccer_env.referee.fouls.legged.keeper_pushing import joins
+from soccer_env.referee.fouls.legged.keeper_pushing import joins_pushing_mate
 from soccer_env.types import Foul
 from tests.scenes.fouls import BODY, FOOT_IN, KEEPER, NOSES, OTHER_KEEPER, POCKET, asks, court, face, fouls, rows
-from tests.scenes.staging import asking, place, put, put_ball, stand
+from tests.scenes.staging import place, put, put_ball, robot_actions, stand
 
 PUSHING = "pushing=True"
 
@@ -44,7 +44,7 @@ def test_three_seconds_are_legal_one_step_more_is_not_nor_a_charge_and_who_stand
     found = fouls(match, asks(match, r1=1.0, r4=1.0), 6.0)
     assert rows(found) == [1, 4] and found[0][0] == found[1][0]
     match, mates, off = before(), before(other=2), before(rules="pushing=False")
-    assert fouls(match, stand(match), 6.0) == fouls(match, asking(match, 1, turn=1.0), 6.0) == []
+    assert fouls(match, stand(match), 6.0) == fouls(match, robot_actions(match, 1, turn=1.0), 6.0) == []
     assert fouls(match, asks(match, r1=-1.0), 2.0) == []
     assert fouls(mates, asks(mates, r1=1.0), 6.0) == fouls(off, asks(off, r1=1.0), 8.0) == []
 
@@ -182,7 +182,7 @@ def test_who_comes_after_a_mate_joins_it_and_of_two_that_come_at_once_neither_do
     match.robot_events["pushes"][0, 1:3] = contact.KEEPER
     match.robots["keeper_pushing"][0, 1:3] = 0.3 + longer, 0.3
     match.robots["team"][0, 1] = team
-    assert joins(match.robots[0], match.robot_events[0], 2, match.batch.constants[0]) == joined
+    assert joins_pushing_mate(match.robots[0], match.robot_events[0], 2, match.batch.constants[0]) == joined
 
 
 @pytest.mark.parametrize(("ball", "pushes"), [(NEAR + POCKET, contact.KEEPER), (NEAR - POCKET, 0)])

@@ -2,10 +2,10 @@
 
 import pytest
 
-from soccer_env.referee.fouls.middle_size.book import OUT, YELLOW, book
+from soccer_env.referee.fouls.middle_size.book import OUT, YELLOW, book_foul
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
-from tests.scenes.staging import asking, each_step, play
+from tests.scenes.staging import play, record_each_step, robot_actions
 
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
 GOAL_AREA, PENALTY_AREA = Foul.GOAL_AREA, Foul.PENALTY_AREA
@@ -89,11 +89,11 @@ def test_each_can_be_switched_off(rule):
 
 
 def cards(referee, hard):
-    """Return the cards and what `book` says, for fouls of robot 1 one after the other."""
+    """Return the cards and what `book_foul` says, for fouls of robot 1 one after the other."""
     shown = []
     for one in hard:
         referee.deeds["card"] = 0
-        out = book(referee.robots, referee.deeds, referee.rows[1], one, referee.k)
+        out = book_foul(referee.robots, referee.deeds, referee.rows[1], one, referee.k)
         shown.append((int(referee.deeds["card"][referee.rows[1]]), bool(out)))
     return shown
 
@@ -110,7 +110,7 @@ def test_a_hard_foul_is_a_yellow_card_at_once_who_is_sent_off_stays_away_and_car
     referee = Referee()
     assert cards(referee, [True, True]) == [(YELLOW, False), (OUT, True)]
     referee.match.rebuild()
-    play(referee.match, actions=asking(referee.match, referee.rows[1], 1.0), steps=150)
+    play(referee.match, actions=robot_actions(referee.match, referee.rows[1], 1.0), steps=150)
     assert referee.robots["active"].tolist() == [1, 0, 1, 1, 1, 1]
     assert cards(Referee(timed_cards=True), [True] * 4) == [(YELLOW, False), (OUT, True)] * 2
     referee = Referee(cards=False)
@@ -122,5 +122,5 @@ def test_the_timed_variant_lets_it_come_back_after_its_time():
     cards(referee, [True, True])
     assert referee.robots["banned"].max() == 0 and referee.robots["penalty"][1] == 1.0
     referee.match.rebuild()
-    assert each_step(referee.match, lambda: referee.robots["active"][1], steps=60).tolist().index(1) == 49
+    assert record_each_step(referee.match, lambda: referee.robots["active"][1], steps=60).tolist().index(1) == 49
     assert abs(referee.robots["x"][1]) < 0.5 and abs(referee.robots["y"][1]) > 3.0

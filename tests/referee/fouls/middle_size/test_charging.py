@@ -5,10 +5,10 @@ from math import pi
 import pytest
 
 from soccer_env.match.staging import put_ball
-from soccer_env.referee.fouls.middle_size.handling import share_within
+from soccer_env.referee.fouls.middle_size.handling import ball_share_within
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
-from tests.scenes.staging import asking, each_step
+from tests.scenes.staging import record_each_step, robot_actions
 
 CONTACT = 0.448  # [m] between robots, the tips of one at the back of the other
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
@@ -75,8 +75,8 @@ def test_the_robot_nearest_to_the_ball_may_fight_for_it_and_who_runs_into_anothe
     referee = behind(0.0)
     referee.put(1, 0.0, 0.0, 0.0, 2.6)
     referee.match.rebuild()
-    actions = asking(referee.match, referee.rows[1], 1.0)
-    assert Foul.CHARGING in each_step(referee.match, lambda: referee.events["foul"], 0.0, actions, 25)
+    actions = robot_actions(referee.match, referee.rows[1], 1.0)
+    assert Foul.CHARGING in record_each_step(referee.match, lambda: referee.events["foul"], 0.0, actions, 25)
 
 
 def test_time_out_of_contact_is_taken_off_and_mates_may_push_each_other():
@@ -124,13 +124,15 @@ HULL, DIAMETER = 0.235, 0.22  # [m] the line that touches the tips of the guide;
 
 @pytest.mark.parametrize("share", [0.0, 0.25, 1.0 / 3.0, 0.5])
 def test_the_share_of_the_ball_within_the_hull_follows_from_where_it_lies(share):
-    assert share_within(Referee().k, HULL + DIAMETER * (0.5 - share), 0.1) == pytest.approx(share, abs=1e-9)
+    assert ball_share_within(Referee().k, HULL + DIAMETER * (0.5 - share), 0.1) == pytest.approx(share, abs=1e-9)
 
 
 def test_at_the_kicker_the_ball_lies_within_by_a_quarter_and_outside_beside_the_guide_or_behind_the_robot():
     k = Referee().k
-    assert share_within(k, 0.18 + 0.11, 0.0) == pytest.approx(0.055 / 0.22)
-    assert share_within(k, 0.2, 0.151) == share_within(k, 0.2, -0.151) == share_within(k, -0.3, 0.0) == 0.0
+    assert ball_share_within(k, 0.18 + 0.11, 0.0) == pytest.approx(0.055 / 0.22)
+    assert (
+        ball_share_within(k, 0.2, 0.151) == ball_share_within(k, 0.2, -0.151) == ball_share_within(k, -0.3, 0.0) == 0.0
+    )
 
 
 def held(share, team=HOME, **changes):

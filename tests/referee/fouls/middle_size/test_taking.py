@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from soccer_env.match.staging import put_ball
-from soccer_env.referee.fouls.middle_size.book import spot
+from soccer_env.referee.fouls.middle_size.book import free_kick_spot
 from soccer_env.types import AWAY, HOME, Foul, Phase
 from tests.scenes.referee import Referee
-from tests.scenes.staging import each_step, stand
+from tests.scenes.staging import record_each_step, stand
 
 RESTARTS = (Phase.KICK_OFF, Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK, Phase.FREE_KICK)
 each_team = pytest.mark.parametrize("team", [HOME, AWAY])
@@ -145,7 +145,7 @@ def test_a_switch_for_each_restart_lets_its_goals_count_and_in_the_simple_rules_
     ((6.3, 2.0), (5.8, 2.0)), ((1.0, -4.4), (1.0, -3.8)),
 ])  # fmt: skip
 def test_it_is_taken_where_the_foul_was_on_the_pitch_and_out_of_the_goal_areas(foul, place):
-    assert spot(Referee().k, *foul) == pytest.approx(place)
+    assert free_kick_spot(Referee().k, *foul) == pytest.approx(place)
 
 
 @each_team
@@ -209,4 +209,4 @@ def test_after_ten_seconds_everybody_may_play_the_ball():
     referee.restart(Phase.FREE_KICK, 0.0, 0.0)
     referee.record["phase_clock"] = 0.0
     referee.match.rebuild()
-    assert each_step(referee.match, lambda: referee.events["in_play"], steps=501).tolist().index(1) == 499
+    assert record_each_step(referee.match, lambda: referee.events["in_play"], steps=501).tolist().index(1) == 499

@@ -16,11 +16,11 @@ from soccer_env.render.closeup import Closeup
 from soccer_env.render.colours import TEAMS
 from soccer_env.render.overlays.cast import Cast, cast_of
 from soccer_env.replay import Recorder, Thoughts
-from soccer_env.thoughts.thought import Reader
+from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.watching import tape as tapes
-from soccer_env.train.command.watching.deck import HELP, OVERLAYS, Deck
-from soccer_env.train.command.watching.tape import Tape, live
+from soccer_env.train.command.watching.deck import HELP, OVERLAYS, PlaybackControls
+from soccer_env.train.command.watching.tape import Tape, play_live
 from soccer_env.train.command.watching.watching import frame_of, show
 
 
@@ -34,30 +34,30 @@ def step_of(tape: Tape) -> int:
 
 
 def test_a_tape_goes_on_and_back_and_stops_at_both_ends() -> None:
-    tape = Tape(live(played()), stride=4)
-    tape.go(3)
+    tape = Tape(play_live(played()), stride=4)
+    tape.move_by(3)
     assert step_of(tape) == 12
-    tape.go(-2)
+    tape.move_by(-2)
     assert step_of(tape) == 4
-    tape.go(-99)
+    tape.move_by(-99)
     assert step_of(tape) == 0
-    tape.go(99)
+    tape.move_by(99)
     assert step_of(tape) == 40 and tape.ended
 
 
 def test_a_tape_gives_up_its_oldest_shots(monkeypatch: MonkeyPatch) -> None:
     monkeypatch.setattr(tapes, "KEPT", 8)
-    tape = Tape(live(played()))
+    tape = Tape(play_live(played()))
     for step in range(1, 31):
-        tape.go(1)
+        tape.move_by(1)
         assert step_of(tape) == step and len(tape.shots) <= 8
-    tape.go(-99)
+    tape.move_by(-99)
     assert 22 <= step_of(tape) < 30
 
 
 def test_keys_pause_step_seek_and_change_the_speed() -> None:
-    tape = Tape(live(played(200)))
-    deck = Deck(tape, 16.0, 1.0)
+    tape = Tape(play_live(played(200)))
+    deck = PlaybackControls(tape, 16.0, 1.0)
     assert (deck.fps, deck.skip) == (16.0, 1)
     for key, step, paused in ((".", 1, True), (".", 2, True), (",", 1, True), ("right", 81, True), ("left", 1, True)):
         deck.press(key)
@@ -70,7 +70,7 @@ def test_keys_pause_step_seek_and_change_the_speed() -> None:
     deck.press("x")
     assert step_of(tape) == 0
     with pytest.raises(ValueError, match="speed must be above 0 and at most 100, got 0"):
-        Deck(tape, 16.0, 0.0)
+        PlaybackControls(tape, 16.0, 0.0)
 
 
 def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: MonkeyPatch, tmp_path: Path) -> None:
@@ -101,14 +101,14 @@ def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: MonkeyPat
     pygame.quit()
 
 
-def watched(steps: int = 90) -> tuple[Deck, Cast]:
+def watched(steps: int = 90) -> tuple[PlaybackControls, Cast]:
     match = Match(home=2, away=1, controllers={"home": "sacks-2001", "away": "chaser"}, seed=2)
     thoughts = Thoughts(match)
-    deck = Deck(Tape(live(match, thoughts)), 16.0, 1.0, agents=tuple(match.agents))
-    deck.tape.go(steps)
+    deck = PlaybackControls(Tape(play_live(match, thoughts)), 16.0, 1.0, agents=tuple(match.agents))
+    deck.tape.move_by(steps)
     while np.hypot(deck.tape.shot.ball["vx"], deck.tape.shot.ball["vy"]) < 0.3:  # until it rolls, and leaves a trail
-        deck.tape.go(1)
-    return deck, cast_of(match, Reader.of(thoughts))
+        deck.tape.move_by(1)
+    return deck, cast_of(match, NoteReader.of(thoughts))
 
 
 def test_each_overlay_has_a_key_and_the_help_names_it() -> None:
@@ -132,7 +132,7 @@ def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
     assert deck.flags.robot == "ball"
     deck.press("r")
     deck.press("r")
-    assert deck.flags.robot == "home_1" and cast.picked(deck.flags, deck.tape.shot) == 1
+    assert deck.flags.robot == "home_1" and cast.selected_row(deck.flags, deck.tape.shot) == 1
     deck.press("f")
     near = frame_of(deck, cast, picture, ("a", "b"))
     assert deck.follow == "robot" and near.shape == whole.shape and not np.array_equal(near, whole)
@@ -149,10 +149,19 @@ def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
 def test_two_matches_are_shown_in_one_process(monkeypatch: MonkeyPatch) -> None:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     other = Window("other")
-    other.show(Picture("middle-size-2006", 320).draw(*Tape(live(Match("middle-size-2006", home=1, away=1))).shot[:3]))
+    other.show(
+        Picture("middle-size-2006", 320).draw(*Tape(play_live(Match("middle-size-2006", home=1, away=1))).shot[:3])
+    )
     match = played(4)
-    tape = Tape(live(match))
-    show(Deck(tape, 16.0, 100.0), cast_of(match, None), Closeup("legged-2001", 320), Window(), ("a", "b"), stays=False)
+    tape = Tape(play_live(match))
+    show(
+        PlaybackControls(tape, 16.0, 100.0),
+        cast_of(match, None),
+        Closeup("legged-2001", 320),
+        Window(),
+        ("a", "b"),
+        stays=False,
+    )
     assert other.is_open and tape.ended
     other.close()
     pygame.quit()

@@ -15,7 +15,7 @@ from soccer_env.leagues.rules import NEVER, rule_set
 from soccer_env.records.beliefs import TRACK
 from soccer_env.render import Area, Label, Points, Polyline
 from soccer_env.render.colours import BALL_SHINE, TEAMS_LIGHT
-from soccer_env.render.overlays.sight import to_board
+from soccer_env.render.overlays.sight import ray_end
 from soccer_env.train.pages.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pages.pictures.__main__ import many_matches
 from soccer_env.train.pages.pictures.belief import belief_overlays, belief_picture, believed_player, field_of_view
@@ -71,8 +71,8 @@ def test_the_field_of_view_is_as_wide_as_the_cameras_and_ends_at_the_boards() ->
     assert angles[-1] - angles[0] == pytest.approx(league.sensors.view_width)
     assert (angles[0] + angles[-1]) / 2 == pytest.approx(pi / 2 - 0.4)
     assert all(max(abs(a) - 1.5, abs(b) - 1.0) == pytest.approx(0.0, abs=1e-9) for a, b in edge)
-    assert to_board(league, 0.0, 0.0, pi / 2) == pytest.approx((0.0, 1.0), abs=1e-9)
-    assert to_board(league, 0.0, 0.0, pi) == pytest.approx((-1.5, 0.0), abs=1e-9)
+    assert ray_end(league, 0.0, 0.0, pi / 2) == pytest.approx((0.0, 1.0), abs=1e-9)
+    assert ray_end(league, 0.0, 0.0, pi) == pytest.approx((-1.5, 0.0), abs=1e-9)
     assert field_of_view(find_league("middle-size-2006"), (0.0, 0.0, 0.0), 0.0) == []
 
 

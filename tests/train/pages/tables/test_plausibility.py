@@ -3,7 +3,14 @@
 import pytest
 
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from soccer_env.train.pages.tables.plausibility import PUBLISHED, SHOWN, cell_of, plausibility_rows, play_of, verdict
+from soccer_env.train.pages.tables.plausibility import (
+    PUBLISHED,
+    SHOWN,
+    cell_of,
+    plausibility_rows,
+    statistics_of_play,
+    verdict,
+)
 from soccer_env.train.pages.tables.teams import row_of
 
 
@@ -35,7 +42,7 @@ def test_a_row_shows_what_both_teams_did_together() -> None:
     """So few matches say little: the bound is twice the goals of the richest real game."""
     settings = EvaluateSettings(home="chaser", away="chaser", matches=8, minutes=3.0, senses="ideal", seed=5)
     result = evaluate(settings)
-    play = play_of(result)
+    play = statistics_of_play(result)
     assert [*play] == [*SHOWN]
     value, low, high, unit = play["goals"]
     assert value == pytest.approx((result.goals_for + result.goals_against) / (8 * 3.0))

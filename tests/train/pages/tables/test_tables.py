@@ -16,7 +16,7 @@ SAME = all(DATA["scripted"]["about"][name] == tables.about()[name] for name in (
 
 @pytest.mark.parametrize("page", sorted(set(tables.PAGES.values())))
 def test_every_page_shows_what_was_measured(page: str) -> None:
-    assert tables.with_tables(tables.page_text(page), page, DATA) == tables.page_text(page)
+    assert tables.fill_page_tables(tables.page_text(page), page, DATA) == tables.page_text(page)
 
 
 def test_every_table_stands_in_its_page_and_in_no_other() -> None:
@@ -39,10 +39,10 @@ def test_another_result_changes_its_page_and_the_headlines() -> None:
     differ = [
         page
         for page in dict.fromkeys(tables.PAGES.values())
-        if tables.with_tables(tables.page_text(page), page, changed) != tables.page_text(page)
+        if tables.fill_page_tables(tables.page_text(page), page, changed) != tables.page_text(page)
     ]
     assert differ == ["README.md", "agents/policies/README.md"]
-    assert "-1.23 goals a match" in tables.with_tables(tables.page_text("README.md"), "README.md", changed)
+    assert "-1.23 goals a match" in tables.fill_page_tables(tables.page_text("README.md"), "README.md", changed)
 
 
 def test_the_check_names_a_page_that_shows_something_else(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -57,7 +57,7 @@ def test_states_are_taken_anew_where_the_scores_agree_alone(monkeypatch: pytest.
     rows = [{"command": name, "first_pair": [[1, 0, "old"], [2, 2, "old"]]} for name in ("same", "other")]
     ends = {"same": [[1, 0, "new"], [2, 2, "newer"]], "other": [[1, 0, "new"], [2, 3, "new"]]}
     monkeypatch.setattr(tables, "first_pair", lambda row: ends[row["command"]])
-    (problem,) = tables.take_states({"sacks": {"rows": rows}})
+    (problem,) = tables.update_final_states({"sacks": {"rows": rows}})
     assert problem.startswith("other: ")
     assert rows[0]["first_pair"] == ends["same"] and rows[1]["first_pair"] == [[1, 0, "old"], [2, 2, "old"]]
 
@@ -92,4 +92,4 @@ def test_no_step_of_strength_loses_points_in_the_table(league: str) -> None:
 
 def test_a_missing_marker_is_named() -> None:
     with pytest.raises(ValueError, match="markers of table sensors"):
-        tables.with_tables("no markers here", "soccer_env/perception/README.md", DATA)
+        tables.fill_page_tables("no markers here", "soccer_env/perception/README.md", DATA)

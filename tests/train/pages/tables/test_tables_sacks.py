@@ -10,7 +10,7 @@ import pytest
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.pages.tables import heinemann
-from soccer_env.train.pages.tables.paper_page import PaperPage, claims_table, in_signs
+from soccer_env.train.pages.tables.paper_page import PaperPage, bound_in_signs, claims_table
 from soccer_env.train.pages.tables.sacks import PAGE
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.reproduction import reproduce
@@ -39,8 +39,8 @@ def test_every_claim_of_the_paper_has_a_row_and_what_was_not_measured_says_so() 
 def test_a_row_shows_the_number_that_decides_with_what_it_is_and_its_bound() -> None:
     rows = rows_of(claims_table(PAGE.stored(), PAGE.claims))
     assert rows["S63"][2:] == ["73.8 % (70.3 to 77.7)", "**not**", "clean, at 3 and 6 cm/s [≥80]"]
-    assert in_signs("at least 35 and at most 45") == " [≥35 ≤45]" and in_signs("below 0.25") == " [<0.25]"
-    assert in_signs("") == ""
+    assert bound_in_signs("at least 35 and at most 45") == " [≥35 ≤45]" and bound_in_signs("below 0.25") == " [<0.25]"
+    assert bound_in_signs("") == ""
 
 
 def test_a_claim_is_one_short_sentence() -> None:

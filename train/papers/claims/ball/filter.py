@@ -6,11 +6,21 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
-from soccer_env.train.papers.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
+from soccer_env.train.papers.staging import (
+    LEGGED,
+    begin_scene,
+    distance_to_ball,
+    play,
+    point_ahead,
+    put,
+    put_ball,
+    stage,
+    wrap_angle,
+)
 from soccer_env.train.papers.true_sight import look_first
-from soccer_env.train.papers.values import about_own_mean, in_bins, mean, middles_of, rms
+from soccer_env.train.papers.values import bin_masks, mean, middles_of, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, exact, measured
 from soccer_env.types import RobotStream
 
@@ -38,9 +48,9 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
     match = stage(batch, league, matches=MATCHES, actions="full", sensors={"patches": 0.0})
     put(match, 0, rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES))
     place = rng.uniform(NEAR, FAR, MATCHES)
-    put_ball(match, *ahead_of(match, 0, CAMERA_AHEAD + place, rng.uniform(-0.4, 0.4, MATCHES)))
-    begin(match)
-    true, bearing = ball_from(match)
+    put_ball(match, *point_ahead(match, 0, CAMERA_AHEAD + place, rng.uniform(-0.4, 0.4, MATCHES)))
+    begin_scene(match)
+    true, bearing = distance_to_ball(match)
     look_first(match, SETTLE)
     frames = []
     draws = match.robots["noise"][:, 0, CAMERA]
@@ -51,19 +61,20 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
         before = draws.copy()
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
-        aside = true * wrapped(ball["bearing"] - bearing)
+        aside = true * wrap_angle(ball["bearing"] - bearing)
         frames.append([np.where(seen, x, np.nan) for x in (ball["distance"], ball["filtered_distance"], aside)])
     match.close()
-    raw, filtered, aside = (about_own_mean(np.stack(values, axis=1)) for values in zip(*frames, strict=True))
-    return {"range": place, "raw": raw, "filtered": filtered, "aside": aside, "span": np.full(MATCHES, span_of(batch))}
+    raw, filtered, aside = (subtract_row_mean(np.stack(values, axis=1)) for values in zip(*frames, strict=True))
+    span = np.full(MATCHES, averaging_time(batch))
+    return {"range": place, "raw": raw, "filtered": filtered, "aside": aside, "span": span}
 
 
-def span_of(batch: Batch) -> float:
+def averaging_time(batch: Batch) -> float:
     """Return the filter's averaging time [s]: from a jump of the ball until the estimate is within 10 % of the jump."""
     match = stage(batch, matches=1, actions="full", sensors=STEADY)
     put(match, 0, 0.0, 0.0)
     put_ball(match, 0.5, 0.0)
-    begin(match)
+    begin_scene(match)
     look_first(match, SETTLE)
     put_ball(match, 0.5 + JUMP, 0.0)
     match.rebuild()
@@ -73,21 +84,21 @@ def span_of(batch: Batch) -> float:
     return (still.index(True) + 1) * match.league.dt if True in still else float("nan")
 
 
-def ratio(samples: Samples) -> float:
+def filtered_over_raw_range(samples: Samples) -> float:
     """Return the rms deviation of the filtered range divided by the rms deviation of the raw range."""
     return rms(samples["filtered"]) / max(rms(samples["raw"]), 1e-12)
 
 
 def radial_over_tangential(samples: Samples) -> list[float]:
     """Return the rms deviation along the line of sight divided by that across it, for each range bin of BINS."""
-    inside = in_bins(samples["range"], BINS)
+    inside = bin_masks(samples["range"], BINS)
     return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
 
 
 def filter_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the deviations of the raw range, of the filtered range and across the line of sight against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
-    inside = in_bins(samples["range"], edges)
+    inside = bin_masks(samples["range"], edges)
     keys = {"raw": "raw", "mean of four": "filtered", "across the line of sight": "aside"}
     curves = tuple(
         Curve(name, middles_of(edges, 100), [100 * rms(samples[key][i]) for i in inside]) for name, key in keys.items()
@@ -106,12 +117,14 @@ S16 = Claim(
     statement="The average of four estimates, over about 1/4 s, steadies the ball's position.",
     method=f"{HOW} The span is the time in which a ball that is moved at once has left the average.",
     criteria=(
-        measured("deviation of the filtered range over the raw one's", ratio, at_least=0.45, at_most=0.6),
+        measured(
+            "deviation of the filtered range over the raw one's", filtered_over_raw_range, at_least=0.45, at_most=0.6
+        ),
         exact("span of the average", lambda samples: mean(samples["span"]), unit="s", at_least=0.2, at_most=0.3),
     ),
     rules=STAGED,
     measure=look_at_still_balls,
-    without=Without(
+    without=Ablation(
         f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a second",
         lambda batch: look_at_still_balls(batch, hold=SLOW),
     ),
@@ -133,7 +146,7 @@ S17 = Claim(
     ),
     rules=STAGED,
     measure=look_at_still_balls,
-    without=Without("a ball 84 mm across: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
+    without=Ablation("a ball of 84 mm: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
                     lambda batch: look_at_still_balls(batch, radius=LARGE)),
     figures=filter_figure,
     ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),

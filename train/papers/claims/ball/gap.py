@@ -7,9 +7,9 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.velocity import true_radial
-from soccer_env.train.papers.staging import ball_from, begin, play, put, put_ball, stage, standing
-from soccer_env.train.papers.true_sight import blind, follow, see_again, stare
-from soccer_env.train.papers.values import in_bins, least_rise, middles_of
+from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, standing_actions
+from soccer_env.train.papers.true_sight import blind_cameras, follow_ball, restore_cameras, stare_at_ball
+from soccer_env.train.papers.values import bin_masks, least_rise, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES, SECONDS = 32, 30.0  # [s] of each match
@@ -30,7 +30,7 @@ CLEAN = {"patches": 0.0, "red_as_orange": 0.0}  # only the ball is orange
 Steer = Callable[[], None]
 
 
-def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
+def set_up_random_kicks(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
     """Set up matches in which a robot walks to and fro before a ball that is kicked at random, and stares at it.
 
     Return the matches, their actions, and a function that updates the actions and kicks balls in every step.
@@ -38,8 +38,8 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
     match = stage(batch, matches=MATCHES, actions="full", sensors=CLEAN, memory={"velocity_gate": gate})
     put(match, 0, START, 0.0)
     put_ball(match, START + MIDDLE, 0.0)
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     rng = batch.rng(2)
     ball, ahead = match.balls, np.ones(MATCHES)
 
@@ -52,31 +52,31 @@ def kicked_about(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
         for axis, part in (("x", x), ("y", y)):
             for name in (f"v{axis}", f"roll_{axis}"):
                 ball[name] = np.where(hit, speed * part / away, ball[name])
-        away = ball_from(match)[0]
+        away = distance_to_ball(match)[0]
         ahead[away < NEAREST], ahead[away > FARTHEST] = -1.0, 1.0
-        actions[:, 0, :3] = follow(match)
+        actions[:, 0, :3] = follow_ball(match)
         actions[:, 0, 0] = ahead
-        stare(match, actions)
+        stare_at_ball(match, actions)
 
     return match, actions, steer
 
 
-def in_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
-    """Set up, as `kicked_about`, a robot that follows a ball played by three opponents with ideal senses."""
+def set_up_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
+    """Set up, as `set_up_random_kicks`, a robot that follows a ball played by three opponents with ideal senses."""
     match = stage(
         batch, matches=MATCHES, away=3, opponents="chaser", senses={"home": "sensors", "away": "ideal"},
         sensors=CLEAN, memory={"velocity_gate": gate},
     )  # fmt: skip
     match.reset(seeds=batch.seeds(MATCHES))
-    actions = standing(match)
+    actions = standing_actions(match)
 
     def steer() -> None:
-        actions[:, 0, :3] = follow(match, KEPT)
+        actions[:, 0, :3] = follow_ball(match, KEPT)
 
     return match, actions, steer
 
 
-def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
+def hiding_schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
     """Return flags of the steps in which the ball is hidden (steps + 1,), equal for all matches and variants."""
     rng = batch.rng(1)
     dark = np.zeros(steps + 1, bool)
@@ -92,7 +92,7 @@ def schedule(batch: Batch, steps: int, dt: float) -> np.ndarray:
 def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Steer) -> tuple[np.ndarray, np.ndarray]:
     """Return for each reading of radial velocity (M, T) the preceding gap in sight [s] and the error [m/s], or NaN."""
     dt = match.league.dt
-    dark = schedule(batch, round(SECONDS / dt), dt)
+    dark = hiding_schedule(batch, round(SECONDS / dt), dt)
     before, age = np.zeros(MATCHES), np.full(MATCHES, NEVER)
     waiting = np.zeros(MATCHES)  # [s] gap that the next reading follows
     gaps, errors = [], []
@@ -106,50 +106,50 @@ def read_velocities(batch: Batch, match: Match, actions: np.ndarray, steer: Stee
         errors.append(np.where(read, now - true_radial(match), np.nan))
         waiting[read] = 0.0
         before, age = now, older
-        (blind if dark[step + 1] else see_again)(match)
+        (blind_cameras if dark[step + 1] else restore_cameras)(match)
         steer()
     match.close()
     return np.stack(gaps, axis=1), np.stack(errors, axis=1)
 
 
-def with_and_without_gate(batch: Batch) -> Samples:
+def compare_velocity_gate(batch: Batch) -> Samples:
     """Return squared errors and counts of readings by gap bin (M, bins), for both scenes, velocity gate on and off.
 
     Errors are summed for each match here, because the bootstrap resamples matches thousands of times.
     """
     samples = {}
-    for scene, set_up in (("kicked", kicked_about), ("play", in_play)):
+    for scene, set_up in (("kicked", set_up_random_kicks), ("play", set_up_play)):
         for word, gate in (("on", True), ("off", False)):
             gaps, errors = read_velocities(batch, *set_up(batch, gate))
-            inside = [there & np.isfinite(errors) for there in in_bins(gaps, BINS)]
+            inside = [there & np.isfinite(errors) for there in bin_masks(gaps, BINS)]
             squares = [np.where(there, errors, 0.0) ** 2 for there in inside]
             samples[f"squares {scene} {word}"] = np.stack([values.sum(axis=1) for values in squares], axis=1)
             samples[f"readings {scene} {word}"] = np.stack([there.sum(axis=1) for there in inside], axis=1)
     return samples
 
 
-def error_in(samples: Samples, name: str, first: int, last: int) -> float:
+def error_in_bins(samples: Samples, name: str, first: int, last: int) -> float:
     """Return the rms error [cm/s] of radial velocities read after gaps in the bins `first` to `last` - 1."""
     readings = samples[f"readings {name}"][:, first:last].sum()
     squares = samples[f"squares {name}"][:, first:last].sum()
     return float(100 * np.sqrt(squares / readings)) if readings else float("nan")
 
 
-def by_gap(samples: Samples, name: str) -> list[float]:
+def error_by_gap(samples: Samples, name: str) -> list[float]:
     """Return the rms error [cm/s] of the radial velocity in each bin of the gap."""
-    return [error_in(samples, name, i, i + 1) for i in range(len(BINS) - 1)]
+    return [error_in_bins(samples, name, i, i + 1) for i in range(len(BINS) - 1)]
 
 
-def long_over_none(samples: Samples, name: str) -> float:
+def long_gap_error_ratio(samples: Samples, name: str) -> float:
     """Return the rms error after gaps longer than LIMIT divided by the rms error without a gap."""
-    return error_in(samples, name, BINS.index(LIMIT), len(BINS)) / error_in(samples, name, 0, 1)
+    return error_in_bins(samples, name, BINS.index(LIMIT), len(BINS)) / error_in_bins(samples, name, 0, 1)
 
 
 def gap_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the error of the ball's radial velocity against the time for which the ball was not seen."""
     names = {"kicked on": "rule on", "kicked off": "rule off", "play on": "in play, rule on",
              "play off": "in play, rule off"}  # fmt: skip
-    curves = tuple(Curve(title, GAPS, by_gap(samples, name)) for name, title in names.items())
+    curves = tuple(Curve(title, GAPS, error_by_gap(samples, name)) for name, title in names.items())
     return (Figure("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", curves),)
 
 
@@ -164,17 +164,18 @@ S19 = Claim(
     "that three chasers have, and which mostly creeps.",
     criteria=(
         measured("without the rule: error after long gaps over that without",
-                 lambda samples: long_over_none(samples, "kicked off"), above=1.0),
+                 lambda samples: long_gap_error_ratio(samples, "kicked off"), above=1.0),
         measured("with the rule: error after long gaps over that without",
-                 lambda samples: long_over_none(samples, "kicked on"), at_most=1.25),
+                 lambda samples: long_gap_error_ratio(samples, "kicked on"), at_most=1.25),
         reported("without the rule, least rise from bin to bin of the gap",
-                 lambda samples: least_rise(by_gap(samples, "kicked off")), unit="cm/s"),
-        reported("without the rule, no gap", lambda samples: by_gap(samples, "kicked off")[0], unit="cm/s"),
-        reported("in play, without the rule: the first ratio", lambda samples: long_over_none(samples, "play off")),
-        reported("in play, with the rule: the second ratio", lambda samples: long_over_none(samples, "play on")),
+                 lambda samples: least_rise(error_by_gap(samples, "kicked off")), unit="cm/s"),
+        reported("without the rule, no gap", lambda samples: error_by_gap(samples, "kicked off")[0], unit="cm/s"),
+        reported("in play, without the rule: the first ratio", lambda samples: long_gap_error_ratio(samples,
+            "play off")),
+        reported("in play, with the rule: the second ratio", lambda samples: long_gap_error_ratio(samples, "play on")),
     ),
     rules=STAGED,
-    measure=with_and_without_gate,
+    measure=compare_velocity_gate,
     figures=gap_figure,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
     note="In play it is the other way round: a ball that creeps makes a velocity over a long gap better than one over "

@@ -6,8 +6,8 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, STAGED, Batch, Claim
-from soccer_env.train.papers.staging import ball_from, kick_off, play, stage, standing
-from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow
+from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, standing_actions
+from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES, SECONDS = 32, 20.0  # [s] of 3 v 3: S10
@@ -19,13 +19,15 @@ RIGHT = 0.25  # [1] of the true distance within which a sighting is right
 MOVED = 0.2  # [m] a ball that moves farther in a frame was moved by the referee
 
 
-def heads_in_play(batch: Batch) -> Samples:
-    """Return the counts of `heads_of` for the team `chaser` and for the paper's team."""
-    paper = {f"{name} by the paper's team": counts for name, counts in heads_of(batch, "sacks-2001").items()}
-    return heads_of(batch, "chaser") | paper
+def compare_head_tracking(batch: Batch) -> Samples:
+    """Return the counts of `count_centred_frames` for the team `chaser` and for the paper's team."""
+    paper = {
+        f"{name} by the paper's team": counts for name, counts in count_centred_frames(batch, "sacks-2001").items()
+    }
+    return count_centred_frames(batch, "chaser") | paper
 
 
-def heads_of(batch: Batch, team: str) -> Samples:
+def count_centred_frames(batch: Batch, team: str) -> Samples:
     """Count robots' frames (M,) of 3 v 3 play with the ball in sight, and those with the camera's axis on the ball."""
     match = kick_off(batch, matches=MATCHES, team=team)
     on_ball, seen = np.zeros(MATCHES), np.zeros(MATCHES)
@@ -42,7 +44,7 @@ def heads_of(batch: Batch, team: str) -> Samples:
     return {"on ball": on_ball, "seen": seen}
 
 
-class Counter:
+class JumpCounter:
     """Counts for each match (M,): jumps of the believed ball to a wrong distance, frames with a correct sighting."""
 
     def __init__(self, match: Match) -> None:
@@ -53,7 +55,7 @@ class Counter:
         """Add the current frame to the counts."""
         now = self._believed(match)
         place = self._place(match)
-        true = ball_from(match)[0]
+        true = distance_to_ball(match)[0]
         put_elsewhere = np.hypot(*(place - self.place)) > MOVED
         known = np.isfinite(match.beliefs["ball"][:, 0]["age"])
         seen = match.beliefs["ball"][:, 0]["age"] < 0.5 * match.league.dt
@@ -70,26 +72,26 @@ class Counter:
         return np.stack([match.balls["x"], match.balls["y"]])
 
 
-def watch_three(batch: Batch, **memory: Any) -> Counter:
+def count_jumps(batch: Batch, **memory: Any) -> JumpCounter:
     """Let a robot follow the ball of three opponents, who play identically in every call; return its counts."""
     senses = {"home": "sensors", "away": "ideal"}
     match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
-    counter, actions = Counter(match), standing(match)
+    counter, actions = JumpCounter(match), standing_actions(match)
     for step in play(match, SETTLE + TIME, actions):
-        actions[:, 0, :3] = follow(match, KEPT)
+        actions[:, 0, :3] = follow_ball(match, KEPT)
         if (step + 1) * match.league.dt > SETTLE:
             counter.note(match)
     match.close()
     return counter
 
 
-def false_balls(batch: Batch) -> Samples:
+def compare_sighting_rules(batch: Batch) -> Samples:
     """Count jumps and correct sightings with both rules (horizon, double area), with each rule alone, and with none."""
     rules = {"none": (False, False), "both": (True, True), "horizon": (True, False), "area": (False, True)}
     samples: Samples = {}
     for name, (horizon, area) in rules.items():
-        counter = watch_three(batch, horizon=horizon, double_area=area)
+        counter = count_jumps(batch, horizon=horizon, double_area=area)
         samples[f"jumps {name}"], samples[f"right {name}"] = counter.jumps, counter.right
     return samples
 
@@ -115,7 +117,7 @@ S10 = Claim(
         ),
     ),
     rules=PLAYED,
-    measure=heads_in_play,
+    measure=compare_head_tracking,
     ingredients=("speeds of neck joints", "belief/legged/head.py", "the chaser as the team that plays"),
     seconds=2.5,
     batches=32,
@@ -141,7 +143,7 @@ S11 = Claim(
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
     rules=STAGED,
-    measure=false_balls,
+    measure=compare_sighting_rules,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
     seconds=4.0,
     batches=24,

@@ -6,10 +6,20 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.staging import ahead_of, ball_from, begin, play, put, put_ball, stage, standing, wrapped
-from soccer_env.train.papers.true_sight import blind, look_first, stare
-from soccer_env.train.papers.values import in_bins, least_rise, median, middles_of
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import (
+    begin_scene,
+    distance_to_ball,
+    play,
+    point_ahead,
+    put,
+    put_ball,
+    stage,
+    standing_actions,
+    wrap_angle,
+)
+from soccer_env.train.papers.true_sight import blind_cameras, look_first, stare_at_ball
+from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 96
@@ -25,9 +35,9 @@ POCKET = 0.147  # [m] a ball at the chest: body.front and its radius
 DRIBBLE, PUSHED = 0.07, 5.0  # [m/s] 3.5 cm per half-second step, [s]: S14
 
 
-def misplaced(match: Match) -> np.ndarray:
+def ball_place_error(match: Match) -> np.ndarray:
     """Return the distance between the believed and the true ball (M,) [m]."""
-    true, bearing = ball_from(match)
+    true, bearing = distance_to_ball(match)
     ball = match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
     y = ball["distance"] * np.sin(ball["bearing"]) - true * np.sin(bearing)
@@ -41,99 +51,99 @@ def look_at_ball(batch: Batch, **memory: Any) -> Match:
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
     put(match, 0, rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES))
     side = rng.choice([-1.0, 1.0], MATCHES)
-    put_ball(match, *ahead_of(match, 0, rng.uniform(0.5, 0.9, MATCHES), side * rng.uniform(0.6, 1.2, MATCHES)))
-    begin(match)
+    put_ball(match, *point_ahead(match, 0, rng.uniform(0.5, 0.9, MATCHES), side * rng.uniform(0.6, 1.2, MATCHES)))
+    begin_scene(match)
     look_first(match, SEEN)
     return match
 
 
-def walk_unseeing(batch: Batch, odometry: str) -> Samples:
+def walk_blind(batch: Batch, odometry: str) -> Samples:
     """Walk 1 m blind, on an arc of up to 90 degrees away from the ball; return errors of the remembered ball (M,)."""
     match = look_at_ball(batch, odometry=odometry)
-    blind(match)
+    blind_cameras(match)
     seconds = WAY / SPEED
-    actions = standing(match)
-    away = -np.sign(ball_from(match)[1])
+    actions = standing_actions(match)
+    away = -np.sign(distance_to_ball(match)[1])
     actions[:, 0, 0] = 1.0
     actions[:, 0, 2] = away * batch.rng(1).uniform(0.0, 0.5 * np.pi, MATCHES) / seconds / TURN
     for _ in play(match, seconds, actions):
         pass
-    true, bearing = ball_from(match)
+    true, bearing = distance_to_ball(match)
     ball = match.beliefs["ball"][:, 0]
-    off = np.abs(wrapped(ball["bearing"] - bearing))
-    samples = {"place": misplaced(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
+    off = np.abs(wrap_angle(ball["bearing"] - bearing))
+    samples = {"place": ball_place_error(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
     match.close()
     return samples
 
 
 def compare_updates(batch: Batch) -> Samples:
-    """Return the errors of `walk_unseeing` for each odometry variant of the ball memory."""
+    """Return the errors of `walk_blind` for each odometry variant of the ball memory."""
     return {
-        f"{name} {odometry}": values for odometry in VARIANTS for name, values in walk_unseeing(batch, odometry).items()
+        f"{name} {odometry}": values for odometry in VARIANTS for name, values in walk_blind(batch, odometry).items()
     }
 
 
-def ball_rolls(batch: Batch, seen: bool) -> Samples:
+def roll_balls(batch: Batch, seen: bool) -> Samples:
     """Let balls roll while the robot walks; return how far each ball rolled and the error of its belief (M, T) [m]."""
     rng = batch.rng(1)
     match = look_at_ball(batch)
     if not seen:
-        blind(match)
+        blind_cameras(match)
     speed, course = rng.uniform(0.0, FASTEST, MATCHES), rng.uniform(-np.pi, np.pi, MATCHES)
     speed[: MATCHES // 6] = 0.0
     x, y = match.balls["x"].copy(), match.balls["y"].copy()
     put_ball(match, x, y, speed * np.cos(course), speed * np.sin(course))
-    actions = standing(match)
+    actions = standing_actions(match)
     actions[:, 0, 0] = 1.0
     rows: dict[str, list[np.ndarray]] = {"way": [], "error": []}
     before = 0.0
     for time in TIMES:
         for _ in play(match, time - before, actions):
             if seen:
-                stare(match, actions)
+                stare_at_ball(match, actions)
         before = time
         rows["way"].append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
-        rows["error"].append(misplaced(match))
+        rows["error"].append(ball_place_error(match))
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def error_by_way(samples: Samples) -> list[float]:
+def error_by_roll_distance(samples: Samples) -> list[float]:
     """Return the median error [cm] of the believed ball in each bin of the distance that the ball rolled."""
-    return [100 * median(samples["error"][there]) for there in in_bins(samples["way"], BINS)]
+    return [100 * median(samples["error"][there]) for there in bin_masks(samples["way"], BINS)]
 
 
-def push_unseen(batch: Batch, update: bool, turn: float) -> np.ndarray:
+def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its remembered place (M,) [m]."""
     rng = batch.rng()
     memory = {"odometry_while_dribbling": update}
     match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
     put(match, 0, rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES))
-    put_ball(match, *ahead_of(match, 0, POCKET, 0.0))
-    begin(match)
+    put_ball(match, *point_ahead(match, 0, POCKET, 0.0))
+    begin_scene(match)
     look_first(match, SEEN)
-    blind(match)
-    actions = standing(match)
+    blind_cameras(match)
+    actions = standing_actions(match)
     actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
     for _ in play(match, PUSHED, actions):
         pass
-    error = misplaced(match)
+    error = ball_place_error(match)
     match.close()
     return error
 
 
 def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
-    """Return the errors of `push_unseen` without and with an update of the ball memory by odometry."""
-    return {"off": push_unseen(batch, False, turn), "on": push_unseen(batch, True, turn)}
+    """Return the errors of `dribble_unseen_ball` without and with an update of the ball memory by odometry."""
+    return {"off": dribble_unseen_ball(batch, False, turn), "on": dribble_unseen_ball(batch, True, turn)}
 
 
-def way_figure(samples: Samples) -> Sequence[Figure]:
+def roll_distance_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the error of the remembered ball against the distance that the ball rolled unseen."""
-    curve = Curve("median", middles_of(BINS, 100), error_by_way(samples))
+    curve = Curve("median", middles_of(BINS, 100), error_by_roll_distance(samples))
     return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]", (curve,)),)
 
 
-def ratio(samples: Samples, above: str, below: str) -> float:
+def error_ratio(samples: Samples, above: str, below: str) -> float:
     """Return the median of the error `above` divided by the median of the error `below`."""
     return median(samples[above]) / max(median(samples[below]), 1e-9)
 
@@ -150,7 +160,7 @@ S12 = Claim(
         measured("full update: median error of the bearing", lambda samples: median(samples["bearing full"]),
                  unit="deg", at_most=10.0),
         measured("rotation only: error over that of the full update",
-                 lambda samples: ratio(samples, "place rotation", "place full"), at_least=3.0),
+                 lambda samples: error_ratio(samples, "place rotation", "place full"), at_least=3.0),
         reported("no update: median error of the place", lambda s: 100 * median(s["place none"]), unit="cm"),
         reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
     ),
@@ -168,13 +178,13 @@ S13 = Claim(
     f"{', '.join(f'{time:g}' for time in TIMES)} s against the way that the ball has made.",
     criteria=(
         measured("least rise of the median error with the ball's way",
-                 lambda samples: least_rise(error_by_way(samples)), unit="cm", above=0.0),
+                 lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
     ),
     rules=STAGED,
-    measure=lambda batch: ball_rolls(batch, seen=False),
-    without=Without("a memory that leaves an unseen ball where it was: here it stays in sight",
-                    lambda batch: ball_rolls(batch, seen=True)),
-    figures=way_figure,
+    measure=lambda batch: roll_balls(batch, seen=False),
+    without=Ablation("a memory that leaves an unseen ball where it was: here it stays in sight",
+                    lambda batch: roll_balls(batch, seen=True)),
+    figures=roll_distance_figure,
     ingredients=("memory.odometry = full",),
     seconds=0.5,
     batches=64,
@@ -187,13 +197,15 @@ S14 = Claim(
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     criteria=(
-        measured("median error without the update over that with it", lambda s: ratio(s, "off", "on"), at_most=0.5),
+        measured(
+            "median error without the update over that with it", lambda s: error_ratio(s, "off", "on"), at_most=0.5
+        ),
         reported("without the update", lambda samples: 100 * median(samples["off"]), unit="cm"),
         reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
     ),
     rules=STAGED,
     measure=compare_dribbling,
-    without=Without(
+    without=Ablation(
         f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
         lambda batch: compare_dribbling(batch, turn=1.0),
     ),

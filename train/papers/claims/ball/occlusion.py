@@ -12,22 +12,22 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.staging import (
     LEGGED,
-    ahead_of,
-    ball_from,
-    begin,
+    begin_scene,
+    distance_to_ball,
     play,
+    point_ahead,
     put,
     put_ball,
     stage,
-    standing,
-    wrapped,
+    standing_actions,
+    wrap_angle,
 )
-from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare
-from soccer_env.train.papers.values import in_bins, least_rise, median, middles_of
+from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare_at_ball
+from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 192
@@ -73,17 +73,17 @@ def free_place(rng: np.random.Generator, ball: np.ndarray, taken: list[np.ndarra
         place: np.ndarray = share * ball + aside * np.array([-along[1], along[0]])
         heading = rng.uniform(-np.pi, np.pi)
         free = np.linalg.norm(place - ball) > CLEAR and all(np.linalg.norm(place - other) > APART for other in taken)
-        if free and stands_before(ball, place, heading):
+        if free and hides_part_of_ball(ball, place, heading):
             return np.array([*place, heading])
     return None
 
 
-def stands_before(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
+def hides_part_of_ball(ball: np.ndarray, place: np.ndarray, heading: float) -> bool:
     """Tell whether a robot's trunk hides part of the ball from the camera, in plan view."""
     turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
     camera = CAMERA_AHEAD * ball / np.linalg.norm(ball)
     trunk, away = place + TRUNK @ turn - camera, ball - camera
-    angles = wrapped(np.arctan2(trunk[:, 1], trunk[:, 0]) - np.arctan2(away[1], away[0]))
+    angles = wrap_angle(np.arctan2(trunk[:, 1], trunk[:, 0]) - np.arctan2(away[1], away[0]))
     half = np.arcsin(find_league(LEGGED).ball.radius / np.linalg.norm(away))
     return bool(angles.min() < half and angles.max() > -half and np.ptp(angles) < np.pi)
 
@@ -92,25 +92,25 @@ def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
     """Set up matches with the observing robot and the ball of a scene, with or without the scene's other robots."""
     match = stage(batch, matches=MATCHES, away=2, actions="full", **settings)
     put(match, 0, START, 0.0, 0.0)
-    put_ball(match, *ahead_of(match, 0, scene["distance"], scene["bearing"]))
+    put_ball(match, *point_ahead(match, 0, scene["distance"], scene["bearing"]))
     for other in range(2):
         there = np.isfinite(scene["others"][:, other, 0]) & others
         row = match.robots[:, 1 + other]
         for axis, (name, shift) in enumerate((("x", START), ("y", 0.0), ("heading", 0.0))):
             row[name] = np.where(there, scene["others"][:, other, axis] + shift, row[name])
         row["active"] = there
-    begin(match)
+    begin_scene(match)
     return match
 
 
-def hidden_parts(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def visible_shares(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the visible shares (M,) [1] of the ball's width, height and area in the picture; NaN: unknown."""
     sizes = []
     for others in (False, True):
         match = set_up(batch, scene, others, sensors=PLAIN | FINE)
-        actions = standing(match)
+        actions = standing_actions(match)
         for _ in play(match, SETTLE, actions):
-            stare(match, actions)
+            stare_at_ball(match, actions)
         blob = match.percepts["ball"][:, 0, 0]
         width, height = blob["left"] - blob["right"], blob["high"] - blob["low"]
         sizes.append(np.stack([width, height, blob["area"]]).astype(float))
@@ -127,12 +127,12 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
     camera's axis meets the ball; "short": the infrared ranger reads less than the ball's distance by WELL_BEFORE.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
-    actions, dt = standing(match), match.league.dt
+    actions, dt = standing_actions(match), match.league.dt
     rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": [], "short": []}
     for step in play(match, SETTLE + SECONDS, actions):
         actions[:, 0, 4] = -1.0
         if staring or (step + 1) * dt <= LOOK:
-            stare(match, actions)
+            stare_at_ball(match, actions)
         if (step + 1) * dt <= SETTLE:
             continue
         ball, infrared = match.beliefs["ball"][:, 0], match.percepts["infrared"][:, 0]
@@ -140,7 +140,7 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
         distance, angle = ball_in_sight(match)
         ground = np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1])
         seen = ball["age"] < 0.5 * dt
-        rows["error"].append(np.where(seen, (ball["distance"] - ball_from(match)[0]) / ground, np.nan))
+        rows["error"].append(np.where(seen, (ball["distance"] - distance_to_ball(match)[0]) / ground, np.nan))
         rows["believed"].append(np.where(seen, ball["distance"], np.nan))
         rows["range"].append(ground)
         rows["centred"].append(seen & (angle < ball_angle(match, distance)))
@@ -149,10 +149,10 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def by_dimension(batch: Batch, **memory: Any) -> Samples:
+def compare_dimensions(batch: Batch, **memory: Any) -> Samples:
     """Return range errors of partly hidden balls by width, by height and by the closer of both; and visible shares."""
     scene = draw_scene(batch)
-    samples = dict(zip(("width left", "height left", "area left"), hidden_parts(batch, scene), strict=True))
+    samples = dict(zip(("width left", "height left", "area left"), visible_shares(batch, scene), strict=True))
     for size in ("width", "height", "closer"):
         samples[size] = watch_scene(batch, scene, True, True, OLD | {"ball_size": size} | memory)["error"]
     return samples
@@ -166,23 +166,23 @@ def bias_by_share(samples: Samples) -> list[float]:
     return [100 * median(both[(gone >= low if low else gone < high) & (gone < high)]) for low, high in edges]
 
 
-def cuts(samples: Samples) -> np.ndarray:
+def count_hidden_dimensions(samples: Samples) -> np.ndarray:
     """Return in how many dimensions, width and height, each ball is partly hidden (M,): 0, 1 or 2; NaN: unknown."""
     width, height = samples["width left"], samples["height left"]
     count: np.ndarray = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
     return count
 
 
-def bias_of_cut(samples: Samples, dimensions: int, size: str = "closer") -> float:
+def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer") -> float:
     """Return the median range error [%] of balls that are partly hidden in `dimensions` dimensions."""
-    return 100 * median(samples[size][cuts(samples) == dimensions])
+    return 100 * median(samples[size][count_hidden_dimensions(samples) == dimensions])
 
 
 def hidden_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the median range error against the hidden share of the ball's picture."""
     gone = 1.0 - samples["area left"]
     edges = np.linspace(0.0, 1.0, 9)
-    inside = in_bins(gone, edges)
+    inside = bin_masks(gone, edges)
     curves = [
         Curve(label, middles_of(edges, 100), [100 * median(samples[name][i]) for i in inside])
         for name, label in {"width": "by width", "height": "by height", "closer": "the closer of both"}.items()
@@ -205,10 +205,10 @@ S07 = Claim(
         measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
     rules=STAGED,
-    measure=by_dimension,
-    without=Without(
+    measure=compare_dimensions,
+    without=Ablation(
         "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
-        lambda batch: by_dimension(batch, ball_range="infrared"),
+        lambda batch: compare_dimensions(batch, ball_range="infrared"),
     ),
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
@@ -220,13 +220,21 @@ S08 = Claim(
     statement="The closer of height and width estimates guards against obstruction, unless in both dimensions.",
     method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     criteria=(
-        measured("cut in one dimension: median error", lambda s: abs(bias_of_cut(s, 1)), unit="%", at_most=10.0),
-        measured("cut in both: median error", lambda samples: bias_of_cut(samples, 2), unit="%", at_least=30.0),
-        reported("not cut: median error", lambda samples: bias_of_cut(samples, 0), unit="%"),
-        reported("cut in one dimension, by width alone: median error", lambda s: bias_of_cut(s, 1, "width"), unit="%"),
+        measured(
+            "cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%", at_most=10.0
+        ),
+        measured(
+            "cut in both: median error", lambda samples: bias_of_hidden_balls(samples, 2), unit="%", at_least=30.0
+        ),
+        reported("not cut: median error", lambda samples: bias_of_hidden_balls(samples, 0), unit="%"),
+        reported(
+            "cut in one dimension, by width alone: median error",
+            lambda s: bias_of_hidden_balls(s, 1, "width"),
+            unit="%",
+        ),
     ),
     rules=STAGED,
-    measure=by_dimension,
+    measure=compare_dimensions,
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )

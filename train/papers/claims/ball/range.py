@@ -12,10 +12,20 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.staging import LEGGED, ahead_of, ball_from, begin, play, put, put_ball, stage, wrapped
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import (
+    LEGGED,
+    begin_scene,
+    distance_to_ball,
+    play,
+    point_ahead,
+    put,
+    put_ball,
+    stage,
+    wrap_angle,
+)
 from soccer_env.train.papers.true_sight import camera_of, look_first
-from soccer_env.train.papers.values import in_bins, median, middles_of, quantile, rms
+from soccer_env.train.papers.values import bin_masks, median, middles_of, quantile, rms
 from soccer_env.train.papers.verdicts import Samples, exact, measured
 
 # The ball system that Sacks found: the larger dimension by table, no ranger, no rules, no filter, bearing-only memory.
@@ -50,24 +60,24 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     sensors = {"patches": 0.0, **settings.pop("sensors", {})}
     match = stage(batch, matches=count, actions="full", sensors=sensors, **settings)
     put(match, 0, rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count))
-    put_ball(match, *ahead_of(match, 0, distance, rng.uniform(-0.7, 0.7, count)))
-    begin(match)
+    put_ball(match, *point_ahead(match, 0, distance, rng.uniform(-0.7, 0.7, count)))
+    begin_scene(match)
     look_first(match, SETTLE)
     rows: dict[str, list[np.ndarray]] = {"true": [], "range": [], "distance": [], "bearing": []}
     for _ in play(match, seconds):
-        true, bearing = ball_from(match)
+        true, bearing = distance_to_ball(match)
         camera, _ = camera_of(match)
         rows["range"].append(np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1]))
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < FRESH
         rows["true"].append(true)
         rows["distance"].append(np.where(seen, ball["distance"] - true, np.nan))
-        rows["bearing"].append(np.where(seen, wrapped(ball["bearing"] - bearing), np.nan))
+        rows["bearing"].append(np.where(seen, wrap_angle(ball["bearing"] - bearing), np.nan))
     match.close()
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def old_system(batch: Batch) -> Samples:
+def watch_by_old_system(batch: Batch) -> Samples:
     """Watch balls at random distances up to 60 cm, with the settings of the system that preceded Sacks's work."""
     return watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD)
 
@@ -76,7 +86,7 @@ def range_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the median and the quartiles of the range error against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
     error = np.abs(samples["distance"])
-    errors = [error[there] for there in in_bins(samples["range"][:, 0], edges)]
+    errors = [error[there] for there in bin_masks(samples["range"][:, 0], edges)]
     low, middle, high = ([100 * quantile(e, q) for e in errors] for q in (0.25, 0.5, 0.75))
     curve = Curve("median and quartiles", middles_of(edges, 100), middle, low, high)
     return (Figure("Range error of the ball, unobstructed", RANGE_LABEL, "error [cm]", (curve,)),)
@@ -94,14 +104,14 @@ S05 = Claim(
         measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
     rules=STAGED,
-    measure=old_system,
+    measure=watch_by_old_system,
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
     seconds=0.7,
 )  # fmt: skip
 
 
-def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
+def compare_size_and_infrared(batch: Batch, **sensors: float) -> Samples:
     """Estimate ranges of equal balls by size and by infrared alone; return true ranges and both errors (M, T) [m]."""
     place = batch.rng(1).uniform(LEAST_RANGE - 0.05, MOST_RANGE + 0.05, 2 * MATCHES)
     rule = OLD | {"under_head": False}
@@ -116,11 +126,11 @@ def size_and_infrared(batch: Batch, **sensors: float) -> Samples:
 def binned_rms(samples: Samples, kind: str) -> tuple[np.ndarray, np.ndarray]:
     """Return the middles of the range bins [m], and in each bin the rms error [m] of ranges estimated by `kind`."""
     edges = np.arange(LEAST_RANGE, MOST_RANGE + 1e-9, WIDTH)
-    inside = in_bins(samples["range"], edges)
+    inside = bin_masks(samples["range"], edges)
     return np.array(middles_of(edges)), np.array([rms(samples[kind][i]) for i in inside])
 
 
-def crossing(samples: Samples) -> float:
+def crossing_range(samples: Samples) -> float:
     """Return the smallest range [cm] beyond which, up to 60 cm, infrared errs more than size; interpolated in bins."""
     middles, by_size = binned_rms(samples, "size")
     ratio = np.log(binned_rms(samples, "infrared")[1] / by_size)
@@ -156,7 +166,7 @@ def table_steps(resolution: str) -> Samples:
     return {"range": 0.5 * (table[1:] + table[:-1])[None], "step": (table[:-1] - table[1:])[None]}
 
 
-def range_of_step(samples: Samples, step: float) -> float:
+def range_at_step(samples: Samples, step: float) -> float:
     """Return the range [cm] at which one pixel of the ball's width is worth `step` [m] of range."""
     order = np.argsort(samples["step"][0], kind="stable")
     return float(100 * np.interp(step, samples["step"][0][order], samples["range"][0][order]))
@@ -175,15 +185,15 @@ S06 = Claim(
     method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger "
     "(by size in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     criteria=(
-        measured("range from which infrared is the worse one", crossing, unit="cm", at_least=100 * CROSSING[0],
+        measured("range from which infrared is the worse one", crossing_range, unit="cm", at_least=100 * CROSSING[0],
                  at_most=100 * CROSSING[1]),
         measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
     rules=STAGED,
-    measure=size_and_infrared,
+    measure=compare_size_and_infrared,
     figures=crossing_figure,
-    without=Without("sensors.infrared_growth = 0: a ranger as good far away as near",
-                    lambda b: size_and_infrared(b, infrared_growth=0.0)),
+    without=Ablation("sensors.infrared_growth = 0: a ranger as good far away as near",
+                    lambda b: compare_size_and_infrared(b, infrared_growth=0.0)),
     ingredients=(
         "sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
         "sensors.dither",
@@ -198,14 +208,14 @@ S15 = Claim(
     statement="A single pixel can change the ball's distance by 5 or 10 cm.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     criteria=tuple(
-        exact(f"range at which a pixel is worth {100 * step:.0f} cm", partial(range_of_step, step=step), unit="cm",
+        exact(f"range at which a pixel is worth {100 * step:.0f} cm", partial(range_at_step, step=step), unit="cm",
               at_least=100 * low, at_most=100 * high)
         for step, low, high in STEPS
     ),
     rules=NO_MATCH,
     measure=lambda batch: table_steps("88x72"),
     figures=step_figure,
-    without=Without("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),
+    without=Ablation("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),
     ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
     seconds=0.5,
     batches=1,

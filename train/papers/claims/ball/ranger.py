@@ -3,7 +3,7 @@
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.claims.ball.occlusion import CUT, SCENES, draw_scene, hidden_parts, watch_scene
+from soccer_env.train.papers.claims.ball.occlusion import CUT, SCENES, draw_scene, visible_shares, watch_scene
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.values import known, mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -12,14 +12,14 @@ DEEP = 2.0 / 3.0  # [1] visible share of both dimensions below which a right rea
 FAR = 0.60  # [m] range along the ground from the camera
 
 
-def with_and_without_infrared(batch: Batch) -> Samples:
+def compare_infrared_rule(batch: Batch) -> Samples:
     """Return range errors (M, T) [m] of balls cut in width and height, infrared rule on and off, and false triggers.
 
     "on", "off": visible shares below DEEP, camera's axis on the ball; "all ...": shares below DEEP, all frames with the
     ball; "mild ...": shares below CUT, axis on the ball. "triggers": readings that the rule changes on free balls.
     """
     scene = draw_scene(batch)
-    width, height, _ = hidden_parts(batch, scene)
+    width, height, _ = visible_shares(batch, scene)
     samples = {}
     for name, rule in (("on", True), ("off", False)):
         seen = watch_scene(batch, scene, True, False, OLD | {"infrared_override": rule})
@@ -61,7 +61,7 @@ S09 = Claim(
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
     rules=STAGED,
-    measure=with_and_without_infrared,
+    measure=compare_infrared_rule,
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )  # fmt: skip

@@ -8,10 +8,19 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
-from soccer_env.train.papers.staging import LEGGED, ahead_of, begin, play, put, put_ball, stage, standing
-from soccer_env.train.papers.true_sight import camera_of, stare
+from soccer_env.train.papers.staging import (
+    LEGGED,
+    begin_scene,
+    play,
+    point_ahead,
+    put,
+    put_ball,
+    stage,
+    standing_actions,
+)
+from soccer_env.train.papers.true_sight import camera_of, stare_at_ball
 from soccer_env.train.papers.values import least_rise, rms
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 
@@ -56,15 +65,15 @@ def walk_to_ball(
     put(
         match, 0, rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0, 0.0 if stuck else pace * TOP_SPEED
     )
-    put_ball(match, *ahead_of(match, 0, CAMERA_AHEAD + start, 0.0))
-    begin(match)
-    actions = standing(match)
+    put_ball(match, *point_ahead(match, 0, CAMERA_AHEAD + start, 0.0))
+    begin_scene(match)
+    actions = standing_actions(match)
     actions[:, 0, 0] = pace
     rows: dict[str, list[np.ndarray]] = {"radial": [], "rate": [], "range": []}
     for step in play(match, SETTLE + seconds, actions):
         actions[:, 0, 4] = -1.0
         if (step + 1) * match.league.dt <= LOOK:
-            stare(match, actions)
+            stare_at_ball(match, actions)
         if (step + 1) * match.league.dt <= SETTLE:
             continue
         camera, _ = camera_of(match)
@@ -98,18 +107,18 @@ def interval_errors(samples: Samples, how: str) -> list[float]:
     return [100 * rms(samples[f"{how} {interval}"]) for interval in INTERVALS]
 
 
-def least_fall(samples: Samples, how: str) -> float:
+def least_error_decrease(samples: Samples, how: str) -> float:
     """Return the smallest decrease [cm/s] of the error from one interval to the next longer interval."""
     return least_rise([-error for error in interval_errors(samples, how)])
 
 
-def error_over(samples: Samples, how: str, one: int, other: int = 2) -> float:
+def interval_error_ratio(samples: Samples, how: str, one: int, other: int = 2) -> float:
     """Return the error at interval `one` divided by the error at interval `other`, both indices of INTERVALS."""
     errors = interval_errors(samples, how)
     return errors[one] / max(errors[other], 1e-9)
 
 
-def readings_at_60(batch: Batch, **settings: Any) -> Samples:
+def count_misjudged_readings(batch: Batch, **settings: Any) -> Samples:
     """Count velocity readings of stuck and walking robots about 60 cm from the ball, and readings that misjudge."""
     shifts = batch.rng(1).uniform(-AROUND, AROUND, MATCHES)
     free = walk_to_ball(batch, PLACE + TOP_SPEED * (SETTLE + 0.5) + shifts, 1.0, stuck=False, **settings)
@@ -119,7 +128,7 @@ def readings_at_60(batch: Batch, **settings: Any) -> Samples:
     return {"wrong": wrong, "judged": near.sum(axis=1) + stuck["radial"].shape[1]}
 
 
-def series_of_readings(batch: Batch) -> Samples:
+def mean_readings(batch: Batch) -> Samples:
     """Return means of the first 1 to 9 readings (M, 9) [m/s], of robots walking in from 60 cm and of stuck robots."""
     dt = find_league(LEGGED).dt
     seconds = READINGS * READING
@@ -160,12 +169,16 @@ S18 = Claim(
     f"between readings ({', '.join(f'{interval:g}' for interval in INTERVALS)} s), same seeds.",
     criteria=(
         measured("walking: least fall of the rms error from interval to interval",
-                 lambda samples: least_fall(samples, "walking"), unit="cm/s", above=0.0),
-        measured("standing: the same", lambda samples: least_fall(samples, "standing"), unit="cm/s", above=0.0),
-        reported("walking: rms error at 0.17 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 1)),
-        reported("walking: rms error at 0.08 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 0)),
-        reported("walking: rms error at 0.67 s over that at 0.33 s", lambda samples: error_over(samples, "walking", 3)),
-        reported("standing: rms error at 0.17 s over that at 0.33 s", lambda s: error_over(s, "standing", 1)),
+                 lambda samples: least_error_decrease(samples, "walking"), unit="cm/s", above=0.0),
+        measured("standing: the same", lambda samples: least_error_decrease(samples, "standing"), unit="cm/s",
+            above=0.0),
+        reported("walking: rms error at 0.17 s over that at 0.33 s", lambda samples: interval_error_ratio(samples,
+            "walking", 1)),
+        reported("walking: rms error at 0.08 s over that at 0.33 s", lambda samples: interval_error_ratio(samples,
+            "walking", 0)),
+        reported("walking: rms error at 0.67 s over that at 0.33 s", lambda samples: interval_error_ratio(samples,
+            "walking", 3)),
+        reported("standing: rms error at 0.17 s over that at 0.33 s", lambda s: interval_error_ratio(s, "standing", 1)),
         reported("walking, by raw positions: 0.17 s over 0.33 s",
                  lambda samples: rms(samples[f"raw {INTERVALS[1]}"]) / max(rms(samples[f"raw {INTERVALS[2]}"]), 1e-9)),
         reported("walking: rms error at 0.17 s, against a real movement of 12 cm/s",
@@ -193,8 +206,10 @@ S20 = Claim(
         counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
     ),
     rules=STAGED,
-    measure=readings_at_60,
-    without=Without("sensors.dither = 0: blobs without flicker", lambda b: readings_at_60(b, sensors={"dither": 0.0})),
+    measure=count_misjudged_readings,
+    without=Ablation(
+        "sensors.dither = 0: blobs without flicker", lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})
+    ),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
     seconds=0.8,
     batches=32,
@@ -209,7 +224,7 @@ S21 = Claim(
     "against half the top speed.",
     criteria=(counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),),
     rules=STAGED,
-    measure=series_of_readings,
+    measure=mean_readings,
     figures=readings_figure,
     ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),
     seconds=0.7,

@@ -8,23 +8,32 @@ import numpy as np
 
 from soccer_env.leagues.league import League
 from soccer_env.scenes import Scene
-from soccer_env.scenes.drills_legged import drill, put_at, send_mover, start_dribble
-from soccer_env.scenes.scene import Draw
+from soccer_env.scenes.drills_legged import legged_drill, put_at_distance, send_mover, start_dribble
+from soccer_env.scenes.scene import SceneRandom
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.claims.dribble.past import BODIES, MATCHES, MOVING, RULES, Plan, clean, play_both_ways
+from soccer_env.train.papers.claims.dribble.past import (
+    BODIES,
+    MATCHES,
+    MOVING,
+    RULES,
+    Plan,
+    outcome_share,
+    play_two_distances,
+)
 from soccer_env.train.papers.drill_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 
-def place_still_behind(league: League, ball: Any, robots: Any, draw: Draw) -> None:
+def place_still_behind(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Place a mover as in dribble-past-mover-far, and a still player on the path beyond the mover's crossing."""
     robot, (still, mover), way = start_dribble(league, ball, robots, draw, 2)
-    put_at(league, robot, still, draw.between(0.95, 1.1), way + draw.between(-0.1, 0.1), draw.between(-pi, pi))
+    put_at_distance(league, robot, still, draw.between(0.95, 1.1), way + draw.between(-0.1, 0.1), draw.between(-pi, pi))
     aside = draw.side() * draw.between(0.35, 0.7)
     send_mover(league, robot, mover, draw, way, (1.1, 1.5), aside, (0.3, 0.6))
 
 
-STILL_BEHIND = drill("still-behind-mover", "a mover, and a still player behind where it crosses", place_still_behind,
+STILL_BEHIND = legged_drill("still-behind-mover", "a mover, and a still player behind where it crosses",
+    place_still_behind,
                      "home gets past", "still", "walker@0.5")  # fmt: skip
 CLASSES: tuple[tuple[str, tuple[str | Scene, ...]], ...] = (
     ("one still", ("dribble-past-one",)),
@@ -35,10 +44,10 @@ CLASSES: tuple[tuple[str, tuple[str | Scene, ...]], ...] = (
 OPPOSITE = len(CLASSES) - 1
 
 
-def pass_classes(batch: Batch) -> Samples:
-    """Dribble in all classes; return means over each class's drills (M, classes), named as in `play_both_ways`."""
+def dribble_past_classes(batch: Batch) -> Samples:
+    """Dribble in all classes; return means over each class's drills (M, classes), named as in `play_two_distances`."""
     plan: Plan = [(scene, {}, PAPER) for _, scenes in CLASSES for scene in scenes]
-    runs = play_both_ways(batch, plan, MATCHES)
+    runs = play_two_distances(batch, plan, MATCHES)
     ends = np.cumsum([0] + [len(scenes) for _, scenes in CLASSES])
     return {
         name: np.stack([values[:, a:b].mean(axis=1) for a, b in zip(ends, ends[1:], strict=False)], axis=1)
@@ -46,14 +55,14 @@ def pass_classes(batch: Batch) -> Samples:
     }
 
 
-def best_less_next(samples: Samples, name: str = "clean") -> float:
+def still_player_advantage(samples: Samples, name: str = "clean") -> float:
     """Return the clean share [%] with one still player minus the best clean share of the other classes."""
-    return clean(samples, name, 0) - max(clean(samples, name, i) for i in range(1, len(CLASSES)))
+    return outcome_share(samples, name, 0) - max(outcome_share(samples, name, i) for i in range(1, len(CLASSES)))
 
 
-def others_less_opposite(samples: Samples, name: str = "clean") -> float:
+def opposite_sides_disadvantage(samples: Samples, name: str = "clean") -> float:
     """Return the smallest clean share [%] of the other classes minus the share with players on opposite sides."""
-    return min(clean(samples, name, i) for i in range(OPPOSITE)) - clean(samples, name, OPPOSITE)
+    return min(outcome_share(samples, name, i) for i in range(OPPOSITE)) - outcome_share(samples, name, OPPOSITE)
 
 
 S64 = Claim(
@@ -63,24 +72,24 @@ S64 = Claim(
     method=f"{MATCHES} runs a batch in each drill of four classes: {', '.join(name for name, _ in CLASSES)}; movers at "
     f"6 cm/s. {RULES}",
     criteria=(
-        measured("clean past one still player, less the best other class", best_less_next, unit="%", above=0.0),
-        measured("the least other class less mover and still on opposite sides", others_less_opposite, unit="%",
+        measured("clean past one still player, less the best other class", still_player_advantage, unit="%", above=0.0),
+        measured("the least other class less mover and still on opposite sides", opposite_sides_disadvantage, unit="%",
                  above=0.0),
-        *(reported(f"clean, {name}", partial(clean, name="clean", columns=i), unit="%")
+        *(reported(f"clean, {name}", partial(outcome_share, name="clean", columns=i), unit="%")
           for i, (name, _) in enumerate(CLASSES)),
         *(reported(f"past without a contact that stopped it or turned somebody, {name}",
-                   partial(clean, name="free", columns=i), unit="%") for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"past, touched or not, {name}", partial(clean, name="past", columns=i), unit="%")
+                   partial(outcome_share, name="free", columns=i), unit="%") for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past, touched or not, {name}", partial(outcome_share, name="past", columns=i), unit="%")
           for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"from the middle: clean, {name}", partial(clean, name="middle clean", columns=i), unit="%")
+        *(reported(f"from the middle: clean, {name}", partial(outcome_share, name="middle clean", columns=i), unit="%")
           for i, (name, _) in enumerate(CLASSES)),
         reported("from the middle: one still player less the best other class",
-                 partial(best_less_next, name="middle clean"), unit="%"),
+                 partial(still_player_advantage, name="middle clean"), unit="%"),
         reported("from the middle: the least other class less opposite sides",
-                 partial(others_less_opposite, name="middle clean"), unit="%"),
+                 partial(opposite_sides_disadvantage, name="middle clean"), unit="%"),
     ),
     rules=STAGED,
-    measure=pass_classes,
+    measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
     note=BODIES,
     seconds=8.0,
@@ -93,15 +102,15 @@ S43 = Claim(
     statement="The potential field handles moving obstacles about as well as stationary ones.",
     method=f"The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. {RULES}",
     criteria=(
-        *(reported(f"{where}touched, {text}", partial(clean, name=f"{prefix}touched", columns=i), unit="%")
+        *(reported(f"{where}touched, {text}", partial(outcome_share, name=f"{prefix}touched", columns=i), unit="%")
           for prefix, where in (("", ""), ("middle ", "from the middle: "))
           for i, text in ((0, "one still player"), (1, "one mover"))),
         *(reported(f"{where}touched, mover less still",
-                   lambda s, name=f"{prefix}touched": clean(s, name, 1) - clean(s, name, 0), unit="%")  # type: ignore[misc]
+                   lambda s, name=f"{prefix}touched": outcome_share(s, name, 1) - outcome_share(s, name, 0), unit="%")  # type: ignore[misc]
           for prefix, where in (("", ""), ("middle ", "from the middle: "))),
     ),
     rules=STAGED,
-    measure=pass_classes,
+    measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way",),
     note="A report, for the paper gives no measure; S62 to S64 judge. The field has positions alone, no velocities.",
     seconds=8.0,

@@ -11,8 +11,16 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import COUNTED, LOST, NO_SHOTS, dribblers, losses, place_with_ball, run
-from soccer_env.train.papers.staging import LEGGED, put, stage, standing
+from soccer_env.train.papers.dribble_runs import (
+    COUNTED,
+    LOST,
+    NO_SHOTS,
+    losses,
+    place_with_ball,
+    record_dribble,
+    set_up_dribblers,
+)
+from soccer_env.train.papers.staging import LEGGED, put, stage, standing_actions
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 64
@@ -29,7 +37,7 @@ CAUGHT = 0.01  # [m/s] a robot that touches another and is slower than this is c
 WORLDS = {"": LEGGED, "smooth ": "legged-2001-smooth"}  # prefix of the samples: league
 
 
-def in_both_worlds(measure: Callable[[Batch, str], Samples]) -> Callable[[Batch], Samples]:
+def measure_in_both_worlds(measure: Callable[[Batch, str], Samples]) -> Callable[[Batch], Samples]:
     """Wrap a measurement to run with swinging legs and with the one-piece body (samples named "smooth ...")."""
 
     def both(batch: Batch) -> Samples:
@@ -46,27 +54,27 @@ def dribble_steps(batch: Batch, world: str) -> Samples:
     rng, runs = batch.rng(), []
     y, turned = rng.uniform(-0.5, 0.5, MATCHES), rng.uniform(-0.5, 0.5, MATCHES)
     for step in STEPS:
-        match = dribblers(batch, find_league(world), MATCHES, 1, NO_SHOTS | {"step_length": step})
+        match = set_up_dribblers(batch, find_league(world), MATCHES, 1, NO_SHOTS | {"step_length": step})
         place_with_ball(match, y=y, heading=turned)
-        runs.append(losses(run(match, SECONDS)))
+        runs.append(losses(record_dribble(match, SECONDS)))
     columns = {name: np.stack([one[name] for one in runs], axis=1).astype(float) for name in runs[0]}
     at = STEPS.index(PAPER_STEP)
     return columns | {"kept at 3.5": columns["kept"][:, at], "tried at 3.5": columns["tried"][:, at]}
 
 
-def per_metre(samples: Samples, world: str = "") -> list[float]:
+def losses_per_metre(samples: Samples, world: str = "") -> list[float]:
     """Return the number of balls lost per metre dribbled, for each step length."""
     lost, metres = samples[f"{world}lost"].sum(axis=0), samples[f"{world}metres"].sum(axis=0)
     return [float(value) for value in lost / np.maximum(metres, 1e-9)]
 
 
-def rise(samples: Samples, world: str = "") -> float:
+def loss_increase(samples: Samples, world: str = "") -> float:
     """Return the losses per metre at a step length of 4 cm minus twice the losses at 3.5 cm."""
-    by_step = per_metre(samples, world)
+    by_step = losses_per_metre(samples, world)
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
-def share(samples: Samples, hits: str, trials: str) -> float:
+def percent_of_trials(samples: Samples, hits: str, trials: str) -> float:
     """Return the sum of the samples `hits` divided by the sum of the samples `trials` [%]."""
     return 100.0 * float(samples[hits].sum()) / max(float(samples[trials].sum()), 1.0)
 
@@ -75,8 +83,8 @@ def step_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the balls lost per metre against the step length."""
     centimetres = [100 * step for step in STEPS]
     curves = (
-        Curve("legs that swing", centimetres, per_metre(samples)),
-        Curve("body of one piece", centimetres, per_metre(samples, "smooth ")),
+        Curve("legs that swing", centimetres, losses_per_metre(samples)),
+        Curve("body of one piece", centimetres, losses_per_metre(samples, "smooth ")),
     )
     return (Figure("Balls lost by a dribbler", "length of a step [cm]", "losses per metre", curves),)
 
@@ -90,17 +98,17 @@ S51 = Claim(
     "is lost. Beside it the same with the body of one piece.",
     criteria=(
         counted(f"kept over {COUNTED:g} m at 3.5 cm", "kept at 3.5", "tried at 3.5", at_least=80.0),
-        measured("losses per metre at 4 cm less twice those at 3.5 cm", rise, above=0.0),
-        reported("losses per metre at 3.5 cm", lambda s: per_metre(s)[STEPS.index(PAPER_STEP)]),
-        reported("losses per metre at 4 cm", lambda s: per_metre(s)[STEPS.index(0.040)]),
+        measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
+        reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
+        reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
         reported("body of one piece: kept over 1 m at 3.5 cm",
-                 lambda s: share(s, "smooth kept at 3.5", "smooth tried at 3.5"), unit="%"),
-        reported("body of one piece: losses per metre at 3.5 cm", lambda s: per_metre(s, "smooth ")[1]),
-        reported("body of one piece: losses per metre at 4 cm", lambda s: per_metre(s, "smooth ")[2]),
-        reported("body of one piece: at 4 cm less twice those at 3.5 cm", lambda s: rise(s, "smooth ")),
+                 lambda s: percent_of_trials(s, "smooth kept at 3.5", "smooth tried at 3.5"), unit="%"),
+        reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
+        reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
+        reported("body of one piece: at 4 cm less twice those at 3.5 cm", lambda s: loss_increase(s, "smooth ")),
     ),
     rules=STAGED,
-    measure=in_both_worlds(dribble_steps),
+    measure=measure_in_both_worlds(dribble_steps),
     figures=step_figure,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
     note="No ball was lost, at 4 cm as at 3.5. A body of one piece that slides with a constant speed does not kick. A "
@@ -113,39 +121,41 @@ S51 = Claim(
 # Angle
 
 
-def walk_aside(batch: Batch, world: str) -> Samples:
+def push_at_angles(batch: Batch, world: str) -> Samples:
     """Let robots push the ball at each angle off straight ahead, half to the left; "lost" (M, angles) is 0 or 1."""
     side, lost = batch.rng().choice([-1.0, 1.0], MATCHES), []
     for angle in ANGLES:
         match = stage(batch, world, matches=MATCHES, senses="ideal")
         place_with_ball(match, -0.6, -0.4 * side)
-        lost.append(losses(run(match, ASIDE_SECONDS, walking(match, PAPER_STEP, side * angle)))["lost"] > 0)
+        lost.append(
+            losses(record_dribble(match, ASIDE_SECONDS, walking_actions(match, PAPER_STEP, side * angle)))["lost"] > 0
+        )
     return {"lost": np.stack(lost, axis=1).astype(float)}
 
 
-def walking(match: object, step: float, angle: np.ndarray) -> np.ndarray:
+def walking_actions(match: object, step: float, angle: np.ndarray) -> np.ndarray:
     """Return actions by which robot 0 walks with steps [m] at angles [degrees] off straight ahead."""
-    actions, drive = standing(match), match.league.drive  # type: ignore[arg-type, attr-defined]
+    actions, drive = standing_actions(match), match.league.drive  # type: ignore[arg-type, attr-defined]
     speed = step / (drive.gait_steps * match.league.dt)  # type: ignore[attr-defined]
     actions[:, 0, 0] = speed * np.cos(angle * pi / 180.0) / drive.forward
     actions[:, 0, 1] = speed * np.sin(angle * pi / 180.0) / drive.sideways
     return actions
 
 
-def by_angle(samples: Samples, world: str = "") -> list[float]:
+def losses_by_angle(samples: Samples, world: str = "") -> list[float]:
     """Return the share of runs that lose the ball [%] at each angle off straight ahead."""
     return [100.0 * float(value) for value in samples[f"{world}lost"].mean(axis=0)]
 
 
-def beyond_less_within(samples: Samples, world: str = "") -> float:
+def wide_angle_loss_difference(samples: Samples, world: str = "") -> float:
     """Return the share of balls lost [%] at 60 degrees and more minus the share at 45 degrees and less."""
-    shares, angles = np.array(by_angle(samples, world)), np.array(ANGLES)
+    shares, angles = np.array(losses_by_angle(samples, world)), np.array(ANGLES)
     return float(shares[angles >= 60.0].mean() - shares[angles <= KNEE].mean())
 
 
-def knee(samples: Samples, world: str = "") -> float:
+def half_loss_angle(samples: Samples, world: str = "") -> float:
     """Return the angle [degrees] at which losses reach half of their maximum, by linear interpolation."""
-    shares = by_angle(samples, world)
+    shares = losses_by_angle(samples, world)
     half = 0.5 * max(shares)
     above = next((i for i, value in enumerate(shares) if value > half), 0)
     if above == 0:
@@ -157,8 +167,8 @@ def knee(samples: Samples, world: str = "") -> float:
 def angle_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of lost balls against the angle off straight ahead."""
     curves = (
-        Curve("legs that swing", ANGLES, by_angle(samples)),
-        Curve("body of one piece", ANGLES, by_angle(samples, "smooth ")),
+        Curve("legs that swing", ANGLES, losses_by_angle(samples)),
+        Curve("body of one piece", ANGLES, losses_by_angle(samples, "smooth ")),
     )
     title = f"Balls lost within {ASIDE_SECONDS:g} s of walking aside"
     return (Figure(title, "angle off straight ahead [degrees]", "balls lost [%]", curves),)
@@ -172,13 +182,14 @@ S59 = Claim(
     "straight ahead, half to each side, without turning, the ball between their paws at the start. Knee: where losses "
     "reach half of their greatest share. Beside it the same with the body of one piece.",
     criteria=(
-        measured("lost at 60 degrees and more, less lost at 45 and less", beyond_less_within, unit="%", above=10.0),
-        measured("knee", knee, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
-        reported("body of one piece: the difference", lambda s: beyond_less_within(s, "smooth "), unit="%"),
-        reported("body of one piece: the knee", lambda s: knee(s, "smooth "), unit="degrees"),
+        measured("lost at 60 degrees and more, less lost at 45 and less", wide_angle_loss_difference, unit="%",
+            above=10.0),
+        measured("knee", half_loss_angle, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
+        reported("body of one piece: the difference", lambda s: wide_angle_loss_difference(s, "smooth "), unit="%"),
+        reported("body of one piece: the knee", lambda s: half_loss_angle(s, "smooth "), unit="degrees"),
     ),
     rules=STAGED,
-    measure=in_both_worlds(walk_aside),
+    measure=measure_in_both_worlds(push_at_angles),
     figures=angle_figure,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
     note="The paws of a body of one piece hold the ball from both sides; it slips out under a paw only if the robot "
@@ -190,7 +201,7 @@ S59 = Claim(
 # A robot right ahead
 
 
-def push_on(batch: Batch, world: str) -> Samples:
+def push_past_robot(batch: Batch, world: str) -> Samples:
     """Let robots walk with the ball at 45 and 55 degrees off straight ahead, with another robot right ahead.
 
     "caught": share of time (M, 2) for which the other robot blocks them; "made": distance walked [m].
@@ -204,25 +215,25 @@ def push_on(batch: Batch, world: str) -> Samples:
         match = stage(batch, world, matches=MATCHES, senses="ideal")
         place_with_ball(match, -0.3, 0.0)
         put(match, 1, -0.3 + distance, aside, pi)
-        way = run(match, PUSH_SECONDS, walking(match, PAPER_STEP, side * angle))
+        way = record_dribble(match, PUSH_SECONDS, walking_actions(match, PAPER_STEP, side * angle))
         slow = way.step * match.league.control_rate < CAUGHT
         shares.append((way.touches & slow).mean(axis=0))
         made.append(np.hypot(way.x[-1] - way.x[0], way.y[-1] - way.y[0]))
     return {"caught": np.stack(shares, axis=1), "made": np.stack(made, axis=1)}
 
 
-def caught_more(samples: Samples, world: str = "") -> float:
+def blocked_time_difference(samples: Samples, world: str = "") -> float:
     """Return the share of time blocked by the other robot [%] at 45 degrees minus the share at 55 degrees."""
     by_limit = samples[f"{world}caught"].mean(axis=0)
     return 100.0 * float(by_limit[0] - by_limit[1])
 
 
-def caught_at(samples: Samples, index: int, world: str = "") -> float:
+def blocked_time_share(samples: Samples, index: int, world: str = "") -> float:
     """Return the share of time [%] for which the other robot blocks the walk at the angle LIMITS[index]."""
     return 100.0 * float(samples[f"{world}caught"][:, index].mean())
 
 
-def made_at(samples: Samples, index: int, world: str = "") -> float:
+def mean_distance_walked(samples: Samples, index: int, world: str = "") -> float:
     """Return the mean distance walked [cm] at the angle LIMITS[index]."""
     return 100.0 * float(samples[f"{world}made"][:, index].mean())
 
@@ -236,17 +247,17 @@ S60 = Claim(
     f"45 or 55 degrees. Caught: in touch with the other and slower than {100 * CAUGHT:g} cm/s of the 7 that it wants. "
     "Beside it the same with the body of one piece.",
     criteria=(
-        measured("share of time caught at 45 degrees less that at 55", caught_more, unit="%", above=0.0),
-        reported("caught at 45 degrees", lambda s: caught_at(s, 0), unit="%"),
-        reported("caught at 55 degrees", lambda s: caught_at(s, 1), unit="%"),
-        reported("distance made at 45 degrees", lambda s: made_at(s, 0), unit="cm"),
-        reported("distance made at 55 degrees", lambda s: made_at(s, 1), unit="cm"),
-        reported("body of one piece: caught at 45 degrees", lambda s: caught_at(s, 0, "smooth "), unit="%"),
-        reported("body of one piece: caught at 55 degrees", lambda s: caught_at(s, 1, "smooth "), unit="%"),
-        reported("body of one piece: the difference", lambda s: caught_more(s, "smooth "), unit="%"),
+        measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
+        reported("caught at 45 degrees", lambda s: blocked_time_share(s, 0), unit="%"),
+        reported("caught at 55 degrees", lambda s: blocked_time_share(s, 1), unit="%"),
+        reported("distance made at 45 degrees", lambda s: mean_distance_walked(s, 0), unit="cm"),
+        reported("distance made at 55 degrees", lambda s: mean_distance_walked(s, 1), unit="cm"),
+        reported("body of one piece: caught at 45 degrees", lambda s: blocked_time_share(s, 0, "smooth "), unit="%"),
+        reported("body of one piece: caught at 55 degrees", lambda s: blocked_time_share(s, 1, "smooth "), unit="%"),
+        reported("body of one piece: the difference", lambda s: blocked_time_difference(s, "smooth "), unit="%"),
     ),
     rules=STAGED,
-    measure=in_both_worlds(push_on),
+    measure=measure_in_both_worlds(push_past_robot),
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
     note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "
     "seldom, and at 55 degrees twice as often.",

@@ -56,7 +56,7 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
     return goals, against, np.where(goals > 0, half, best) - start, ended
 
 
-def both_strategies(batch: Batch) -> Samples:
+def compare_strategies(batch: Batch) -> Samples:
     """Return goals, goals against, progress and end times of both strategies by kind of blockers, and of MORE."""
     samples: Samples = {}
     plan = [(name, settings, where) for name, settings in STRATEGIES.items() for where in BLOCKERS]
@@ -68,13 +68,13 @@ def both_strategies(batch: Batch) -> Samples:
     return samples
 
 
-def more(samples: Samples, quantity: str, where: str = "", factor: float = 100.0) -> float:
+def dribbling_advantage(samples: Samples, quantity: str, where: str = "", factor: float = 100.0) -> float:
     """Return the mean of `quantity` when dribbling minus the mean when orbiting and shooting, times `factor`."""
     new, old = (samples[f"{quantity} {name}{where}"].mean() for name in STRATEGIES)
     return factor * float(new - old)
 
 
-def share_of(samples: Samples, name: str, quantity: str = "goals") -> float:
+def share_of_runs(samples: Samples, name: str, quantity: str = "goals") -> float:
     """Return the share of runs [%] in which a strategy scores ("goals") or concedes ("against")."""
     return 100.0 * float(samples[f"{quantity} {name}"].mean())
 
@@ -104,20 +104,23 @@ S31 = Claim(
     "there.",
     criteria=(
         measured("goals, dribbling less orbit and shoot, blockers after the ball",
-                 lambda s: more(s, "goals"), unit="%", above=0.0),
-        *(reported(f"goals, {name}", partial(share_of, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", partial(share_of, name=name, quantity="against"), unit="%")
+                 lambda s: dribbling_advantage(s, "goals"), unit="%", above=0.0),
+        *(reported(f"goals, {name}", partial(share_of_runs, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
+        *(reported(f"goals against, {name}", partial(share_of_runs, name=name, quantity="against"), unit="%")
           for name in (*STRATEGIES, *MORE)),
-        reported("ball's progress, dribbling less orbit and shoot", lambda s: more(s, "progress"), unit="cm"),
-        reported("blockers stand: goals, dribbling less orbit and shoot", lambda s: more(s, "goals", " still"),
+        reported("ball's progress, dribbling less orbit and shoot", lambda s: dribbling_advantage(s, "progress"),
+            unit="cm"),
+        reported("blockers stand: goals, dribbling less orbit and shoot", lambda s: dribbling_advantage(s, "goals",
+            " still"),
                  unit="%"),
         reported("blockers stand: ball's progress, dribbling less orbit and shoot",
-                 lambda s: more(s, "progress", " still"), unit="cm"),
-        reported("nobody in the way: goals, dribbling less orbit and shoot", lambda s: more(s, "goals", " alone"),
+                 lambda s: dribbling_advantage(s, "progress", " still"), unit="cm"),
+        reported("nobody in the way: goals, dribbling less orbit and shoot", lambda s: dribbling_advantage(s,
+            "goals", " alone"),
                  unit="%"),
     ),
     rules=PLAYED,
-    measure=both_strategies,
+    measure=compare_strategies,
     figures=goal_figure,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "

@@ -14,8 +14,8 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.field.points import one_ahead, starts
-from soccer_env.train.papers.claims.field.robots import run_both_ways
+from soccer_env.train.papers.claims.field.points import player_near_path, starts
+from soccer_env.train.papers.claims.field.robots import run_two_distances
 from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, WAYS
 from soccer_env.train.papers.drill_runs import LONGEST, PAPER, play_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -35,7 +35,7 @@ RULES = (
 BODIES = "The field takes robots for points (MS44); bodies count as touching when outlines meet, legs and paws too. "
 
 
-def clean(samples: Samples, name: str = "clean", columns: Any = slice(None)) -> float:
+def outcome_share(samples: Samples, name: str = "clean", columns: Any = slice(None)) -> float:
     """Return the share [%] of runs with the result `name`, such as a clean pass, over the given columns."""
     return 100.0 * float(samples[name][:, columns].mean())
 
@@ -46,7 +46,7 @@ def play_all(batch: Batch, plan: Plan, matches: int) -> Samples:
     return {name: np.stack([one[name] for one in runs], axis=1) for name in runs[0]}
 
 
-def play_both_ways(batch: Batch, plan: Plan, matches: int) -> Samples:
+def play_two_distances(batch: Batch, plan: Plan, matches: int) -> Samples:
     """Play a plan with both definitions of a player's distance; "middle ..." counts between middles of bodies."""
     samples: Samples = {}
     for prefix, way in WAYS.items():
@@ -58,9 +58,9 @@ def play_both_ways(batch: Batch, plan: Plan, matches: int) -> Samples:
 # Standing players
 
 
-def pass_still(batch: Batch) -> Samples:
+def dribble_past_still(batch: Batch) -> Samples:
     """Dribble past one, two, three standing players; past one also with ideal senses, doubled k2, and from afar."""
-    samples = play_both_ways(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
+    samples = play_two_distances(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
     variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (
         ("ideal", {}, "ideal"),
@@ -71,8 +71,8 @@ def pass_still(batch: Batch) -> Samples:
         one = play_drill(batch, STILL[0], settings, MATCHES, senses=senses)
         samples |= {f"{key} {name}": values for key, values in one.items()}
     rng = batch.rng()
-    start, crowd = starts(rng, MATCHES), one_ahead(rng, 0.0, 0.25, MATCHES)
-    return samples | {f"{prefix}clean afar": runs.is_clean for prefix, runs in run_both_ways(batch, start, crowd)}
+    start, crowd = starts(rng, MATCHES), player_near_path(rng, 0.0, 0.25, MATCHES)
+    return samples | {f"{prefix}clean afar": runs.is_clean for prefix, runs in run_two_distances(batch, start, crowd)}
 
 
 def still_figure(samples: Samples) -> Sequence[Figure]:
@@ -83,7 +83,9 @@ def still_figure(samples: Samples) -> Sequence[Figure]:
         "past": "past",
         "middle clean": "past, without a touch, distances from the middle",
     }
-    curves = tuple(Curve(text, (1, 2, 3), [clean(samples, name, i) for i in range(3)]) for name, text in names.items())
+    curves = tuple(
+        Curve(text, (1, 2, 3), [outcome_share(samples, name, i) for i in range(3)]) for name, text in names.items()
+    )
     return (Figure("Dribbling past players who stand", "players", "runs [%]", curves, rules=(95.0,)),)
 
 
@@ -93,12 +95,13 @@ S62 = Claim(
     statement="A dribbling robot consistently avoids stationary players.",
     method=f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
     criteria=(
-        measured("clean, over one to three players", clean, unit="%", at_least=95.0),
-        *(reported(f"clean, {i + 1}", partial(clean, name="clean", columns=i), unit="%") for i in range(3)),
-        reported("past without a contact that stopped it or turned somebody", lambda s: clean(s, "free"), unit="%"),
-        reported("the same, one", lambda s: clean(s, "free", 0), unit="%"),
-        reported("past with the ball, touched or not", lambda s: clean(s, "past"), unit="%"),
-        reported("ball lost", lambda s: clean(s, "lost"), unit="%"),
+        measured("clean, over one to three players", outcome_share, unit="%", at_least=95.0),
+        *(reported(f"clean, {i + 1}", partial(outcome_share, name="clean", columns=i), unit="%") for i in range(3)),
+        reported("past without a contact that stopped it or turned somebody", lambda s: outcome_share(s, "free"),
+            unit="%"),
+        reported("the same, one", lambda s: outcome_share(s, "free", 0), unit="%"),
+        reported("past with the ball, touched or not", lambda s: outcome_share(s, "past"), unit="%"),
+        reported("ball lost", lambda s: outcome_share(s, "lost"), unit="%"),
         reported("one: median distance between middles of bodies at the nearest",
                  lambda s: 100.0 * float(np.median(s["nearest"][:, 0])), unit="cm"),
         reported("one, ideal senses: clean", lambda s: 100.0 * float(s["clean ideal"].mean()), unit="%"),
@@ -107,15 +110,15 @@ S62 = Claim(
                  unit="%"),
         reported("from the middle, one who stands 90 to 150 cm off: clean",
                  lambda s: 100.0 * float(s["middle clean afar"].mean()), unit="%"),
-        reported("from the middle: clean", lambda s: clean(s, "middle clean"), unit="%"),
-        reported("from the middle: clean, one", lambda s: clean(s, "middle clean", 0), unit="%"),
+        reported("from the middle: clean", lambda s: outcome_share(s, "middle clean"), unit="%"),
+        reported("from the middle: clean, one", lambda s: outcome_share(s, "middle clean", 0), unit="%"),
         reported("from the middle: past without a contact that stopped it or turned somebody",
-                 lambda s: clean(s, "middle free"), unit="%"),
+                 lambda s: outcome_share(s, "middle free"), unit="%"),
         reported("from the middle, ideal senses: clean, one",
                  lambda s: 100.0 * float(s["clean middle ideal"].mean()), unit="%"),
     ),
     rules=STAGED,
-    measure=pass_still,
+    measure=dribble_past_still,
     figures=still_figure,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
     note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
@@ -130,19 +133,19 @@ S62 = Claim(
 # A moving player
 
 
-def pass_mover(batch: Batch) -> Samples:
+def dribble_past_mover(batch: Batch) -> Samples:
     """Dribble past one mover; columns: drills, in each the speeds; "middle ...": only speeds up to SLOW."""
     samples = play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
     slow = [(scene, FROM_MIDDLE, speed) for scene in MOVING for speed in SPEEDS if speed <= SLOW]
     return samples | {f"middle {name}": values for name, values in play_all(batch, slow, FEWER).items()}
 
 
-def of_drill(index: int, most: float = 1.0) -> list[int]:
+def drill_columns(index: int, most: float = 1.0) -> list[int]:
     """Return the column indices of one drill of MOVING, at speeds up to `most` [m/s]."""
     return [index * len(SPEEDS) + i for i, speed in enumerate(SPEEDS) if speed <= most]
 
 
-def of_speed(*speeds: float) -> list[int]:
+def speed_columns(*speeds: float) -> list[int]:
     """Return the column indices of the given speeds [m/s], in all drills of MOVING."""
     return [i for i in range(len(MOVING) * len(SPEEDS)) if SPEEDS[i % len(SPEEDS)] in speeds]
 
@@ -151,7 +154,11 @@ def mover_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of clean runs against the mover's speed, one curve for each drill."""
     centimetres = [100 * speed for speed in SPEEDS]
     curves = tuple(
-        Curve(scene.removeprefix("dribble-past-"), centimetres, list(100.0 * samples["clean"][:, of_drill(i)].mean(0)))
+        Curve(
+            scene.removeprefix("dribble-past-"),
+            centimetres,
+            list(100.0 * samples["clean"][:, drill_columns(i)].mean(0)),
+        )
         for i, scene in enumerate(MOVING)
     )
     return (Figure("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", curves, rules=(80.0,)),)
@@ -164,18 +171,21 @@ S63 = Claim(
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
     criteria=(
-        measured("clean, at 3 and 6 cm/s", lambda s: clean(s, "clean", of_speed(0.03, 0.06)), unit="%", at_least=80.0),
-        *(reported(f"clean, {100 * speed:.0f} cm/s", partial(clean, name="clean", columns=of_speed(speed)), unit="%")
+        measured("clean, at 3 and 6 cm/s", lambda s: outcome_share(s, "clean", speed_columns(0.03, 0.06)), unit="%",
+            at_least=80.0),
+        *(reported(f"clean, {100 * speed:.0f} cm/s", partial(outcome_share, name="clean",
+            columns=speed_columns(speed)), unit="%")
           for speed in SPEEDS),
-        *(reported(f"clean at 3 and 6 cm/s, {text}", partial(clean, name="clean", columns=of_drill(i, SLOW)), unit="%")
+        *(reported(f"clean at 3 and 6 cm/s, {text}", partial(outcome_share, name="clean", columns=drill_columns(i,
+            SLOW)), unit="%")
           for i, text in enumerate(("near at the start", "far at the start", "head-on"))),
         reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody",
-                 lambda s: clean(s, "free", of_speed(0.03, 0.06)), unit="%"),
-        reported("past with the ball, touched or not, all speeds", lambda s: clean(s, "past"), unit="%"),
-        reported("from the middle: clean at 3 and 6 cm/s", lambda s: clean(s, "middle clean"), unit="%"),
+                 lambda s: outcome_share(s, "free", speed_columns(0.03, 0.06)), unit="%"),
+        reported("past with the ball, touched or not, all speeds", lambda s: outcome_share(s, "past"), unit="%"),
+        reported("from the middle: clean at 3 and 6 cm/s", lambda s: outcome_share(s, "middle clean"), unit="%"),
     ),
     rules=STAGED,
-    measure=pass_mover,
+    measure=dribble_past_mover,
     figures=mover_figure,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
     note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the "

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.dribble.past import FEWER, RULES, Plan, clean, play_both_ways
+from soccer_env.train.papers.claims.dribble.past import FEWER, RULES, Plan, outcome_share, play_two_distances
 from soccer_env.train.papers.drill_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -15,32 +15,32 @@ SCENES = ("dribble-past-two", "dribble-past-mover-far")
 DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a bend
 
 
-def pass_by_replan(batch: Batch) -> Samples:
+def compare_decision_times(batch: Batch) -> Samples:
     """Dribble past two still players, and past a mover from afar; return means of both by decision time (M, times)."""
     plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
-    runs, count = play_both_ways(batch, plan, FEWER), len(REPLANS)
+    runs, count = play_two_distances(batch, plan, FEWER), len(REPLANS)
     return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in runs.items()}
 
 
-def at_time(samples: Samples, *times: float) -> float:
+def clean_shares_at(samples: Samples, *times: float) -> float:
     """Return the share of clean runs [%] at the given times between decisions."""
-    return clean(samples, "clean", [REPLANS.index(time) for time in times])
+    return outcome_share(samples, "clean", [REPLANS.index(time) for time in times])
 
 
-def fitted(samples: Samples, *times: float, name: str = "clean") -> float:
+def fitted_clean_share(samples: Samples, *times: float, name: str = "clean") -> float:
     """Return the mean clean share [%] at the given decision intervals, on the curve fitted over all intervals."""
     curve = np.polyfit(np.log2(REPLANS), 100.0 * samples[name].mean(axis=0), DEGREE)
     return float(np.polyval(curve, np.log2(times)).mean())
 
 
-def gained(samples: Samples, name: str = "clean") -> float:
+def fast_decisions_gain(samples: Samples, name: str = "clean") -> float:
     """Return the fitted share [%] at decision intervals of 1/8 and 1/4 s (mean) minus the fitted share at 1/2 s."""
-    return fitted(samples, 0.125, 0.25, name=name) - fitted(samples, 0.5, name=name)
+    return fitted_clean_share(samples, 0.125, 0.25, name=name) - fitted_clean_share(samples, 0.5, name=name)
 
 
-def worse(samples: Samples, name: str = "clean") -> float:
+def half_second_gain(samples: Samples, name: str = "clean") -> float:
     """Return the fitted share [%] at a decision interval of 1/2 s minus the fitted share at 1 s."""
-    return fitted(samples, 0.5, name=name) - fitted(samples, 1.0, name=name)
+    return fitted_clean_share(samples, 0.5, name=name) - fitted_clean_share(samples, 1.0, name=name)
 
 
 def replan_figure(samples: Samples) -> Sequence[Figure]:
@@ -50,7 +50,7 @@ def replan_figure(samples: Samples) -> Sequence[Figure]:
         for name, text in (("clean", "without a touch"), ("past", "past"), ("middle clean", "from the middle"))
     ]
     times = np.geomspace(REPLANS[0], REPLANS[-1], 33)
-    curves.append(Curve("without a touch, curve", list(times), [fitted(samples, time) for time in times]))
+    curves.append(Curve("without a touch, curve", list(times), [fitted_clean_share(samples, time) for time in times]))
     return (Figure("Dribbling by the time between decisions", "time [s]", "runs [%]", tuple(curves)),)
 
 
@@ -62,16 +62,19 @@ S52 = Claim(
     f"{', '.join(f'{time:g}' for time in REPLANS)} s; a curve of degree {DEGREE} in the logarithm of the time is "
     f"fitted to the clean share. {RULES}",
     criteria=(
-        measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", gained, unit="%", at_most=5.0),
-        measured("curve at 0.5 s less at 1 s", worse, unit="%", above=0.0),
-        *(reported(f"clean at {time:g} s", partial(lambda s, time: at_time(s, time), time=time), unit="%")
+        measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", fast_decisions_gain, unit="%",
+            at_most=5.0),
+        measured("curve at 0.5 s less at 1 s", half_second_gain, unit="%", above=0.0),
+        *(reported(f"clean at {time:g} s", partial(lambda s, time: clean_shares_at(s, time), time=time), unit="%")
           for time in REPLANS),
-        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", partial(gained, name="middle clean"),
+        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", partial(fast_decisions_gain,
+            name="middle clean"),
                  unit="%"),
-        reported("from the middle: curve at 0.5 s less at 1 s", partial(worse, name="middle clean"), unit="%"),
+        reported("from the middle: curve at 0.5 s less at 1 s", partial(half_second_gain, name="middle clean"),
+            unit="%"),
     ),
     rules=STAGED,
-    measure=pass_by_replan,
+    measure=compare_decision_times,
     figures=replan_figure,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),
     note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "

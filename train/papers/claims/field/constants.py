@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.field.movers import SPEEDS, one_comes
-from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, one_ahead, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.claims.field.movers import SPEEDS, approaching_player
+from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, player_near_path, run_points, starts
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -26,15 +26,15 @@ AXES = {"k2": GAINS, "x0": RANGES}
 
 def scenes(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Draw starts and two kinds of players: standing up to 25 cm beside the path, or coming straight at the start."""
-    return starts(rng), {"standing": one_ahead(rng, 0.0, 0.25), "moving": one_comes(rng)}
+    return starts(rng), {"standing": player_near_path(rng, 0.0, 0.25), "moving": approaching_player(rng)}
 
 
-def setting(axis: str, value: float) -> dict[str, Any]:
+def constant_setting(axis: str, value: float) -> dict[str, Any]:
     """Return the team settings that set one constant, the gain ("k2") or the range, to a value."""
     return {"player_gain" if axis == "k2" else "player_range": value}
 
 
-def along_lines(batch: Batch) -> Samples:
+def vary_each_constant(batch: Batch) -> Samples:
     """Return whether points and robots pass cleanly (M,) (NaN: not played) by kind of scene, constant and its value."""
     start, crowds = scenes(batch.rng())
     samples: Samples = {}
@@ -42,11 +42,11 @@ def along_lines(batch: Batch) -> Samples:
         at_paper = robots_succeed(batch, start, crowd, {}, FEW)
         for axis, values in AXES.items():
             for value in values:
-                play = setting(axis, value)
+                play = constant_setting(axis, value)
                 runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
                 samples[f"points {kind} {axis} {value:g}"] = is_clean(runs).astype(float)
             for value in TRIED[axis]:
-                play = setting(axis, value)
+                play = constant_setting(axis, value)
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
                 samples |= {f"{prefix}robots {kind} {axis} {value:g}": clean for prefix, clean in robots.items()}
     return samples
@@ -55,9 +55,9 @@ def along_lines(batch: Batch) -> Samples:
 def robots_succeed(
     batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int
 ) -> dict[str, np.ndarray]:
-    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN; keys as in `run_both_ways`."""
-    both = run_both_ways(batch, start[:count], crowd[:count], **play)
-    return {prefix: filled(runs.is_clean) for prefix, runs in both}
+    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN; keys as in `run_two_distances`."""
+    both = run_two_distances(batch, start[:count], crowd[:count], **play)
+    return {prefix: pad_with_nan(runs.is_clean) for prefix, runs in both}
 
 
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
@@ -66,7 +66,7 @@ def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
     return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values]
 
 
-def least_sufficient(samples: Samples, who: str, kind: str, axis: str) -> float:
+def least_sufficient_value(samples: Samples, who: str, kind: str, axis: str) -> float:
     """Return the least value [m] of a constant at which the fitted success curve is within NEARLY of its maximum."""
     values = AXES[axis] if who == "points" else TRIED[axis]
     fine = np.linspace(np.log2(values[0]), np.log2(values[-1]), FINE)
@@ -74,12 +74,12 @@ def least_sufficient(samples: Samples, who: str, kind: str, axis: str) -> float:
     return float(2.0 ** fine[int((curve >= min(curve.max(), 100.0) - NEARLY).argmax())])
 
 
-def larger(samples: Samples, who: str, axis: str) -> float:
+def moving_over_standing_value(samples: Samples, who: str, axis: str) -> float:
     """Return the least sufficient value of a constant for moving players divided by the value for standing players."""
-    return least_sufficient(samples, who, "moving", axis) / least_sufficient(samples, who, "standing", axis)
+    return least_sufficient_value(samples, who, "moving", axis) / least_sufficient_value(samples, who, "standing", axis)
 
 
-def of_paper(samples: Samples, who: str, kind: str) -> float:
+def success_with_paper_constants(samples: Samples, who: str, kind: str) -> float:
     """Return the share of clean runs [%] with the paper's constants."""
     return 100 * mean(samples[f"{who} {kind} k2 {PAPER[0]:g}"])
 
@@ -113,30 +113,33 @@ S53 = Claim(
     f"{NEARLY:.0f} points of its best.",
     criteria=(
         *(
-            measured(f"{who}: least sufficient {axis}, moving over standing", partial(larger, who=who, axis=axis),
+            measured(f"{who}: least sufficient {axis}, moving over standing", partial(moving_over_standing_value,
+                who=who, axis=axis),
                      above=1.0)
             for who in ("points", "robots")
             for axis in AXES
         ),
         *(
             reported(f"{who}: least sufficient {axis}, {kind}",
-                     partial(least_sufficient, who=who, kind=kind, axis=axis), unit="m")
+                     partial(least_sufficient_value, who=who, kind=kind, axis=axis), unit="m")
             for who in ("points", "robots")
             for axis in AXES
             for kind in KINDS
         ),
         *(
-            reported(f"{who}, {kind}: success with the paper's", partial(of_paper, who=who, kind=kind), unit="%")
+            reported(f"{who}, {kind}: success with the paper's", partial(success_with_paper_constants, who=who,
+                kind=kind), unit="%")
             for who in ("points", "robots", "middle robots")
             for kind in KINDS
         ),
         *(
-            reported(f"robots, distances from the middle: {axis}", partial(larger, who="middle robots", axis=axis))
+            reported(f"robots, distances from the middle: {axis}", partial(moving_over_standing_value,
+                who="middle robots", axis=axis))
             for axis in AXES
         ),
     ),
     rules=STAGED,
-    measure=along_lines,
+    measure=vary_each_constant,
     seconds=12.0,
     least=2,
     batches=5,
@@ -144,7 +147,7 @@ S53 = Claim(
 )  # fmt: skip
 
 
-def tuned_in_points(batch: Batch) -> Samples:
+def compare_tuned_constants(batch: Batch) -> Samples:
     """Tune both constants with points; return clean passes (M,) of points and robots with tuned and paper's values."""
     start, crowds = scenes(batch.rng())
     gain, far = tune(start, crowds)
@@ -177,12 +180,12 @@ def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float
     return chosen
 
 
-def dropped(samples: Samples, name: str, who: str = "robots", kinds: Sequence[str] = KINDS) -> float:
+def success_drop(samples: Samples, name: str, who: str = "robots", kinds: Sequence[str] = KINDS) -> float:
     """Return the share of clean passes of points minus the share of robots [pp]."""
-    return passing(samples, "points", name, kinds) - passing(samples, who, name, kinds)
+    return clean_share(samples, "points", name, kinds) - clean_share(samples, who, name, kinds)
 
 
-def passing(samples: Samples, who: str, name: str, kinds: Sequence[str] = KINDS) -> float:
+def clean_share(samples: Samples, who: str, name: str, kinds: Sequence[str] = KINDS) -> float:
     """Return the share of runs [%] that pass cleanly, over kinds of scenes."""
     return 100 * mean([samples[f"{who} {kind} {name}"] for kind in kinds])
 
@@ -195,30 +198,31 @@ S65 = Claim(
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
     criteria=(
-        reported("clean passes, points less robots, constants of the points", partial(dropped, name="tuned"),
+        reported("clean passes, points less robots, constants of the points", partial(success_drop, name="tuned"),
                  unit="pp"),
-        reported("the same with the paper's constants", partial(dropped, name="paper"), unit="pp"),
-        reported("tuned past standing players alone: the same there", partial(dropped, name="short", kinds=KINDS[:1]),
+        reported("the same with the paper's constants", partial(success_drop, name="paper"), unit="pp"),
+        reported("tuned past standing players alone: the same there", partial(success_drop, name="short",
+            kinds=KINDS[:1]),
                  unit="pp"),
         reported("distances from the middle: constants of the points",
-                 partial(dropped, name="tuned", who="middle robots"), unit="pp"),
+                 partial(success_drop, name="tuned", who="middle robots"), unit="pp"),
         reported("distances from the middle: the paper's constants",
-                 partial(dropped, name="paper", who="middle robots"), unit="pp"),
+                 partial(success_drop, name="paper", who="middle robots"), unit="pp"),
         reported("distances from the middle: tuned past standing players alone",
-                 partial(dropped, name="short", who="middle robots", kinds=KINDS[:1]), unit="pp"),
+                 partial(success_drop, name="short", who="middle robots", kinds=KINDS[:1]), unit="pp"),
         reported("k2 tuned past standing players alone", lambda s: mean(s["short gain"]), unit="m"),
         reported("x0 tuned past standing players alone", lambda s: mean(s["short range"]), unit="m"),
         reported("k2 tuned with points", lambda s: mean(s["gain"]), unit="m"),
         reported("x0 tuned with points", lambda s: mean(s["range"]), unit="m"),
         *(
-            reported(f"{who}, {kind}, {title}", partial(passing, who=who, name=name, kinds=(kind,)), unit="%")
+            reported(f"{who}, {kind}, {title}", partial(clean_share, who=who, name=name, kinds=(kind,)), unit="%")
             for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
             for who in ("points", "robots")
             for kind in KINDS
         ),
     ),
     rules=STAGED,
-    measure=tuned_in_points,
+    measure=compare_tuned_constants,
     seconds=8.0,
     least=3,
     batches=6,

@@ -41,15 +41,15 @@ def time_decisions(batch: Batch) -> Samples:
     return {"time": np.array(times), "frame": np.array(frames), "way": np.full(repetitions, steps / len(start))}
 
 
-def undisturbed(times: np.ndarray) -> float:
+def undisturbed_time(times: np.ndarray) -> float:
     """Return the QUIET quantile of repeated times [us], an estimate without disturbance by other programs."""
     return quantile(times, QUIET)
 
 
-def planning(samples: Samples, steps: float = 1.0) -> float:
+def planning_time_share(samples: Samples, steps: float = 1.0) -> float:
     """Return the time of `steps` decisions in each replan interval over the time of the robot's frames in it [%]."""
     each = SacksSettings().replan * find_league(LEGGED).control_rate  # [frames]
-    return 100.0 * steps * undisturbed(samples["time"]) / (each * undisturbed(samples["frame"]))
+    return 100.0 * steps * undisturbed_time(samples["time"]) / (each * undisturbed_time(samples["frame"]))
 
 
 S42 = Claim(
@@ -61,13 +61,15 @@ S42 = Claim(
     "against 3 over its robots: a robot's sensing, beliefs, plan and body. One decision in "
     "half a second.",
     criteria=(
-        measured("planning's share of a robot's computing", planning, unit="%", below=5.0),
+        measured("planning's share of a robot's computing", planning_time_share, unit="%", below=5.0),
         reported(
-            "the same if each decision planned the whole way", lambda s: planning(s, float(s["way"].mean())), unit="%"
+            "the same if each decision planned the whole way",
+            lambda s: planning_time_share(s, float(s["way"].mean())),
+            unit="%",
         ),
-        reported("time for a decision, its point's motion included", lambda s: undisturbed(s["time"]), unit="us"),
-        reported("time for a robot's whole frame", lambda s: undisturbed(s["frame"]), unit="us"),
-        reported("share of the 62.5 ms between two frames", lambda s: undisturbed(s["time"]) / 625.0, unit="%"),
+        reported("time for a decision, its point's motion included", lambda s: undisturbed_time(s["time"]), unit="us"),
+        reported("time for a robot's whole frame", lambda s: undisturbed_time(s["frame"]), unit="us"),
+        reported("share of the 62.5 ms between two frames", lambda s: undisturbed_time(s["time"]) / 625.0, unit="%"),
     ),
     rules=PLAYED,
     measure=time_decisions,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import (
     FIELD,
@@ -17,11 +17,11 @@ from soccer_env.train.papers.claims.field.points import (
     UNIT,
     collided,
     draw_field,
-    one_ahead,
+    player_near_path,
     run_points,
     starts,
 )
-from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -33,10 +33,10 @@ NEAR_GOAL, FAR_GOAL = 0.8, 2.5  # [m]
 GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 
-def matched_exponents(batch: Batch) -> Samples:
+def compare_exponents(batch: Batch) -> Samples:
     """Return distance at first reaction [m], peak turn [rad], clearance [m] (M, exponents); forces equal at 444 mm."""
     rng = batch.rng()
-    start, crowd = starts(rng), one_ahead(rng, 0.0, 0.25)
+    start, crowd = starts(rng), player_near_path(rng, 0.0, 0.25)
     columns: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
     for exponent in EXPONENTS:
         runs = run_points(rng, start, crowd, exponent=exponent, player_gain=matched_gain(exponent))
@@ -54,14 +54,14 @@ def matched_gain(exponent: int) -> float:
     return 0.8 * UNIT ** (exponent - 1)
 
 
-def of_exponent(samples: Samples, n: int, name: str, scale: float) -> float:
+def median_for_exponent(samples: Samples, n: int, name: str, scale: float) -> float:
     """Return the median of the quantity `name` for the exponent `n`, times `scale`."""
     return scale * median(samples[name][:, EXPONENTS.index(n)])
 
 
-def of_exponents(samples: Samples, name: str, scale: float) -> list[float]:
+def medians_by_exponent(samples: Samples, name: str, scale: float) -> list[float]:
     """Return the median of the quantity `name` for each exponent, times `scale`."""
-    return [of_exponent(samples, n, name, scale) for n in EXPONENTS]
+    return [median_for_exponent(samples, n, name, scale) for n in EXPONENTS]
 
 
 def exponent_figures(samples: Samples) -> Sequence[Figure]:
@@ -90,20 +90,24 @@ S44 = Claim(
     "off the goal, and greatest turn from one step to the next.",
     criteria=(
         measured("least fall of the first reaction's distance with the exponent",
-                 lambda samples: -float(np.diff(of_exponents(samples, "onset", 100.0)).max()), unit="cm", above=0.0),
+                 lambda samples: -float(np.diff(medians_by_exponent(samples, "onset", 100.0)).max()), unit="cm",
+                 above=0.0),
         measured("greatest turn rises with the exponent (least rise of the median)",
-                 lambda samples: float(np.diff(of_exponents(samples, "peak", DEGREES)).min()), unit="deg", above=0.0),
+                 lambda samples: float(np.diff(medians_by_exponent(samples, "peak", DEGREES)).min()), unit="deg",
+                 above=0.0),
         *(
-            reported(f"exponent {n}: first reaction", partial(of_exponent, n=n, name="onset", scale=100.0), unit="cm")
+            reported(f"exponent {n}: first reaction", partial(median_for_exponent, n=n, name="onset", scale=100.0),
+                unit="cm")
             for n in EXPONENTS
         ),
         *(
-            reported(f"exponent {n}: greatest turn", partial(of_exponent, n=n, name="peak", scale=DEGREES), unit="deg")
+            reported(f"exponent {n}: greatest turn", partial(median_for_exponent, n=n, name="peak", scale=DEGREES),
+                unit="deg")
             for n in EXPONENTS
         ),
     ),
     rules=NO_MATCH,
-    measure=matched_exponents,
+    measure=compare_exponents,
     seconds=0.5,
     batches=8,
     figures=exponent_figures,
@@ -111,7 +115,7 @@ S44 = Claim(
 )  # fmt: skip
 
 
-def reactions(batch: Batch, **play: Any) -> Samples:
+def compare_reactions(batch: Batch, **play: Any) -> Samples:
     """Return turns off the goal's direction [degrees] for a player at equal relative places, near the goal and far."""
     rng, samples = batch.rng(), {}
     distance, bearing = rng.uniform(0.25, 0.7, SCENES), rng.uniform(-1.0, 1.0, SCENES)
@@ -124,7 +128,7 @@ def reactions(batch: Batch, **play: Any) -> Samples:
     return samples
 
 
-def difference(samples: Samples, kind: str) -> np.ndarray:
+def reaction_difference(samples: Samples, kind: str) -> np.ndarray:
     """Return the absolute difference (M,) [degrees] between reactions near the goal and far from the goal."""
     values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
     return values
@@ -137,32 +141,33 @@ S46 = Claim(
     method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
     criteria=(
-        measured("unit force: greatest difference", lambda s: float(difference(s, "unit").max()), unit="deg",
+        measured("unit force: greatest difference", lambda s: float(reaction_difference(s, "unit").max()), unit="deg",
                  at_most=1e-6),
-        reported("proportional force: mean difference", lambda s: mean(difference(s, "proportional")), unit="deg"),
+        reported("proportional force: mean difference", lambda s: mean(reaction_difference(s, "proportional")),
+            unit="deg"),
         reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
         reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
     ),
     rules=NO_MATCH,
-    measure=reactions,
+    measure=compare_reactions,
     seconds=0.5,
     batches=4,
-    without=Without("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
-                    partial(reactions, goal_force="proportional")),
+    without=Ablation("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
+                    partial(compare_reactions, goal_force="proportional")),
 )  # fmt: skip
 
 
-def with_and_without_cosine(batch: Batch) -> Samples:
+def compare_cosine_factor(batch: Batch) -> Samples:
     """Return deviations and lengths [m] of paths and collisions (M,), with the cosine factor and without it."""
     rng, samples = batch.rng(), {}
-    start, crowd = starts(rng), one_ahead(rng, 0.0, 0.4)
+    start, crowd = starts(rng), player_near_path(rng, 0.0, 0.4)
     for name, cosine in (("with", True), ("without", False)):
         runs = run_points(rng, start, crowd, cosine_factor=cosine)
         samples[f"deviation {name}"], samples[f"length {name}"] = runs.deviation, runs.length
         samples[f"hit {name}"] = collided(runs).astype(float)
-        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine):
-            samples[f"{prefix}robots deviation {name}"] = filled(robots.deviation)
-            samples[f"{prefix}robots clean {name}"] = filled(robots.is_clean)
+        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine):
+            samples[f"{prefix}robots deviation {name}"] = pad_with_nan(robots.deviation)
+            samples[f"{prefix}robots clean {name}"] = pad_with_nan(robots.is_clean)
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 
@@ -179,7 +184,7 @@ def cosine_figures(samples: Samples) -> Sequence[Figure]:
     )
 
 
-def saved(samples: Samples, name: str) -> float:
+def cosine_reduction(samples: Samples, name: str) -> float:
     """Return by how much the cosine factor reduces the median of the quantity `name` [%]."""
     return 100.0 * (1.0 - median(samples[f"{name} with"]) / median(samples[f"{name} without"]))
 
@@ -192,22 +197,22 @@ S47 = Claim(
     f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
     criteria=(
-        measured("deviation is less by (medians)", lambda s: saved(s, "deviation"), unit="%", at_least=20.0),
+        measured("deviation is less by (medians)", lambda s: cosine_reduction(s, "deviation"), unit="%", at_least=20.0),
         measured("collisions with the factor less those without",
                  lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
         reported("deviation with the factor", lambda s: 100 * median(s["deviation with"]), unit="cm"),
         reported("deviation without", lambda s: 100 * median(s["deviation without"]), unit="cm"),
-        measured("robots: deviation is less by (medians)", lambda s: saved(s, "robots deviation"), unit="%",
+        measured("robots: deviation is less by (medians)", lambda s: cosine_reduction(s, "robots deviation"), unit="%",
                  at_least=20.0),
         reported("robots: clean with the factor", lambda s: 100 * mean(s["robots clean with"]), unit="%"),
         reported("robots: clean without", lambda s: 100 * mean(s["robots clean without"]), unit="%"),
         reported("robots, distances from the middle: deviation is less by",
-                 lambda s: saved(s, "middle robots deviation"), unit="%"),
+                 lambda s: cosine_reduction(s, "middle robots deviation"), unit="%"),
         reported("extra length of the path is less by",
                  lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),
     rules=STAGED,
-    measure=with_and_without_cosine,
+    measure=compare_cosine_factor,
     seconds=4.0,
     batches=6,
     figures=cosine_figures,

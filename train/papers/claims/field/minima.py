@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, bounced, hard_set
+from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, gap_with_third_player, side_change_share
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, filled, run_both_ways, run_robots
+from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, pad_with_nan, run_robots, run_two_distances
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -23,51 +23,51 @@ DECISIONS: dict[str, dict[str, Any]] = {"all rules": {}, "decisive": {"decisive"
 LIMITS: dict[str, dict[str, Any]] = {"off": NO_LIMIT, "on": {}}
 
 
-def right_ahead(rng: np.random.Generator) -> np.ndarray:
+def player_right_ahead(rng: np.random.Generator) -> np.ndarray:
     """Return one standing player (M, 1) between the dribbler's start, on the middle line, and the goal."""
     place = np.stack([rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-STRAIGHT, STRAIGHT, SCENES)], axis=-1)
     return players(place[:, None])
 
 
-def before_minima(batch: Batch) -> Samples:
+def compare_angle_limits(batch: Batch) -> Samples:
     """Return stalls and retreats (M,) of points and of robots, in head-on and gap scenes, with the limits off and on.
 
     NaN in scenes that the full simulator did not play: it plays fewer.
     """
     rng, samples = batch.rng(), {}
     start = np.column_stack([np.full(SCENES, START), np.zeros(SCENES)])
-    scenes = {"head-on": right_ahead(rng), "gap": gap_ahead(rng, *GAP, askew=0.0)}
+    scenes = {"head-on": player_right_ahead(rng), "gap": gap_ahead(rng, *GAP, askew=0.0)}
     for scene, crowd in scenes.items():
         for limit, play in LIMITS.items():
             runs = run_points(batch.rng(1), start, crowd, **play)
             name = f"{scene}, limit {limit}"
             samples[f"points {name}: stalls"] = (~runs.arrived).astype(float)
             samples[f"points {name}: retreats"] = (runs.retreats > 0).astype(float)
-            for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
-                samples[f"{prefix}robots {name}: stalls"] = filled(~robots.arrived)
-                samples[f"{prefix}robots {name}: retreats"] = filled(robots.retreat > BACK)
+            for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
+                samples[f"{prefix}robots {name}: stalls"] = pad_with_nan(~robots.arrived)
+                samples[f"{prefix}robots {name}: retreats"] = pad_with_nan(robots.retreat > BACK)
     return samples
 
 
-def trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
+def has_trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
     """Return for each run (M,) 1 if it stalls or retreats, 0 if not, and NaN if it is not played."""
     stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {kind}"] for kind in ("stalls", "retreats"))
     worse: np.ndarray = np.maximum(stalls, retreats)
     return worse
 
 
-def share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head-on", "gap")) -> float:
+def trouble_share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head-on", "gap")) -> float:
     """Return the share of runs [%] that stall or retreat."""
-    return 100 * mean([trouble(samples, who, scene, limit) for scene in scenes])
+    return 100 * mean([has_trouble(samples, who, scene, limit) for scene in scenes])
 
 
-def more(samples: Samples, who: str) -> float:
+def trouble_without_limits(samples: Samples, who: str) -> float:
     """Return the share of runs that stall or retreat without the limits minus the share with them [pp]."""
-    return share(samples, who, "off") - share(samples, who, "on")
+    return trouble_share(samples, who, "off") - trouble_share(samples, who, "on")
 
 
 def minimum_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the paths of a dribbler with a player right ahead, without a limit and with the limit of 70 degrees."""
+    """Plot the paths of a dribbler with a player right ahead, with and without the limit of 70 degrees on its turn."""
     crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
     paths = {
         name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0]
@@ -86,26 +86,31 @@ S54 = Claim(
     f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
     f"{SECONDS:.0f} s (robots).",
     criteria=(
-        measured("points without limits that stall or retreat", partial(share, who="points", limit="off"), unit="%",
+        measured("points without limits that stall or retreat", partial(trouble_share, who="points", limit="off"),
+            unit="%",
                  above=SOMETIMES),
-        measured("robots that do so: without limits less with them", partial(more, who="robots"), unit="pp",
+        measured("robots that do so: without limits less with them", partial(trouble_without_limits, who="robots"),
+            unit="pp",
                  above=SOMETIMES),
-        reported("points with the limits", partial(share, who="points", limit="on"), unit="%"),
+        reported("points with the limits", partial(trouble_share, who="points", limit="on"), unit="%"),
         *(
-            reported(f"{who} without limits, {scene}", partial(share, who=who, limit="off", scenes=(scene,)), unit="%")
+            reported(f"{who} without limits, {scene}", partial(trouble_share, who=who, limit="off", scenes=(scene,)),
+                unit="%")
             for who in ("points", "robots")
             for scene in ("head-on", "gap")
         ),
         *(
-            reported(f"robots with the limits, {scene}", partial(share, who="robots", limit="on", scenes=(scene,)),
+            reported(f"robots with the limits, {scene}", partial(trouble_share, who="robots", limit="on",
+                scenes=(scene,)),
                      unit="%")
             for scene in ("head-on", "gap")
         ),
-        reported("robots, distances from the middle: the same difference", partial(more, who="middle robots"),
+        reported("robots, distances from the middle: the same difference", partial(trouble_without_limits,
+            who="middle robots"),
                  unit="pp"),
     ),
     rules=STAGED,
-    measure=before_minima,
+    measure=compare_angle_limits,
     seconds=9.0,
     batches=6,
     figures=minimum_figures,
@@ -114,21 +119,21 @@ S54 = Claim(
 )  # fmt: skip
 
 
-def hard_runs(batch: Batch) -> Samples:
+def count_side_changes(batch: Batch) -> Samples:
     """Count changes of side (M,) of points and robots in the harder scenes, under each set of rules in DECISIONS."""
     rng, samples = batch.rng(), {}
-    start, crowd = starts(rng, SCENES, 0.2), hard_set(rng)
+    start, crowd = starts(rng, SCENES, 0.2), gap_with_third_player(rng)
     for name, play in DECISIONS.items():
         runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
         samples[f"points {name}"] = runs.flips.astype(float)
-        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
-            samples[f"{prefix}robots {name}"] = filled(robots.flips)
-            samples[f"{prefix}clean {name}"] = filled(robots.is_clean)
+        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
+            samples[f"{prefix}robots {name}"] = pad_with_nan(robots.flips)
+            samples[f"{prefix}clean {name}"] = pad_with_nan(robots.is_clean)
     ideal = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], senses="ideal")
-    return samples | {"robots that see all": filled(ideal.flips)}
+    return samples | {"robots that see all": pad_with_nan(ideal.flips)}
 
 
-def flips_figure(samples: Samples) -> Sequence[Figure]:
+def side_changes_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the distribution of the number of changes of side."""
     count = np.arange(13)
     curves = []
@@ -146,8 +151,10 @@ S68 = Claim(
     f"gap of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near it, all of the paper's "
     "rules on; changes between more than 20 degrees left of the goal and as much right of it.",
     criteria=(
-        measured("points: runs with a change of side", partial(bounced, name="points all rules"), unit="%", above=LEFT),
-        measured("robots: runs with a change of side", partial(bounced, name="robots all rules"), unit="%", above=LEFT),
+        measured("points: runs with a change of side", partial(side_change_share, name="points all rules"), unit="%",
+            above=LEFT),
+        measured("robots: runs with a change of side", partial(side_change_share, name="robots all rules"), unit="%",
+            above=LEFT),
         reported("points: changes of side in a run (mean)", lambda s: mean(s["points all rules"])),
         reported("robots: changes of side in a run (mean)", lambda s: mean(s["robots all rules"])),
         reported("points that are decisive (mean)", lambda s: mean(s["points decisive"])),
@@ -156,15 +163,15 @@ S68 = Claim(
         reported("robots that pass and touch nobody", lambda s: 100 * mean(s["clean all rules"]), unit="%"),
         reported("the same of decisive ones", lambda s: 100 * mean(s["clean decisive"]), unit="%"),
         reported("robots, distances from the middle: runs with a change of side",
-                 partial(bounced, name="middle robots all rules"), unit="%"),
+                 partial(side_change_share, name="middle robots all rules"), unit="%"),
         reported("robots, distances from the middle: that pass and touch nobody",
                  lambda s: 100 * mean(s["middle clean all rules"]), unit="%"),
     ),
     rules=STAGED,
-    measure=hard_runs,
+    measure=count_side_changes,
     seconds=7.0,
     batches=6,
-    figures=flips_figure,
+    figures=side_changes_figure,
     note="Most changes of robots come from what they see: with ideal senses there are few. Decisive points "
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",

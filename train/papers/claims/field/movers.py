@@ -18,11 +18,15 @@ MOVERS = {"comes": "one comes", "both": "one comes, one stands on the other side
 PAPERS = ("comes", "both")  # the classes in the paper
 
 
-def met(batch: Batch) -> Samples:
+def collide_with_movers(batch: Batch) -> Samples:
     """Return whether points collide (M,) in each class of scenes with a mover, for each patience and angle."""
     rng, samples = batch.rng(), {}
     start = starts(rng)
-    for scene, crowd in (("comes", one_comes(rng)), ("both", one_on_each_side(rng)), ("crosses", one_crosses(rng))):
+    for scene, crowd in (
+        ("comes", approaching_player(rng)),
+        ("both", players_on_both_sides(rng)),
+        ("crosses", crossing_player(rng)),
+    ):
         for name, values in (("patience", PATIENCE), ("keep_side_angle", ANGLES)):
             for value in values:
                 play = {name: np.radians(value) if name == "keep_side_angle" else value}
@@ -31,62 +35,67 @@ def met(batch: Batch) -> Samples:
     return samples
 
 
-def one_comes(rng: np.random.Generator) -> np.ndarray:
+def approaching_player(rng: np.random.Generator) -> np.ndarray:
     """Return a player (M, 1) that comes from ahead, straight for the dribbler's start."""
     place = np.stack([rng.uniform(-0.2, 1.0, SCENES), rng.uniform(-0.3, 0.3, SCENES)], axis=-1)
     goal = np.stack([np.full(SCENES, START), rng.uniform(-0.15, 0.15, SCENES)], axis=-1)
-    return players(place[:, None], towards(place, goal, rng)[:, None])
+    return players(place[:, None], velocities_towards(place, goal, rng)[:, None])
 
 
-def one_on_each_side(rng: np.random.Generator) -> np.ndarray:
+def players_on_both_sides(rng: np.random.Generator) -> np.ndarray:
     """Return two players (M, 2): one stands on one side of the path, the other comes from the other side."""
     side = rng.choice([-1.0, 1.0], SCENES)
     stands = np.stack([rng.uniform(-0.4, 0.2, SCENES), side * rng.uniform(0.05, 0.3, SCENES)], axis=-1)
     comes = np.stack([rng.uniform(-0.2, 0.8, SCENES), -side * rng.uniform(0.2, 0.7, SCENES)], axis=-1)
-    velocity = towards(comes, np.stack([rng.uniform(-0.9, -0.3, SCENES), np.zeros(SCENES)], axis=-1), rng)
+    velocity = velocities_towards(comes, np.stack([rng.uniform(-0.9, -0.3, SCENES), np.zeros(SCENES)], axis=-1), rng)
     return players(np.stack([stands, comes], axis=1), np.stack([0.0 * velocity, velocity], axis=1))
 
 
-def one_crosses(rng: np.random.Generator) -> np.ndarray:
+def crossing_player(rng: np.random.Generator) -> np.ndarray:
     """Return a player (M, 1) that crosses the straight path within 3 s of the dribbler's arrival at the crossing."""
     x, side = rng.uniform(-0.5, 0.2, SCENES), rng.choice([-1.0, 1.0], SCENES)
     when = (x - START) / 0.07 + rng.uniform(-3.0, 3.0, SCENES)
-    velocity = towards(np.zeros((SCENES, 2)), np.stack([rng.uniform(-0.6, 0.0, SCENES), side], axis=-1), rng)
+    velocity = velocities_towards(np.zeros((SCENES, 2)), np.stack([rng.uniform(-0.6, 0.0, SCENES), side], axis=-1), rng)
     place = np.stack([x, np.zeros(SCENES)], axis=-1) - when[:, None] * velocity
     return players(place[:, None], velocity[:, None])
 
 
-def towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+def velocities_towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """Return velocities (M, 2) from places towards goals, with random speeds within SPEEDS."""
     way = goal - place
     velocity: np.ndarray = way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1))
     return velocity
 
 
-def sweep(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> list[float]:
+def collisions_by_value(
+    samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS
+) -> list[float]:
     """Return the share of runs with a collision [%] at each value of the setting `name`, over classes of scenes."""
     return [100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes]) for value in values]
 
 
-def of_patience(samples: Samples, n: int) -> float:
+def collisions_at_patience(samples: Samples, n: int) -> float:
     """Return the share of runs with a collision [%] at a patience of `n` decisions."""
-    return sweep(samples, "patience", (n,))[0]
+    return collisions_by_value(samples, "patience", (n,))[0]
 
 
-def rise(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
+def collision_increase(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
     """Return the share of runs with a collision [pp] at the last value minus the share at the first value."""
-    shares = sweep(samples, name, values, scenes)
+    shares = collisions_by_value(samples, name, values, scenes)
     return shares[-1] - shares[0]
 
 
-def stubborn_figures(samples: Samples) -> Sequence[Figure]:
+def collision_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the share of runs with a collision against patience, and against the angle that keeps the side."""
     figures = []
     for name, values, label in (
         ("patience", PATIENCE, "decisions for which a change of side has to last"),
         ("keep_side_angle", ANGLES, "angle beyond which the side is kept [degrees]"),
     ):
-        curves = [Curve(title, list(values), sweep(samples, name, values, (key,))) for key, title in MOVERS.items()]
+        curves = [
+            Curve(title, list(values), collisions_by_value(samples, name, values, (key,)))
+            for key, title in MOVERS.items()
+        ]
         figures.append(Figure("Collisions with movers", label, "runs with a collision [%]", tuple(curves)))
     return figures
 
@@ -101,21 +110,24 @@ S58 = Claim(
     f"last for {', '.join(map(str, PATIENCE))} decisions before it is made; beside it the side is kept beyond smaller "
     "angles than 135 degrees.",
     criteria=(
-        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", lambda s: rise(s, "patience", PATIENCE),
+        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", lambda s: collision_increase(s,
+            "patience", PATIENCE),
                  unit="pp", above=0.0),
-        *(reported(f"collisions at {n} decisions", partial(of_patience, n=n), unit="%") for n in PATIENCE),
+        *(reported(f"collisions at {n} decisions", partial(collisions_at_patience, n=n), unit="%") for n in PATIENCE),
         *(
-            reported(f"{title}: rise", partial(rise, name="patience", values=PATIENCE, scenes=(key,)), unit="pp")
+            reported(f"{title}: rise", partial(collision_increase, name="patience", values=PATIENCE, scenes=(key,)),
+                unit="pp")
             for key, title in MOVERS.items()
         ),
-        reported("side kept beyond 0 degrees less beyond 135", partial(rise, name="keep_side_angle", values=ANGLES),
+        reported("side kept beyond 0 degrees less beyond 135", partial(collision_increase, name="keep_side_angle",
+            values=ANGLES),
                  unit="pp"),
     ),
     rules=NO_MATCH,
-    measure=met,
+    measure=collide_with_movers,
     seconds=1.5,
     batches=16,
-    figures=stubborn_figures,
+    figures=collision_figures,
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
 )  # fmt: skip

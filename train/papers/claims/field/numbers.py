@@ -11,10 +11,10 @@ from soccer_env.baselines.sacks_2001.steering import force_of_players
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points
-from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
 from soccer_env.train.papers.staging import LEGGED
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -30,11 +30,11 @@ def forces_aside(batch: Batch, **play: Any) -> Samples:
     places = list(zip(distance * np.cos(angle), distance * np.sin(angle), np.cos(goal), np.sin(goal), strict=True))
     return {
         "force": np.array([np.hypot(*FIELD.player_force(*place, record)) for place in places]),
-        "middles": np.array([push_of(*place, record) for place in places]),
+        "middles": np.array([player_force_on_robot(*place, record) for place in places]),
     }
 
 
-def push_of(x: float, y: float, goal_x: float, goal_y: float, record: np.void) -> float:
+def player_force_on_robot(x: float, y: float, goal_x: float, goal_y: float, record: np.void) -> float:
     """Return the force of a player with its middle at x, y [m] on a robot that heads along x."""
     belief, tracks = np.zeros(1, BELIEF), np.zeros(1, TRACK)
     tracks["present"], tracks["x"], tracks["y"] = 1, x, y
@@ -56,7 +56,7 @@ S48 = Claim(
     measure=forces_aside,
     batches=1,
     seconds=0.1,
-    without=Without("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
+    without=Ablation("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
 )  # fmt: skip
 
 
@@ -72,7 +72,7 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
         near, far = 0.05, 2.0
         while far - near > 1e-9:
             half = 0.5 * (near + far)
-            pushes = push_of(half, 0.0, 1.0, 0.0, record) > 1.0
+            pushes = player_force_on_robot(half, 0.0, 1.0, 0.0, record) > 1.0
             near, far = (half, far) if pushes else (near, half)
         samples[name] = np.array([near])
     return samples | {"distance": samples["middles"] - K["head_camera_ahead"] - K["body_front"]}
@@ -92,7 +92,7 @@ S49 = Claim(
     measure=unit_distance,
     batches=1,
     seconds=0.1,
-    without=Without(
+    without=Ablation(
         "the constants and the exponent 1 of the last version; here the exponent is the theory's 3",
         partial(unit_distance, exponent=3),
     ),
@@ -107,7 +107,7 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
         abs(FIELD.wall_force(1.0 - x, 1.0, record)) / np.hypot(*FIELD.player_force(x, 0.0, 1.0, 0.0, record))
         for x in np.linspace(0.02, 0.99, 98)
     ]
-    start, crowd = along_wall(batch.rng())
+    start, crowd = scenes_along_wall(batch.rng())
     samples: Samples = {"ratio": np.full(SCENES, max(ratios))}
     for name, walls in (("with", True), ("without", False)):
         runs = run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
@@ -120,16 +120,16 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
 
 def walls_with_robots(batch: Batch, **play: Any) -> Samples:
     """Return the samples of `walls_against_players`, and whether robots pass cleanly in the first scenes."""
-    start, crowd = along_wall(batch.rng())
+    start, crowd = scenes_along_wall(batch.rng())
     robots = {
-        f"{prefix}robots {name}": filled(runs.is_clean)
+        f"{prefix}robots {name}": pad_with_nan(runs.is_clean)
         for name, walls in (("with", True), ("without", False))
-        for prefix, runs in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play})
+        for prefix, runs in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play})
     }
     return walls_against_players(batch, **play) | robots
 
 
-def along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+def scenes_along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     """Return starts 15 to 50 cm from a wall, and a player (M, 1) that stands up to 25 cm farther from the wall."""
     y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)
     start = np.column_stack([np.full(SCENES, START), y])
@@ -173,7 +173,7 @@ S50 = Claim(
     seconds=4.0,
     batches=6,
     figures=wall_figure,
-    without=Without(
+    without=Ablation(
         "the walls' constants 200 and 350 mm; here they are the players'",
         partial(walls_with_robots, wall_gain=0.8, wall_range=1.0),
     ),

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import (
     BLOBS,
@@ -19,7 +19,7 @@ from soccer_env.train.papers.claims.field.points import (
     run_points,
     starts,
 )
-from soccer_env.train.papers.claims.field.robots import ROBOTS, filled, run_both_ways
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -30,7 +30,7 @@ GAP = (0.45, 0.55)  # [m] about 500 mm
 HARD_GAPS = (0.35, 0.70)  # [m] of a harder set
 
 
-def far_players(batch: Batch) -> Samples:
+def compare_cut_off(batch: Batch) -> Samples:
     """Return the rms change of direction [degrees] (M,) between steps, with the forces' cut-off and without it.
 
     "unmatched": without the cut-off and with an unchanged k2, so that all forces are stronger as well.
@@ -69,7 +69,7 @@ S45 = Claim(
                  partial(less_jitter, seen="noise and blobs", other="unmatched"), unit="%"),
     ),
     rules=NO_MATCH,
-    measure=far_players,
+    measure=compare_cut_off,
     seconds=0.8,
     batches=8,
     ingredients=("how often blobs are false, and where they seem to be: 0.5 to 2.5 m",),
@@ -104,20 +104,20 @@ S55 = Claim(
     measure=steps_away,
     seconds=0.3,
     batches=8,
-    without=Without(
+    without=Ablation(
         "the limit of 70 degrees: a step at a smaller angle shortens the way", partial(steps_away, clamp=False)
     ),
     note="Geometry, as long as the robot goes where it wants to: 3.5 cm at 70 degrees bring the goal 1.2 cm nearer.",
 )
 
 
-def through_gaps(batch: Batch) -> Samples:
+def compare_gaps(batch: Batch) -> Samples:
     """Count changes of side (M,) before a gap of about 50 cm, by the limit alone and with the rule that keeps sides."""
     rng, samples = batch.rng(), {}
     start = starts(rng)
     crowd = gap_ahead(rng, *GAP, askew=0.0)
     askew = gap_ahead(rng, *GAP)
-    hard_start, hard_crowd = starts(rng, SCENES, 0.2), hard_set(rng)
+    hard_start, hard_crowd = starts(rng, SCENES, 0.2), gap_with_third_player(rng)
     for name, keep in (("limit", False), ("rule", True)):
         for seen, world in (("", {}), (" noisy", {"range_noise": NOISE})):
             runs = run_points(batch.rng(1), start, crowd, world, keep_side=keep)
@@ -129,30 +129,30 @@ def through_gaps(batch: Batch) -> Samples:
     return samples
 
 
-def gaps_with_robots(batch: Batch) -> Samples:
-    """Return samples of `through_gaps`, and robots' changes of side in the first scenes, with the rule and without."""
+def compare_gaps_with_robots(batch: Batch) -> Samples:
+    """Return samples of `compare_gaps`, and robots' changes of side in the first scenes, with the rule and without."""
     rng = batch.rng()
     start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
-    samples = through_gaps(batch)
+    samples = compare_gaps(batch)
     for name, keep in (("limit", False), ("rule", True)):
-        for prefix, robots in run_both_ways(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep):
-            samples[f"{prefix}robots {name}"] = filled(robots.flips)
-            samples[f"{prefix}clean {name}"] = filled(robots.is_clean)
+        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep):
+            samples[f"{prefix}robots {name}"] = pad_with_nan(robots.flips)
+            samples[f"{prefix}clean {name}"] = pad_with_nan(robots.is_clean)
     return samples
 
 
-def fewer(samples: Samples, who: str = "", seen: str = "") -> float:
-    """Return the mean number of changes of side without the rule divided by the number with the rule."""
+def side_change_ratio(samples: Samples, who: str = "", seen: str = "") -> float:
+    """Return how many times more often paths change sides of a player without the rule to keep a side than with it."""
     return mean(samples[f"{who}limit{seen}"]) / max(mean(samples[f"{who}rule{seen}"]), 1e-3)
 
 
-def bounced(samples: Samples, name: str) -> float:
+def side_change_share(samples: Samples, name: str) -> float:
     """Return the share of runs [%] with at least one change of side."""
     flips = samples[name]
     return 100.0 * mean(np.where(np.isfinite(flips), flips > 0.0, np.nan))
 
 
-def hard_set(rng: np.random.Generator) -> np.ndarray:
+def gap_with_third_player(rng: np.random.Generator) -> np.ndarray:
     """Return three standing players (M, 3): two with a gap of 35 to 70 cm, and a third before or behind the gap."""
     gap = gap_ahead(rng, *HARD_GAPS)
     third = np.stack([gap["x"].mean(axis=1) + rng.uniform(-0.4, 0.4, SCENES), rng.uniform(-0.4, 0.4, SCENES)], axis=-1)
@@ -196,7 +196,7 @@ S56 = Claim(
         reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
     ),
     rules=NO_MATCH,
-    measure=through_gaps,
+    measure=compare_gaps,
     seconds=0.8,
     batches=8,
     figures=gap_figures,
@@ -213,26 +213,41 @@ S57 = Claim(
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both.",
     criteria=(
         measured(
-            "changes of side without the rule over those with it (means)", partial(fewer, seen=" noisy"), at_least=5.0
+            "changes of side without the rule over those with it (means)",
+            partial(side_change_ratio, seen=" noisy"),
+            at_least=5.0,
         ),
-        measured("runs with a change of side, with the rule", partial(bounced, name="rule noisy"), unit="%", above=5.0),
+        measured(
+            "runs with a change of side, with the rule",
+            partial(side_change_share, name="rule noisy"),
+            unit="%",
+            above=5.0,
+        ),
         reported("changes of side in a run with the rule (mean)", lambda s: mean(s["rule noisy"])),
         reported("without noise: changes without the rule (mean)", lambda s: mean(s["limit"])),
         reported("without noise: changes with it (mean)", lambda s: mean(s["rule"])),
-        reported("gap up to 20 degrees askew: without the rule over with it", partial(fewer, seen=" noisy askew")),
-        reported("harder set: without the rule over with it", partial(fewer, seen=" hard")),
+        reported(
+            "gap up to 20 degrees askew: without the rule over with it", partial(side_change_ratio, seen=" noisy askew")
+        ),
+        reported("harder set: without the rule over with it", partial(side_change_ratio, seen=" hard")),
         reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
-        measured("robots: changes without the rule over those with it", partial(fewer, who="robots "), at_least=5.0),
+        measured(
+            "robots: changes without the rule over those with it",
+            partial(side_change_ratio, who="robots "),
+            at_least=5.0,
+        ),
         reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
         reported("robots that pass and touch nobody, with the rule", lambda s: 100 * mean(s["clean rule"]), unit="%"),
         reported("robots that do so without the rule", lambda s: 100 * mean(s["clean limit"]), unit="%"),
-        reported("robots, distances from the middle: without over with", partial(fewer, who="middle robots ")),
+        reported(
+            "robots, distances from the middle: without over with", partial(side_change_ratio, who="middle robots ")
+        ),
         reported(
             "robots, distances from the middle: clean with it", lambda s: 100 * mean(s["middle clean rule"]), unit="%"
         ),
     ),
     rules=STAGED,
-    measure=gaps_with_robots,
+    measure=compare_gaps_with_robots,
     seconds=6.0,
     batches=6,
     figures=gap_figures,

@@ -1,8 +1,9 @@
 """The point-mass simulator that the author tried first, with the team's own forces and steering.  [Sacks 2001, 4.3]
 
 A point goes to the opponents' goal past points that stand or move (MS54). Every play.replan [s] the point decides as a
-dribbler does (`steering.choose_way`) and goes on at the pace of steps of play.step_length. There is no ball, no delay
-and nothing to bump into: "this model would not carry over well to the actual robots".
+dribbler does (`steering.choose_dribble_direction`) and goes on at the pace of steps of
+play.step_length. There is no ball, no delay and nothing to bump into: "this model would not carry over well to the
+actual robots".
 
     runs = PointWorld(SacksSettings(keep_side=False)).run([[-1.0, 0.0]], players([[0.0, 0.3]]))
     runs.path[:, 0], runs.clearance[0], runs.flips[0]
@@ -18,8 +19,14 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import MEMORY
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sacks_2001.steering import BEHIND_LINE, choose_way, direction_to_goal, off_ahead, step_speed
-from soccer_env.compiled import compiled, records
+from soccer_env.baselines.sacks_2001.steering import (
+    BEHIND_LINE,
+    choose_dribble_direction,
+    direction_to_goal,
+    off_ahead,
+    step_speed,
+)
+from soccer_env.compiled import compiled, scratch_records
 from soccer_env.geometry import length, wrap
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -90,9 +97,9 @@ def players(places: Any, velocities: Any = 0.0, chase: Any = 0.0) -> np.ndarray:
 def run_all(start, others, errors, blobs, constants, settings, body, path, off, places):
     """Run all worlds: fill path (T + 1, M, 2), off (T, M) and places (T + 1, M, P, 2) until each point has arrived."""
     k, play = constants[0], settings[0]
-    belief, tracks = records(1, BELIEF), records(others.shape[1] + 1, TRACK)
+    belief, tracks = scratch_records(1, BELIEF), scratch_records(others.shape[1] + 1, TRACK)
     for m in range(start.shape[0]):
-        memory = records(1, MEMORY)
+        memory = scratch_records(1, MEMORY)
         own = belief[0].own
         own.x, own.y = start[m, 0], start[m, 1]
         crowd = others[m].copy()
@@ -103,7 +110,7 @@ def run_all(start, others, errors, blobs, constants, settings, body, path, off, 
                 break
             own.heading = atan2(goal_y, goal_x)
             look_at_points(own, crowd, errors[t, m], blobs[t, m], tracks)
-            choose_way(belief[0], tracks, memory[0], k, play)
+            choose_dribble_direction(belief[0], tracks, memory[0], k, play)
             way = memory[0].way
             if body:
                 way = own.heading + off_ahead(belief[0], tracks, memory[0], k, play)
@@ -116,7 +123,7 @@ def run_all(start, others, errors, blobs, constants, settings, body, path, off, 
 
 @compiled
 def look_at_points(own, crowd, errors, blob, tracks):
-    """Fill `tracks` with the players as the point sees them, and with a false player, if any, in the last slot."""
+    """Fill `tracks` with the players as the robot that is a point sees them; the last slot takes a falsely seen one."""
     for p in range(len(crowd)):
         dx, dy = crowd[p].x - own.x, crowd[p].y - own.y
         put_track(tracks[p], errors[p] * length(dx, dy), wrap(atan2(dy, dx) - own.heading))

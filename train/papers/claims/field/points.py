@@ -42,7 +42,7 @@ def starts(rng: np.random.Generator, count: int = SCENES, aside: float = ASIDE) 
     return np.column_stack([np.full(count, START), rng.uniform(-aside, aside, count)])
 
 
-def one_ahead(rng: np.random.Generator, nearest: float, widest: float, count: int = SCENES) -> np.ndarray:
+def player_near_path(rng: np.random.Generator, nearest: float, widest: float, count: int = SCENES) -> np.ndarray:
     """Return one standing player (M, 1) near the middle of the path, `nearest` to `widest` [m] beside the path."""
     y = rng.uniform(nearest, widest, count) * rng.choice([-1.0, 1.0], count)
     return players(np.stack([rng.uniform(-0.3, 0.3, count), y], axis=-1)[:, None])

@@ -12,8 +12,8 @@ from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.field.point_runs import SIDE
 from soccer_env.train.papers.claims.field.points import SCENES
-from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, Way, place_with_ball, run
-from soccer_env.train.papers.staging import put, stage, standing, wrapped
+from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, DribbleRecord, place_with_ball, record_dribble
+from soccer_env.train.papers.staging import put, stage, standing_actions, wrap_angle
 
 ROBOTS = 24  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
@@ -25,7 +25,7 @@ GOAL_X = 1.6  # [m] x of a dribbler's destination
 class RobotRuns:
     """Runs of M dribbling robots over T control steps."""
 
-    way: Way
+    way: DribbleRecord
     off: np.ndarray  # (T, M) [rad] of the decided way off the goal's direction; NaN: it does not dribble
 
     @property
@@ -80,14 +80,16 @@ class RobotRuns:
         return worst
 
 
-def filled(values: np.ndarray) -> np.ndarray:
+def pad_with_nan(values: np.ndarray) -> np.ndarray:
     """Pad values of robots to (SCENES,), with NaN for the scenes that only points play."""
     padded = np.full(SCENES, np.nan)
     padded[: len(values)] = values
     return padded
 
 
-def run_both_ways(batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any) -> Iterator[tuple[str, RobotRuns]]:
+def run_two_distances(
+    batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any
+) -> Iterator[tuple[str, RobotRuns]]:
     """Yield prefix and `run_robots` for each distance: "" from camera to surface, "middle " from middle to middle."""
     for prefix, way in WAYS.items():
         yield prefix, run_robots(batch, start, crowd, **way, **play)
@@ -99,7 +101,7 @@ def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str =
     team = make_team("sacks-2001", **{**NO_SHOTS, **play})
     match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
     place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
-    actions = standing(match)
+    actions = standing_actions(match)
     for i in range(others):
         one = crowd[:, i]
         speed = np.hypot(one["vx"], one["vy"])
@@ -111,6 +113,6 @@ def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str =
     def note(step: int) -> None:
         memory, robot = memory_of(match), match.robots[:, 0]
         goal = np.arctan2(-robot["y"], GOAL_X - robot["x"])
-        off.append(np.where(memory["behaviour"] == DRIBBLE, wrapped(memory["way"] - goal), np.nan))
+        off.append(np.where(memory["behaviour"] == DRIBBLE, wrap_angle(memory["way"] - goal), np.nan))
 
-    return RobotRuns(run(match, SECONDS, actions, note), np.array(off))
+    return RobotRuns(record_dribble(match, SECONDS, actions, note), np.array(off))

@@ -11,7 +11,7 @@ from soccer_env.train.papers.verdicts import Samples, measured, reported
 CYCLES = (0.02, 0.04, 0.1)  # [s]
 
 
-def by_cycle(batch: Batch) -> Samples:
+def compare_cycles(batch: Batch) -> Samples:
     """Return which shots are saved and which rolling balls are received (M,), for each length of the decision cycle."""
     samples: Samples = {}
     for cycle in CYCLES:
@@ -20,7 +20,7 @@ def by_cycle(batch: Batch) -> Samples:
     return samples
 
 
-def rise(samples: Samples, name: str, slow: float, fast: float) -> float:
+def share_gain(samples: Samples, name: str, slow: float, fast: float) -> float:
     """Return the gain [%] in the share `name` from the cycle `slow` to the cycle `fast`."""
     return 100.0 * mean(samples[f"{name} {fast:g}"] - samples[f"{name} {slow:g}"])
 
@@ -42,16 +42,16 @@ H28 = Claim(
     method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay "
     "as they are.",
     criteria=(
-        measured("more saves at 20 than at 100 ms, of 100", lambda s: rise(s, "saved", 0.1, 0.02), above=0.0),
-        measured("more balls had at 20 than at 100 ms, of 100", lambda s: rise(s, "had", 0.1, 0.02), above=0.0),
-        measured("saves at 40 ms above 100 ms, of 100", lambda s: rise(s, "saved", 0.1, 0.04), at_least=-5.0),
-        measured("saves at 20 ms above 40 ms, of 100", lambda s: rise(s, "saved", 0.04, 0.02), at_least=-5.0),
-        reported("balls had at 20 ms above 40 ms, of 100", lambda s: rise(s, "had", 0.04, 0.02)),
+        measured("more saves at 20 than at 100 ms, of 100", lambda s: share_gain(s, "saved", 0.1, 0.02), above=0.0),
+        measured("more balls had at 20 than at 100 ms, of 100", lambda s: share_gain(s, "had", 0.1, 0.02), above=0.0),
+        measured("saves at 40 ms above 100 ms, of 100", lambda s: share_gain(s, "saved", 0.1, 0.04), at_least=-5.0),
+        measured("saves at 20 ms above 40 ms, of 100", lambda s: share_gain(s, "saved", 0.04, 0.02), at_least=-5.0),
+        reported("balls had at 20 ms above 40 ms, of 100", lambda s: share_gain(s, "had", 0.04, 0.02)),
         reported("saves at 20 ms", lambda s: 100 * mean(s["saved 0.02"]), unit="%"),
         reported("balls had at 20 ms", lambda s: 100 * mean(s["had 0.02"]), unit="%"),
     ),
     rules=STAGED,
-    measure=by_cycle,
+    measure=compare_cycles,
     seconds=12.0,
     batches=4,
     figures=cycle_figure,

@@ -9,12 +9,12 @@ from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
-from soccer_env.skills.set_pieces import strength_for
+from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
-from soccer_env.train.papers.staging import MIDDLE, ahead_of, begin, put, put_ball, stage, standing
-from soccer_env.train.papers.values import in_bins, mean, median, middles_of
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, standing_actions
+from soccer_env.train.papers.values import bin_masks, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 BALLS = 48  # of a batch
@@ -44,7 +44,7 @@ def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Sam
     ball_y = np.clip(y + away * np.sin(from_), -3.6, 3.6)
     course = np.arctan2(y - ball_y, x - ball_x) + np.arctan2(aside, away)
     put_ball(match, ball_x, ball_y)
-    begin(match, placed=True)
+    begin_scene(match, placed=True)
     for _ in range(round(LOOK * match.league.control_rate)):
         put(match, 1, x, y, from_)
         put_ball(match, ball_x, ball_y)
@@ -53,10 +53,10 @@ def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Sam
     put(match, 1, x, y, from_)
     put_ball(match, ball_x, ball_y, speed * np.cos(course), speed * np.sin(course))
     match.rebuild()
-    return had_by(match, 1) | {"speed": speed}
+    return wait_for_possession(match, 1) | {"speed": speed}
 
 
-def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
+def wait_for_possession(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
     """Play until robot `r` has had the ball for HAD seconds; return in which matches it has (M,), and the times [s]."""
     league, pitch = match.league, match.league.pitch
     held, got, time = np.zeros(match.count), np.zeros(match.count, bool), np.full(match.count, SECONDS)
@@ -75,14 +75,14 @@ def had_by(match: Match, r: int, actions: np.ndarray | None = None) -> Samples:
     return {"got": got.astype(float), "time": time}
 
 
-def named(prefix: str, samples: Samples) -> Samples:
+def prefix_names(prefix: str, samples: Samples) -> Samples:
     """Put a prefix before the names of all samples except the speed."""
     return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
 
 
-def by_velocity(batch: Batch) -> Samples:
+def compare_velocity_use(batch: Batch) -> Samples:
     """Return the results of `receive` for a player that uses the ball's velocity, and for a player that does not."""
-    return named("with", receive(batch, {})) | named("without", receive(batch, {"intercepts": False}))
+    return prefix_names("with", receive(batch, {})) | prefix_names("without", receive(batch, {"intercepts": False}))
 
 
 def got(samples: Samples, name: str) -> float:
@@ -90,10 +90,10 @@ def got(samples: Samples, name: str) -> float:
     return 100.0 * mean(samples[f"{name} got"])
 
 
-def by_speed(samples: Samples) -> Sequence[Figure]:
+def received_share_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of received balls against their speed."""
     edges = (1.0, 1.5, 2.0, 2.5, 3.0)
-    names, inside = {"with": "with the ball's velocity", "without": "without"}, in_bins(samples["speed"], edges)
+    names, inside = {"with": "with the ball's velocity", "without": "without"}, bin_masks(samples["speed"], edges)
     curves = tuple(
         Curve(text, middles_of(edges), [100 * mean(samples[f"{name} got"][there]) for there in inside])
         for name, text in names.items()
@@ -114,18 +114,18 @@ H24 = Claim(
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
     rules=STAGED,
-    measure=by_velocity,
+    measure=compare_velocity_use,
     seconds=5.0,
     batches=6,
-    figures=by_speed,
+    figures=received_share_figure,
 )
 
 
-def by_base(batch: Batch) -> Samples:
+def compare_bases(batch: Batch) -> Samples:
     """Return the results of `receive` and goals from far-post shots, with the fast base and with the old base."""
     samples: Samples = {}
     for name, league in (("fast", MIDDLE), ("old", OLD)):
-        samples |= named(name, receive(batch, {}, league))
+        samples |= prefix_names(name, receive(batch, {}, league))
         samples[f"{name} goal"] = face_shots(batch, {}, league=league).goal.astype(float)
     return samples
 
@@ -146,7 +146,7 @@ H01 = Claim(
         reported("goals, old base", lambda s: 100 * mean(s["old goal"]), unit="%"),
     ),
     rules=STAGED,
-    measure=by_base,
+    measure=compare_bases,
     seconds=9.0,
     batches=4,
     note="The old base turns in place and cannot step aside: both differ, as they did.",
@@ -155,7 +155,7 @@ H01 = Claim(
 FAR = (2.5, 4.5)  # [m] of a pass
 
 
-def kicked(batch: Batch, controlled: bool) -> Samples:
+def kick_passes(batch: Batch, controlled: bool) -> Samples:
     """Let a robot kick a pass to a mate; return the ball's top speed [m/s] and the passes (M,) that the mate gets."""
     rng, league = batch.rng(), find_league(MIDDLE)
     k = constants_of(league)[0]
@@ -164,22 +164,22 @@ def kicked(batch: Batch, controlled: bool) -> Samples:
     x, y = -0.5 * far * np.cos(way), -0.5 * far * np.sin(way)
     put(match, 1, x, y, way)
     put(match, 2, -x, -y, way + np.pi)
-    put_ball(match, *ahead_of(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
-    begin(match, placed=True)
-    actions = standing(match)
+    put_ball(match, *point_ahead(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
+    begin_scene(match, placed=True)
+    actions = standing_actions(match)
     arrival = HeinemannSettings().pass_arrival
-    kick = np.array([strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
+    kick = np.array([kick_strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
     actions[:, 1, 3] = kick
     top = np.zeros(BALLS)
     for _ in range(2):  # a kick needs a ball that was noticed at the kicker in the step before
         match.step(actions)
         top = np.maximum(top, np.hypot(match.balls["vx"], match.balls["vy"]))
-    return had_by(match, 2, standing(match)) | {"top": top}
+    return wait_for_possession(match, 2, standing_actions(match)) | {"top": top}
 
 
-def by_kick(batch: Batch) -> Samples:
+def compare_kick_strengths(batch: Batch) -> Samples:
     """Return the results of passes kicked with controlled strength and with full strength."""
-    return named("soft", kicked(batch, True)) | named("full", kicked(batch, False))
+    return prefix_names("soft", kick_passes(batch, True)) | prefix_names("full", kick_passes(batch, False))
 
 
 H03 = Claim(
@@ -196,7 +196,7 @@ H03 = Claim(
         reported("speed after a controlled kick", lambda s: mean(s["soft top"]), unit="m/s"),
     ),
     rules=STAGED,
-    measure=by_kick,
+    measure=compare_kick_strengths,
     seconds=5.0,
     batches=4,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),

@@ -8,12 +8,12 @@ from functools import partial
 import numpy as np
 
 from soccer_env.baselines.heinemann_2006.goalkeeper import interception, passive_place
-from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_of
+from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_records
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.sight import SIGHT
-from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -27,14 +27,14 @@ OMNI = 1  # row of a team's settings
 
 
 @compiled
-def place_all(balls, places, k, play):
+def fill_passive_places(balls, places, k, play):
     """Fill `places` (n, 2) with the passive keeper's places for the balls (n, 2)."""
     for i in range(len(balls)):
         places[i, 0], places[i, 1] = passive_place(balls[i, 0], balls[i, 1], k[0], play[0])
 
 
 @compiled
-def meet_all(sights, places, k, play):
+def fill_active_destinations(sights, places, k, play):
     """Fill `places` (n, 2) with the active keeper's destinations for the sights (n,)."""
     for i in range(len(sights)):
         places[i, 0], places[i, 1] = interception(sights[i], k[0], play[0])
@@ -54,13 +54,13 @@ def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
     return left
 
 
-def angles(batch: Batch) -> Samples:
+def compare_open_angles(batch: Batch) -> Samples:
     """Return the open angle (M,) [degrees] with keepers on the line d, and moved off it along their half circle."""
     rng, goal = batch.rng(), -LEAGUE.pitch.length / 2
     away, angle = rng.uniform(*BALLS, SCENES), rng.choice([-1.0, 1.0], SCENES) * rng.uniform(*ANGLES, SCENES)
     balls, places = np.stack([goal + away * np.cos(angle), away * np.sin(angle)], axis=-1), np.zeros((SCENES, 2))
     settings = HeinemannSettings()
-    place_all(balls, places, CONSTANTS, settings_of(settings)[OMNI : OMNI + 1])
+    fill_passive_places(balls, places, CONSTANTS, settings_records(settings)[OMNI : OMNI + 1])
     samples = {"on": open_angle(balls, places)}
     for off in OFF:
         for side in (-1.0, 1.0):
@@ -70,7 +70,7 @@ def angles(batch: Batch) -> Samples:
     return samples
 
 
-def gains(samples: Samples) -> np.ndarray:
+def open_angle_gains(samples: Samples) -> np.ndarray:
     """Return the smallest open angle with the keeper off the line minus the open angle on the line (M,) [degrees]."""
     off = np.stack([values for name, values in samples.items() if name != "on"])
     least: np.ndarray = off.min(axis=0) - samples["on"]
@@ -84,23 +84,23 @@ H17 = Claim(
     method=f"{SCENES} still balls a batch, {BALLS[0]:g} to {BALLS[1]:g} m from the goal and up to {ANGLES[1]:g} rad "
     "off its middle: the angle beside the passive keeper, and beside one 10 to 50 cm off along its half circle.",
     criteria=(
-        measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(gains(s) > -0.1), unit="%",
+        measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(open_angle_gains(s) > -0.1), unit="%",
                  at_least=95.0),
         measured("it is better than 50 cm off by (mean)", lambda s: mean(
             np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
         reported("open angle on d", lambda s: mean(s["on"]), unit="deg"),
-        reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(gains(s), 0)),
+        reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
                  unit="deg"),
     ),
     rules=NO_MATCH,
-    measure=angles,
+    measure=compare_open_angles,
     seconds=0.2,
     batches=4,
     ingredients=("the keeper as a disc of its body's radius",),
 )  # fmt: skip
 
 
-def ways(batch: Batch, waits: bool = False) -> Samples:
+def interception_distances(batch: Batch, waits: bool = False) -> Samples:
     """Return the active keeper's distances (M,) [m] to its interception point, and to the ball's crossing of its line.
 
     `waits`: intercept at the first point that the keeper reaches in time, not at the nearest point of the trajectory.
@@ -113,10 +113,10 @@ def ways(batch: Batch, waits: bool = False) -> Samples:
     aim, speed = rng.uniform(-0.9, 0.9, SCENES), rng.uniform(2.4, 6.0, SCENES)
     way = np.arctan2(aim - sights["ball_y"], goal - sights["ball_x"])
     sights["ball_vx"], sights["ball_vy"] = speed * np.cos(way), speed * np.sin(way)
-    record = settings_of(settings)[OMNI : OMNI + 1]
-    place_all(np.stack([sights["ball_x"], sights["ball_y"]], -1), places, CONSTANTS, record)
+    record = settings_records(settings)[OMNI : OMNI + 1]
+    fill_passive_places(np.stack([sights["ball_x"], sights["ball_y"]], -1), places, CONSTANTS, record)
     sights["x"], sights["y"] = places.T
-    meet_all(sights, places, CONSTANTS, record)
+    fill_active_destinations(sights, places, CONSTANTS, record)
     line = goal + settings.keeper_out
     cross = sights["ball_y"] + (line - sights["ball_x"]) * np.tan(way)
     return {
@@ -139,9 +139,10 @@ H21 = Claim(
         reported("way to the crossing (mean)", lambda s: 100 * mean(s["crossing"]), unit="cm"),
     ),
     rules=NO_MATCH,
-    measure=ways,
-    without=Without(
-        "the nearest point of the trajectory: here the first at which the keeper is in time", partial(ways, waits=True)
+    measure=interception_distances,
+    without=Ablation(
+        "the nearest point of the trajectory: here the first at which the keeper is in time",
+        partial(interception_distances, waits=True)
     ),
     seconds=0.2,
     batches=4,

@@ -6,7 +6,7 @@ from typing import Any
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
-from soccer_env.train.papers.values import in_bins, mean, middles_of
+from soccer_env.train.papers.values import bin_masks, mean, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 KEEPERS: dict[str, dict[str, Any]] = {"passive": {"keeper": "passive"}, "active": {}}
@@ -21,7 +21,7 @@ INGREDIENTS = (
 )
 
 
-def both_keepers(batch: Batch, **more: Any) -> Samples:
+def compare_saves(batch: Batch, **more: Any) -> Samples:
     """Return goals (M,) of far-post shots at both keepers, the keepers' distances moved [m], and the shots' speeds."""
     samples: Samples = {}
     for name, settings in KEEPERS.items():
@@ -30,45 +30,47 @@ def both_keepers(batch: Batch, **more: Any) -> Samples:
     return samples
 
 
-def with_near_post(batch: Batch) -> Samples:
-    """Return samples of `both_keepers`, and goals of near-post shots and against passive keepers on the goal line."""
+def compare_posts(batch: Batch) -> Samples:
+    """Return samples of `compare_saves`, and goals of near-post shots and against passive keepers on the goal line."""
     near = {f"near {name}": face_shots(batch, settings, near_post=True).goal.astype(float)
             for name, settings in KEEPERS.items()}  # fmt: skip
     line = face_shots(batch, {"keeper": "passive", "stance": "line"}).goal.astype(float)
-    return both_keepers(batch) | near | {"line": line}
+    return compare_saves(batch) | near | {"line": line}
 
 
-def on_other_lines(batch: Batch) -> Samples:
-    """Return samples of `both_keepers`, and goals against keepers on a half circle of 0.8 m and on the goal line."""
-    samples = both_keepers(batch)
+def compare_keeper_lines(batch: Batch) -> Samples:
+    """Return samples of `compare_saves`, and goals against keepers on a half circle of 0.8 m and on the goal line."""
+    samples = compare_saves(batch)
     for line, stance in LINES.items():
         for name, settings in KEEPERS.items():
             samples[f"{line} {name}"] = face_shots(batch, settings | stance).goal.astype(float)
     return samples
 
 
-def conceded(samples: Samples, name: str) -> float:
+def conceded_share(samples: Samples, name: str) -> float:
     """Return the share of shots that go in [%]."""
     return 100.0 * mean(samples[name])
 
 
-def slower(samples: Samples, name: str) -> float:
+def conceded_share_slow(samples: Samples, name: str) -> float:
     """Return the share of goals [%] among the shots of at most SLOWER [m/s]."""
     return 100.0 * mean(samples[name][samples["speed"] <= SLOWER])
 
 
-def ratio(samples: Samples, share: Any) -> float:
+def conceded_ratio(samples: Samples, share: Any) -> float:
     """Return the active keeper's share of goals over the passive keeper's; 1 if the passive keeper concedes none."""
     passive = share(samples, "passive")
     return float(share(samples, "active") / passive) if passive > 0.0 else 1.0
 
 
-def goals_by_speed(samples: Samples) -> Sequence[Figure]:
+def goals_by_speed_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of goals against the speed of the shot, for both keepers."""
     names = {"passive": "passive, far post", "active": "active, far post"}
     names |= {f"near {name}": f"{name}, near post" for name in KEEPERS}
     curves = tuple(
-        Curve(text, middles_of(BINS), [100.0 * mean(samples[name][there]) for there in in_bins(samples["speed"], BINS)])
+        Curve(
+            text, middles_of(BINS), [100.0 * mean(samples[name][there]) for there in bin_masks(samples["speed"], BINS)]
+        )
         for name, text in names.items()
         if name in samples
     )
@@ -82,16 +84,16 @@ H18 = Claim(
     statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, passive keeper on its half circle.",
     criteria=(
-        measured("shots that go in", partial(conceded, name="passive"), unit="%", at_least=50.0),
-        reported(f"of those up to {SLOWER:g} m/s", partial(slower, name="passive"), unit="%"),
-        reported("on the goal line instead of the half circle", partial(conceded, name="line"), unit="%"),
-        reported("at the nearer post", partial(conceded, name="near passive"), unit="%"),
+        measured("shots that go in", partial(conceded_share, name="passive"), unit="%", at_least=50.0),
+        reported(f"of those up to {SLOWER:g} m/s", partial(conceded_share_slow, name="passive"), unit="%"),
+        reported("on the goal line instead of the half circle", partial(conceded_share, name="line"), unit="%"),
+        reported("at the nearer post", partial(conceded_share, name="near passive"), unit="%"),
     ),
     rules=STAGED,
-    measure=with_near_post,
+    measure=compare_posts,
     seconds=8.0,
     batches=4,
-    figures=goals_by_speed,
+    figures=goals_by_speed_figure,
     ingredients=INGREDIENTS,
     note=f"{CHOSEN} A kicked ball slides first and rolls on at 0.6 of its speed; shots in the paper's words are not.",
 )
@@ -103,18 +105,18 @@ H19 = Claim(
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, active keeper.",
     criteria=(
         measured(
-            f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded(s, "active"), unit="%",
+            f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded_share(s, "active"), unit="%",
             at_least=80.0,
         ),
-        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - slower(s, "active"), unit="%"),
+        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - conceded_share_slow(s, "active"), unit="%"),
         reported("of those at 8 m/s and more", lambda s: 100 - 100 * mean(s["active"][s["speed"] >= 8.0]), unit="%"),
-        reported("at the nearer post", lambda s: 100 - conceded(s, "near active"), unit="%"),
+        reported("at the nearer post", lambda s: 100 - conceded_share(s, "near active"), unit="%"),
     ),
     rules=STAGED,
-    measure=with_near_post,
+    measure=compare_posts,
     seconds=8.0,
     batches=4,
-    figures=goals_by_speed,
+    figures=goals_by_speed_figure,
     ingredients=INGREDIENTS,
     note=CHOSEN,
 )  # fmt: skip
@@ -125,20 +127,22 @@ H20 = Claim(
     statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, the same shots at both keepers.",
     criteria=(
-        measured("active keeper's goals over the passive one's", partial(ratio, share=conceded), at_most=0.5),
-        measured(f"the same up to {SLOWER:g} m/s", partial(ratio, share=slower), at_most=0.2),
-        reported("goals, passive", partial(conceded, name="passive"), unit="%"),
-        reported("goals, active", partial(conceded, name="active"), unit="%"),
-        reported("half circle of 0.8 m, passive", partial(conceded, name="nearer passive"), unit="%"),
-        reported("half circle of 0.8 m, active", partial(conceded, name="nearer active"), unit="%"),
-        reported("goal line, passive", partial(conceded, name="line passive"), unit="%"),
-        reported("goal line, active", partial(conceded, name="line active"), unit="%"),
+        measured(
+            "active keeper's goals over the passive one's", partial(conceded_ratio, share=conceded_share), at_most=0.5
+        ),
+        measured(f"the same up to {SLOWER:g} m/s", partial(conceded_ratio, share=conceded_share_slow), at_most=0.2),
+        reported("goals, passive", partial(conceded_share, name="passive"), unit="%"),
+        reported("goals, active", partial(conceded_share, name="active"), unit="%"),
+        reported("half circle of 0.8 m, passive", partial(conceded_share, name="nearer passive"), unit="%"),
+        reported("half circle of 0.8 m, active", partial(conceded_share, name="nearer active"), unit="%"),
+        reported("goal line, passive", partial(conceded_share, name="line passive"), unit="%"),
+        reported("goal line, active", partial(conceded_share, name="line active"), unit="%"),
     ),
     rules=STAGED,
-    measure=on_other_lines,
+    measure=compare_keeper_lines,
     seconds=9.0,
     batches=6,
-    figures=goals_by_speed,
+    figures=goals_by_speed_figure,
     ingredients=INGREDIENTS,
     note=f"{CHOSEN} Tribots 2005 stood 0.8 m before the goal, and many keepers of these years on its line.",
 )
@@ -158,7 +162,7 @@ H23 = Claim(
         reported("active keeper's way", lambda s: 100 * mean(s["active way"]), unit="cm"),
     ),
     rules=STAGED,
-    measure=both_keepers,
+    measure=compare_saves,
     seconds=3.0,
     batches=6,
     ingredients=INGREDIENTS,
@@ -170,7 +174,7 @@ FITS: dict[str, dict[str, Any]] = {"kalman": {}, "fit": {"filter": "least-square
 TRIED = (("fit", "own"), ("fit", "tenfold"), ("fit", "thirtyfold"), ("kalman", "own"), ("kalman", "thirtyfold"))
 
 
-def by_noise(batch: Batch) -> Samples:
+def compare_camera_noise(batch: Batch) -> Samples:
     """Return goals (M,) against both keepers by camera noise, with a fit over five frames or a Kalman filter."""
     samples: Samples = {}
     for fit, noise in TRIED:
@@ -181,18 +185,18 @@ def by_noise(batch: Batch) -> Samples:
     return samples
 
 
-def benefit(samples: Samples, fit: str, noise: str) -> float:
+def prevented_goals(samples: Samples, fit: str, noise: str) -> float:
     """Return how many goals in a hundred shots the active keeper prevents, compared with the passive keeper."""
     return 100.0 * mean(samples[f"{fit} {noise} passive"] - samples[f"{fit} {noise} active"])
 
 
-def benefit_figure(samples: Samples) -> Sequence[Figure]:
+def prevented_goals_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the prevented goals against the error of the believed ball."""
     curves = tuple(
         Curve(
             text,
             [100.0 * mean(samples[f"{fit} {noise} error"]) for tried, noise in TRIED if tried == fit],
-            [benefit(samples, fit, noise) for tried, noise in TRIED if tried == fit],
+            [prevented_goals(samples, fit, noise) for tried, noise in TRIED if tried == fit],
         )
         for fit, text in (("kalman", "Kalman filter"), ("fit", "fit over five frames"))
     )
@@ -206,22 +210,23 @@ H22 = Claim(
     method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "
     "0.7 px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
     criteria=(
-        measured("goals spared at the sensor's own noise", partial(benefit, fit="fit", noise="own"), unit="%",
+        measured("goals spared at the sensor's own noise", partial(prevented_goals, fit="fit", noise="own"), unit="%",
                  above=10.0),
         measured(
-            "goals spared at 30 times the noise, fit over five frames", partial(benefit, fit="fit", noise="thirtyfold"),
+            "goals spared at 30 times the noise, fit over five frames", partial(prevented_goals, fit="fit",
+                noise="thirtyfold"),
             unit="%", at_most=5.0,
         ),
-        reported("goals spared at 10 times the noise", partial(benefit, fit="fit", noise="tenfold"), unit="%"),
-        reported("at 30 times, Kalman filter", partial(benefit, fit="kalman", noise="thirtyfold"), unit="%"),
+        reported("goals spared at 10 times the noise", partial(prevented_goals, fit="fit", noise="tenfold"), unit="%"),
+        reported("at 30 times, Kalman filter", partial(prevented_goals, fit="kalman", noise="thirtyfold"), unit="%"),
         reported("error of the ball at 10 times", lambda s: 100 * mean(s["fit tenfold error"]), unit="cm"),
         reported("error of the ball at 30 times", lambda s: 100 * mean(s["fit thirtyfold error"]), unit="cm"),
     ),
     rules=STAGED,
-    measure=by_noise,
+    measure=compare_camera_noise,
     seconds=10.5,
     batches=5,
-    figures=benefit_figure,
+    figures=prevented_goals_figure,
     ingredients=INGREDIENTS,
 )  # fmt: skip
 

@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import MIDDLE, begin, put, put_ball, stage
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage
 
 SHOTS = 48  # of a batch
 LOOK, SECONDS = 1.0, 3.0  # [s] of looking at the ball before it is kicked, and longest of a shot
@@ -30,7 +30,7 @@ SHOT_TEXT = (
 
 
 @dataclass(frozen=True)
-class Faced:
+class ShotOutcomes:
     """The outcome of the shots of a batch, arrays (M,)."""
 
     speed: np.ndarray  # [m/s] at the kick
@@ -42,7 +42,7 @@ class Faced:
 def face_shots(
     batch: Batch, settings: dict[str, Any], *, shots: int = SHOTS, near_post: bool = False, league: str = MIDDLE,
     **more: Any,
-) -> Faced:  # fmt: skip
+) -> ShotOutcomes:  # fmt: skip
     """Kick shots at a goalkeeper of heinemann-2006 with `settings`, return outcomes; `more`: options of the match."""
     rng = batch.rng()
     team = make_team("heinemann-2006", **settings)
@@ -57,11 +57,11 @@ def face_shots(
     facing = np.arctan2(y, x - goal)
     put(match, 0, goal + 0.8 * np.cos(facing), 0.8 * np.sin(facing), facing)
     put_ball(match, x, y)
-    begin(match, placed=True)
+    begin_scene(match, placed=True)
     return shoot(match, (x, y), speed, way)
 
 
-def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray) -> Faced:
+def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray) -> ShotOutcomes:
     """Hold the ball for LOOK seconds, kick it, and return the outcomes of the shots."""
     rate, count = match.league.control_rate, match.count
     for _ in range(round(LOOK * rate)):
@@ -87,7 +87,7 @@ def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray,
             break
     match.close()
     seen = np.sqrt(np.nanmean(np.array(square), axis=0))
-    return Faced(speed, goal, moved, seen)
+    return ShotOutcomes(speed, goal, moved, seen)
 
 
 def ball_error(match: Match) -> np.ndarray:

@@ -17,10 +17,10 @@ from soccer_env.train.papers.claims.planning.runs import (
     PLANNERS,
     SPEED,
     Draw,
-    figures_of,
     scenes_of,
     side_changes,
     travel,
+    travel_results,
 )
 from soccer_env.train.papers.claims.planning.scenes import CANONICAL, CROSSERS, SLOW, WAY, slow_traffic
 from soccer_env.train.papers.values import mean, quantile
@@ -40,74 +40,76 @@ SCENE_TEXT = (
 )
 
 
-def travels_by(batch: Batch, draw: Draw) -> dict[str, list[Travel]]:
+def travel_with_both_planners(batch: Batch, draw: Draw) -> dict[str, list[Travel]]:
     """Return the travels of both planners through the scenes of a batch."""
     scenes = scenes_of(batch, draw, SCENES)
     return {name: [travel(scene, **changes) for scene in scenes] for name, changes in PLANNERS.items()}
 
 
-def compare(batch: Batch, draw: Draw) -> Samples:
-    """Return the results of `figures_of` for the travels of both planners through equal scenes."""
+def compare_planners(batch: Batch, draw: Draw) -> Samples:
+    """Return the results of `travel_results` for the travels of both planners through equal scenes."""
     samples: Samples = {}
-    for name, travels in travels_by(batch, draw).items():
-        samples |= figures_of(travels, name)
+    for name, travels in travel_with_both_planners(batch, draw).items():
+        samples |= travel_results(travels, name)
     return samples
 
 
-def canonical(batch: Batch) -> Samples:
+def canonical_crossings(batch: Batch) -> Samples:
     """Return results of both planners in the two canonical crossings, one unit each, equal in every batch."""
-    return figures_with_sides({name: [travel(scene, **changes) for scene in CANONICAL.values()]
+    return travel_results_with_sides({name: [travel(scene, **changes) for scene in CANONICAL.values()]
                                for name, changes in PLANNERS.items()})  # fmt: skip
 
 
-def figures_with_sides(travels_of: dict[str, list[Travel]]) -> Samples:
-    """Return results of travels by planner: `figures_of`, changes of side, and distances from the first plan."""
+def travel_results_with_sides(travels_of: dict[str, list[Travel]]) -> Samples:
+    """Return, for each planner, `travel_results`, how often paths changed sides of an obstacle, and their distance [m]
+    from the first plan.
+    """
     samples: Samples = {}
     for name, travels in travels_of.items():
-        samples |= figures_of(travels, name)
+        samples |= travel_results(travels, name)
         samples[f"{name} sides"] = np.array([side_changes(one) for one in travels], float)
-        samples[f"{name} strays"] = np.array([strays(one) for one in travels])
+        samples[f"{name} strays"] = np.array([distance_from_first_plan(one) for one in travels])
     return samples
 
 
-def with_random(batch: Batch) -> Samples:
-    """Return results in canonical crossings (equal in every unit) and in random crossings, by both planners."""
-    fixed = canonical(batch)
+def random_crossings(batch: Batch) -> Samples:
+    """Return the results of both planners in drawn crossings, and in the fixed ones, which every unit repeats."""
+    fixed = canonical_crossings(batch)
     kept = {f"{scene} {name}": np.full(SCENES, values[i]) for name, values in fixed.items()
             for i, scene in enumerate(CANONICAL)}  # fmt: skip
-    return figures_with_sides(travels_by(batch, CROSSING)) | kept
+    return travel_results_with_sides(travel_with_both_planners(batch, CROSSING)) | kept
 
 
-def with_exact(batch: Batch) -> Samples:
-    """Return the results of `with_random`, and of the new planner with a threshold of T five times as strict."""
+def compare_stricter_threshold(batch: Batch) -> Samples:
+    """Return the results of `random_crossings`, and of the new planner with a threshold of T five times as strict."""
     scenes = scenes_of(batch, CROSSING, SCENES)
     exact_ones = [travel(scene, threshold=0.02, most_iterations=16) for scene in scenes]
-    return with_random(batch) | figures_of(exact_ones, "exact")
+    return random_crossings(batch) | travel_results(exact_ones, "exact")
 
 
-def strays(one: Travel) -> float:
+def distance_from_first_plan(one: Travel) -> float:
     """Return the greatest distance [m] of the travelled path from the path of the first plan."""
     planned, path = one.planned(0), one.path
     gaps = np.hypot(*(path[:, None] - planned[None]).transpose(2, 0, 1))
     return float(gaps.min(axis=1).max())
 
 
-def worst(samples: Samples, name: str, take: Any = max) -> float:
+def worst_canonical_value(samples: Samples, name: str, take: Any = max) -> float:
     """Return the greatest (or, with `take` min, the least) value of a quantity over both canonical scenes."""
     return float(take(samples[f"{scene} {name}"][0] for scene in CANONICAL))
 
 
-def dramatic(samples: Samples) -> float:
+def near_collision_share(samples: Samples) -> float:
     """Return the share [%] of random crossings in which the old planner nearly collides and then drives away."""
     return 100.0 * mean((samples["old gap"] < NEAR) & (samples["old away"] > 10))
 
 
-def longer(samples: Samples, name: str) -> float:
+def excess_percent(samples: Samples, name: str) -> float:
     """Return the excess [%] of the old planner's mean of a quantity over the new planner's mean."""
     return 100.0 * (mean(samples[f"old {name}"]) / mean(samples[f"new {name}"]) - 1.0)
 
 
-def less(samples: Samples, name: str) -> float:
+def mean_difference(samples: Samples, name: str) -> float:
     """Return the old planner's mean of a quantity minus the new planner's mean."""
     return mean(samples[f"old {name}"] - samples[f"new {name}"])
 
@@ -159,15 +161,17 @@ H07 = Claim(
     method=f"{SCENES} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
     "free, by either planner.",
     criteria=(
-        measured("the conventional planner's way is longer by", partial(longer, name="length"), unit="%", at_most=5.0),
+        measured(
+            "the conventional planner's way is longer by", partial(excess_percent, name="length"), unit="%", at_most=5.0
+        ),
         measured("collisions of the conventional planner", lambda s: float(s["old hit"].sum()), at_most=0.0),
-        reported("it takes longer by", partial(longer, name="time"), unit="%"),
-        reported("turns by more", partial(longer, name="turn"), unit="%"),
+        reported("it takes longer by", partial(excess_percent, name="time"), unit="%"),
+        reported("turns by more", partial(excess_percent, name="turn"), unit="%"),
         reported("collisions of the time-variant one", lambda s: float(s["new hit"].sum())),
         reported("conventional: way over the straight line", lambda s: mean(s["old length"]) / WAY),
     ),
     rules=NO_MATCH,
-    measure=partial(compare, draw=slow_traffic),
+    measure=partial(compare_planners, draw=slow_traffic),
     seconds=2.0,
     batches=6,
     ingredients=ASSUMED,
@@ -179,15 +183,17 @@ H08 = Claim(
     statement="Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
     method=f"Two canonical crossings, a and b, and beside them {SCENE_TEXT}.",
     criteria=(
-        exact("canonical: greater of both smallest gaps", partial(worst, name="old gap"), unit="m", below=NEAR),
-        exact("canonical: fewer cycles away", partial(worst, name="old away", take=min), above=10.0),
-        reported(f"random crossings with a gap below {100 * NEAR:.0f} cm and 10 cycles away", dramatic, unit="%"),
+        exact("canonical: greater of both smallest gaps", partial(worst_canonical_value, name="old gap"), unit="m",
+            below=NEAR),
+        exact("canonical: fewer cycles away", partial(worst_canonical_value, name="old away", take=min), above=10.0),
+        reported(f"random crossings with a gap below {100 * NEAR:.0f} cm and 10 cycles away", near_collision_share,
+            unit="%"),
         reported("random crossings with 10 cycles away", lambda s: 100 * mean(s["old away"] > 10), unit="%"),
         reported(f"random crossings with a gap below {100 * NEAR:.0f} cm", lambda s: 100 * mean(s["old gap"] < NEAR),
                  unit="%"),
     ),
     rules=NO_MATCH,
-    measure=with_random,
+    measure=random_crossings,
     seconds=3.0,
     batches=4,
     figures=snapshots,
@@ -201,7 +207,8 @@ H09 = Claim(
     statement="Time-variant planning avoids the obstacles' predicted trajectories.",
     method=f"Both canonical crossings, and {SCENE_TEXT}; smallest gap between surfaces.",
     criteria=(
-        exact("canonical: smaller of both gaps", partial(worst, name="new gap", take=min), unit="m", at_least=CLEAR),
+        exact("canonical: smaller of both gaps", partial(worst_canonical_value, name="new gap", take=min), unit="m",
+            at_least=CLEAR),
         measured(
             f"random crossings with a gap of {100 * CLEAR:.0f} cm or more",
             lambda s: 100 * mean(s["new gap"] >= CLEAR), unit="%", at_least=95.0,
@@ -210,7 +217,7 @@ H09 = Claim(
         reported("gap that 5 % stay below", lambda s: quantile(s["new gap"], 0.05), unit="m"),
     ),
     rules=NO_MATCH,
-    measure=with_random,
+    measure=random_crossings,
     seconds=3.0,
     batches=6,
     figures=gap_figure,
@@ -224,11 +231,11 @@ H10 = Claim(
     statement="Taking the obstacles' movement into account gives smoother paths and fewer collisions.",
     method=f"{SCENE_TEXT}; both planners in the same scenes.",
     criteria=(
-        measured("fewer collisions in 100 crossings", lambda s: 100 * less(s, "hit"), at_least=0.0),
+        measured("fewer collisions in 100 crossings", lambda s: 100 * mean_difference(s, "hit"), at_least=0.0),
         measured(f"fewer gaps below {100 * NEAR:.0f} cm in 100 crossings",
                  lambda s: 100 * mean((s["old gap"] < NEAR).astype(float) - (s["new gap"] < NEAR)), above=0.0),
-        measured("less turn", partial(less, name="turn"), unit="deg", above=0.0),
-        measured("less time", partial(less, name="time"), unit="s", above=0.0),
+        measured("less turn", partial(mean_difference, name="turn"), unit="deg", above=0.0),
+        measured("less time", partial(mean_difference, name="time"), unit="s", above=0.0),
         reported("collisions of the conventional planner", lambda s: 100 * mean(s["old hit"]), unit="%"),
         reported("collisions of the time-variant one", lambda s: 100 * mean(s["new hit"]), unit="%"),
         reported("the same, T to 0.02 s instead of 0.1 s", lambda s: 100 * mean(s["exact hit"]), unit="%"),
@@ -236,7 +243,7 @@ H10 = Claim(
         reported("turn of the time-variant one", lambda s: mean(s["new turn"]), unit="deg"),
     ),
     rules=NO_MATCH,
-    measure=with_exact,
+    measure=compare_stricter_threshold,
     seconds=3.0,
     batches=12,
     figures=gap_figure,
@@ -250,16 +257,17 @@ H11 = Claim(
     method=f"Both canonical crossings, and {SCENE_TEXT}; how often plans change the side on which they pass the "
     "obstacle, and how far the travelled way strays from that planned at first.",
     criteria=(
-        exact("canonical: changes of side", partial(worst, name="new sides"), at_most=0.0),
+        exact("canonical: changes of side", partial(worst_canonical_value, name="new sides"), at_most=0.0),
         measured("random crossings without one", lambda s: 100 * mean(s["new sides"] == 0), unit="%", at_least=90.0),
         reported("the same of the conventional planner", lambda s: 100 * mean(s["old sides"] == 0), unit="%"),
-        reported("canonical: strays by at most", partial(worst, name="new strays"), unit="m"),
-        reported("canonical, conventional: strays by", partial(worst, name="old strays", take=min), unit="m"),
+        reported("canonical: strays by at most", partial(worst_canonical_value, name="new strays"), unit="m"),
+        reported("canonical, conventional: strays by", partial(worst_canonical_value, name="old strays", take=min),
+            unit="m"),
         reported("random crossings: strays by (mean)", lambda s: mean(s["new strays"]), unit="m"),
-        reported("canonical: way over the straight line", lambda s: worst(s, "new length") / 6.0),
+        reported("canonical: way over the straight line", lambda s: worst_canonical_value(s, "new length") / 6.0),
     ),
     rules=NO_MATCH,
-    measure=with_random,
+    measure=random_crossings,
     seconds=3.0,
     batches=6,
     ingredients=ASSUMED,

@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
 from soccer_env.train.bench.plans import PlanLoad
-from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.papers.claims.planning.runs import (
     CROSSING,
@@ -18,7 +18,7 @@ from soccer_env.train.papers.claims.planning.runs import (
     plans_of,
     scenes_of,
 )
-from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, still_obstacle, wall
+from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, robot_row_or_cup, still_obstacle
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 
@@ -35,7 +35,7 @@ def evaluations(batch: Batch) -> Samples:
             for name, changes in PLANNERS.items()}  # fmt: skip
 
 
-def of_field(samples: Samples, name: str) -> float:
+def evaluations_per_cell(samples: Samples, name: str) -> float:
     """Return the mean number of evaluations of a plan, divided by the number of cells of the whole field [%]."""
     return 100.0 * mean(samples[name]) / CELLS
 
@@ -47,8 +47,12 @@ H04 = Claim(
     method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
     f"{CELLS} cells of the field.",
     criteria=(
-        measured("conventional planner: evaluations a plan", partial(of_field, name="old"), unit="%", at_most=5.0),
-        measured("time-variant planner: evaluations a plan", partial(of_field, name="new"), unit="%", at_most=5.0),
+        measured(
+            "conventional planner: evaluations a plan", partial(evaluations_per_cell, name="old"), unit="%", at_most=5.0
+        ),
+        measured(
+            "time-variant planner: evaluations a plan", partial(evaluations_per_cell, name="new"), unit="%", at_most=5.0
+        ),
         reported("of the time-variant one, 99 % below", lambda s: 100 * quantile(s["new"], 0.99) / CELLS, unit="%"),
     ),
     rules=NO_MATCH,
@@ -60,9 +64,9 @@ H04 = Claim(
 )
 
 
-def with_and_without_search(batch: Batch) -> Samples:
+def compare_local_search(batch: Batch) -> Samples:
     """Return which plans (M,) past rows and cups join robot and target, with the local search and without it."""
-    both = {"on": plans_of(batch, wall), "off": plans_of(batch, wall, search=False)}
+    both = {"on": plans_of(batch, robot_row_or_cup), "off": plans_of(batch, robot_row_or_cup, search=False)}
     samples = {name: np.array([one.arrived for one in plans], float) for name, plans in both.items()}
     touches = np.array([one.clearance() < -0.02 for one in both["on"]], float)
     return samples | {"all": np.ones(SCENES), "clean": samples["on"] * (1.0 - touches)}
@@ -80,7 +84,7 @@ H05 = Claim(
         measured("arrive with it and touch nobody", lambda s: 100 * mean(s["clean"]), unit="%", at_least=95.0),
     ),
     rules=NO_MATCH,
-    measure=with_and_without_search,
+    measure=compare_local_search,
     seconds=1.0,
     batches=4,
     ingredients=ASSUMED,
@@ -97,7 +101,7 @@ def first_heading(one: Plan, scene: Scene) -> float:
     return float(np.degrees(abs(np.arctan2(to_x * y - to_y * x, to_x * x + to_y * y))))
 
 
-def sharpest(one: Plan) -> float:
+def sharpest_turn(one: Plan) -> float:
     """Return the greatest change of heading [degrees] of a path within half a metre."""
     path = one.path
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
@@ -107,18 +111,18 @@ def sharpest(one: Plan) -> float:
     return float(np.degrees(np.abs(heading[5:] - heading[:-5]).max()))
 
 
-def backward_and_forward(batch: Batch) -> Samples:
+def compare_directions(batch: Batch) -> Samples:
     """Return first heading, length and sharpest turn (M,) of backward and forward plans in equal scenes."""
     scenes, samples = scenes_of(batch, still_obstacle, SCENES), {}
     for name, backward in (("back", True), ("fore", False)):
         plans = [plan(scene, time_variant=False, backward=backward) for scene in scenes]
         samples[f"{name} heading"] = np.array([first_heading(*pair) for pair in zip(plans, scenes, strict=True)])
         samples[f"{name} length"] = np.array([one.length for one in plans])
-        samples[f"{name} turn"] = np.array([sharpest(one) for one in plans])
+        samples[f"{name} turn"] = np.array([sharpest_turn(one) for one in plans])
     return samples
 
 
-def more(samples: Samples, name: str) -> float:
+def backward_excess(samples: Samples, name: str) -> float:
     """Return the mean of a quantity of the backward plans minus its mean of the forward plans."""
     return mean(samples[f"back {name}"] - samples[f"fore {name}"])
 
@@ -130,40 +134,45 @@ H06 = Claim(
     method=f"{SCENES} ways a batch of {WAY:g} m with one obstacle that stands on them, planned in both directions; "
     f"first heading over {HEADING:g} m, length, sharpest turn within {HEADING:g} m.",
     criteria=(
-        measured("the first heading is farther off straight by", partial(more, name="heading"), unit="deg", above=2.0),
-        measured("the way is longer by", lambda s: 100 * more(s, "length") / WAY, unit="%", at_most=1.0),
-        measured("the sharpest turn is less by", lambda s: -more(s, "turn"), unit="deg", above=0.0),
+        measured(
+            "the first heading is farther off straight by",
+            partial(backward_excess, name="heading"),
+            unit="deg",
+            above=2.0,
+        ),
+        measured("the way is longer by", lambda s: 100 * backward_excess(s, "length") / WAY, unit="%", at_most=1.0),
+        measured("the sharpest turn is less by", lambda s: -backward_excess(s, "turn"), unit="deg", above=0.0),
         reported("first heading, backwards", lambda s: mean(s["back heading"]), unit="deg"),
         reported("first heading, forwards", lambda s: mean(s["fore heading"]), unit="deg"),
     ),
     rules=NO_MATCH,
-    measure=backward_and_forward,
+    measure=compare_directions,
     seconds=0.8,
     batches=4,
     ingredients=ASSUMED,
 )
 
 
-def costs(batch: Batch) -> Samples:
+def measure_planning_times(batch: Batch) -> Samples:
     """Return the computing time [us] of each scene's plan (M,) by both planners, the least of five tries."""
     scenes, samples = scenes_of(batch, CROSSING, SCENES), {}
     for name, changes in PLANNERS.items():
         planner = Planner(**changes)
-        samples[name] = np.array([min(timed(planner, scene) for _ in range(5)) for scene in scenes])
+        samples[name] = np.array([min(time_plan(planner, scene) for _ in range(5)) for scene in scenes])
     return samples
 
 
-def timed(planner: Planner, scene: Scene) -> float:
+def time_plan(planner: Planner, scene: Scene) -> float:
     """Plan a scene once and return the computing time [us], Python's overhead included."""
     begun = perf_counter()
     planner.plan(*scene)
     return 1e6 * (perf_counter() - begun)
 
 
-def load(batch: Batch) -> Samples:
+def compare_planning_times(batch: Batch) -> Samples:
     """Return the computing times [us] of plans by both planners, and of plans past nine obstacles."""
     _, plans = PlanLoad(int(batch.sequence().generate_state(1)[0])).sample(SCENES)
-    return costs(batch) | {"nine": 1e6 * np.array(plans)}
+    return measure_planning_times(batch) | {"nine": 1e6 * np.array(plans)}
 
 
 H02 = Claim(
@@ -180,7 +189,7 @@ H02 = Claim(
         reported("plan (median)", lambda s: median(s["nine"]), unit="us"),
     ),
     rules=NO_MATCH,
-    measure=load,
+    measure=compare_planning_times,
     seconds=2.0,
     batches=2,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
@@ -196,14 +205,14 @@ H15 = Claim(
         reported("that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
     ),
     rules=NO_MATCH,
-    measure=costs,
+    measure=measure_planning_times,
     seconds=1.5,
     batches=2,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )
 
 
-def same_paths(batch: Batch, still: bool = True) -> Samples:
+def plans_equal_paths(batch: Batch, still: bool = True) -> Samples:
     """Tell in which scenes (M,) both planners plan equal paths, bit for bit; `still`: with obstacles at rest."""
     scenes, same = scenes_of(batch, CROSSING, SCENES), []
     for scene in scenes:
@@ -220,8 +229,8 @@ H16 = Claim(
     method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",
     criteria=(exact("paths that are the same", lambda s: 100 * mean(s["same"]), unit="%", at_least=100.0),),
     rules=NO_MATCH,
-    measure=same_paths,
-    without=Without("velocities of 0: here the obstacles move", partial(same_paths, still=False)),
+    measure=plans_equal_paths,
+    without=Ablation("velocities of 0: here the obstacles move", partial(plans_equal_paths, still=False)),
     seconds=0.8,
     batches=2,
 )

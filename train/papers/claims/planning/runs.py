@@ -52,12 +52,12 @@ def side_changes(travels: Travel) -> int:
     The side of the obstacle, seen along the path, counts where the planned path is nearest to it; a plan that stays
     more than a metre away has no side.
     """
-    sides = [side_of(travels, cycle) for cycle in range(len(travels.stations) - 1)]
+    sides = [passing_side(travels, cycle) for cycle in range(len(travels.stations) - 1)]
     there = [side for side in sides if side != 0]
     return sum(a != b for a, b in zip(there, there[1:], strict=False))
 
 
-def side_of(travels: Travel, cycle: int) -> int:
+def passing_side(travels: Travel, cycle: int) -> int:
     """Return +1 if a cycle's plan passes with the first obstacle on its left, -1 on its right, 0 if it is not near."""
     path = travels.planned(cycle)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
@@ -72,7 +72,7 @@ def side_of(travels: Travel, cycle: int) -> int:
     return int(np.sign(across))
 
 
-def figures_of(travels: list[Travel], name: str) -> Samples:
+def travel_results(travels: list[Travel], name: str) -> Samples:
     """Return results of travels (M,): arrival, collision, smallest gap [m], time [s], length [m], turn [degrees] ..."""
     figures = {
         "arrived": [one.arrived for one in travels],

@@ -77,7 +77,7 @@ def still_obstacle(rng: np.random.Generator) -> Scene:
     return turned_scene(rng, [(float(rng.uniform(0.35, 0.65) * WAY), float(rng.uniform(-0.2, 0.2)), 0.0, 0.0)])
 
 
-def wall(rng: np.random.Generator) -> Scene:
+def robot_row_or_cup(rng: np.random.Generator) -> Scene:
     """Draw a scene with a row of two or three touching robots across the path, or a cup of nine about the target."""
     kind = rng.integers(3)
     middle = float(rng.uniform(0.4, 0.6) * WAY)

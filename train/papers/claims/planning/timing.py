@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Without
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.papers.claims.planning.runs import SCENES, crossing_text, plan, plans_of
 from soccer_env.train.papers.claims.planning.scenes import CANONICAL
@@ -16,7 +16,7 @@ TEXT = crossing_text()
 KINDS: dict[str, dict[str, Any]] = {"smooth": {}, "literal": {"literal": True}}
 
 
-def times(batch: Batch, slower: float = 1.0) -> Samples:
+def measure_plan_times(batch: Batch, slower: float = 1.0) -> Samples:
     """Return T over T_min (M,), passes, convergence and errors of T of plans; `slower` multiplies T_min."""
     samples: Samples = {}
     for name, changes in KINDS.items():
@@ -38,8 +38,10 @@ H12 = Claim(
         reported("mean ratio", lambda s: mean(s["smooth ratio"])),
     ),
     rules=NO_MATCH,
-    measure=times,
-    without=Without("one speed for both: here the straight line is timed at 0.9 of it", partial(times, slower=1 / 0.9)),
+    measure=measure_plan_times,
+    without=Ablation(
+        "one speed for both: here the straight line is timed at 0.9 of it", partial(measure_plan_times, slower=1 / 0.9)
+    ),
     seconds=0.8,
     batches=2,
     note="No path is shorter than the straight line, and both are timed at the same speed.",
@@ -58,7 +60,7 @@ H13 = Claim(
         reported("they alone: plans that do not converge", lambda s: 100 * mean(s["literal open"]), unit="%"),
     ),
     rules=NO_MATCH,
-    measure=times,
+    measure=measure_plan_times,
     seconds=0.8,
     batches=4,
     ingredients=("T of the smoothed path, damped by half: the paper speaks of neither",),
@@ -67,9 +69,9 @@ H13 = Claim(
 )
 
 
-def first_plans(batch: Batch) -> Samples:
+def measure_first_plans(batch: Batch) -> Samples:
     """Return passes and error of T [s] of the first plans of both canonical crossings, and of random crossings."""
-    samples = times(batch)
+    samples = measure_plan_times(batch)
     for name, scene in CANONICAL.items():
         one = plan(scene)
         samples[f"{name} passes"] = np.full(SCENES, float(one.iterations))
@@ -91,7 +93,7 @@ H14 = Claim(
         reported("random crossings planned in one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
     ),
     rules=NO_MATCH,
-    measure=first_plans,
+    measure=measure_first_plans,
     seconds=0.8,
     batches=2,
     ingredients=ASSUMED,

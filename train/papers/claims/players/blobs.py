@@ -10,9 +10,9 @@ import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
-from soccer_env.train.papers.claims.players.seen import blob_heights, look_at, nearest_seen, put_facing, watchers
-from soccer_env.train.papers.staging import begin, from_robot, play, put, standing
-from soccer_env.train.papers.values import about_own_mean, in_bins, mean, median, middles_of, rms
+from soccer_env.train.papers.claims.players.seen import blob_heights, look_at, nearest_seen, put_facing, set_up_watchers
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
+from soccer_env.train.papers.values import bin_masks, mean, median, middles_of, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 RUNS = 48  # of each jersey
@@ -32,17 +32,17 @@ def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> 
     """
     rng = batch.rng()
     memory = {"player_blob": blobs, "player_infrared": False}
-    match = watchers(batch, RUNS, sensors={"jersey": jersey, **sensors}, memory=memory)
+    match = set_up_watchers(batch, RUNS, sensors={"jersey": jersey, **sensors}, memory=memory)
     put(match, 0, EYE_X, rng.uniform(-0.3, 0.3, RUNS), 0.0)
     distance, bearing = rng.uniform(NEAR, FAR, RUNS), rng.uniform(-0.2, 0.2, RUNS)
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, RUNS))
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "head": [], "trunk": []}
     for step in play(match, SETTLE + SECONDS, actions):
         look_at(match, actions)
         if step >= SETTLE * match.league.control_rate:
-            true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
             heights = blob_heights(match)
             rows["range"].append(nearest_seen(match)[0] / true)
             rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False
@@ -64,38 +64,42 @@ def compare_blobs(batch: Batch) -> Samples:
     return samples | {"head": np.stack([one["head"] for one in runs], axis=1), "distance": runs[0]["distance"]}
 
 
-def jumps(samples: Samples, blobs: str) -> np.ndarray:
+def sticker_range_ratios(samples: Samples, blobs: str) -> np.ndarray:
     """Return the median range without a head sticker over the median range with one, for each jersey (jerseys,)."""
     without, complete = (samples[f"{blobs} {name} head"] for name in ("without", "with"))
     ratios = [median(without[:, j]) / max(median(complete[:, j]), 1e-9) for j in range(len(JERSEYS))]
     return np.array(ratios)
 
 
-def worst_jump(samples: Samples, blobs: str) -> float:
-    """Return the ratio of `jumps` that is farthest from the paper's factor of two."""
-    ratios = jumps(samples, blobs)
+def worst_sticker_ratio(samples: Samples, blobs: str) -> float:
+    """Return the ratio of `sticker_range_ratios` that is farthest from the paper's factor of two."""
+    ratios = sticker_range_ratios(samples, blobs)
     return float(ratios[np.argmax(np.abs(np.log(ratios / 2.0)))]) if np.isfinite(ratios).all() else np.nan
 
 
-def headless(samples: Samples, j: int, i: int) -> float:
+def share_without_head_sticker(samples: Samples, j: int, i: int) -> float:
     """Return the share of frames [%] without a head sticker, for jersey `j` in the distance bin `i`."""
-    return 100 * (1.0 - mean(samples["head"][in_bins(samples["distance"], BINS)[i], j]))
+    return 100 * (1.0 - mean(samples["head"][bin_masks(samples["distance"], BINS)[i], j]))
 
 
 def scatter(samples: Samples, blobs: str) -> float:
     """Return the rms deviation [%] of the believed relative range from its mean in each run."""
-    return 100 * rms(about_own_mean(samples[blobs].reshape(-1, samples[blobs].shape[-1])))
+    return 100 * rms(subtract_row_mean(samples[blobs].reshape(-1, samples[blobs].shape[-1])))
 
 
 def blob_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the scatter of the range by both methods, and the share of frames without a head sticker, over distance."""
-    middles, inside = middles_of(BINS, 100), in_bins(samples["distance"], BINS)
+    middles, inside = middles_of(BINS, 100), bin_masks(samples["distance"], BINS)
     steady = [
         Curve(label, middles, [scatter({blobs: samples[blobs][i]}, blobs) if i.any() else np.nan for i in inside])
         for blobs, label in zip(BLOBS, ("largest blob", "all blobs"), strict=True)
     ]
     heads = [
-        Curve(f"stickers {jersey:g} times as large", middles, [headless(samples, j, i) for i in range(len(middles))])
+        Curve(
+            f"stickers {jersey:g} times as large",
+            middles,
+            [share_without_head_sticker(samples, j, i) for i in range(len(middles))],
+        )
         for j, jersey in enumerate(JERSEYS)
     ]
     return (
@@ -113,15 +117,17 @@ S39 = Claim(
     "head sticker; scatter of the believed over the true range in each run; that ratio in frames with a trunk alone "
     "over frames with trunk and head (for these 30 % of the stickers are missed, so that there are enough).",
     criteria=(
-        measured("combined: range without the head over that with it", lambda samples: worst_jump(samples, "combined"),
+        measured("combined: range without the head over that with it", lambda samples: worst_sticker_ratio(samples,
+            "combined"),
                  at_least=1.5, at_most=2.5),
-        measured("largest blob: the same, in the worst jersey", lambda samples: float(jumps(samples, "largest").max()),
+        measured("largest blob: the same, in the worst jersey", lambda samples: float(sticker_range_ratios(samples,
+            "largest").max()),
                  at_most=1.2),
         measured("scatter of the largest blob's range over that of the combined",
                  lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9), below=1.0),
         *(
             reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-                     partial(headless, j=j, i=len(BINS) - 2), unit="%")
+                     partial(share_without_head_sticker, j=j, i=len(BINS) - 2), unit="%")
             for j, jersey in enumerate(JERSEYS)
         ),
         reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),

@@ -12,8 +12,14 @@ from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
-from soccer_env.train.papers.claims.players.seen import gaps_to, matched, put_facing, slots_of, watchers
-from soccer_env.train.papers.staging import begin, play, standing
+from soccer_env.train.papers.claims.players.seen import (
+    gaps_to,
+    matched_distances,
+    put_facing,
+    set_up_watchers,
+    slots_of,
+)
+from soccer_env.train.papers.staging import begin_scene, play, standing_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -35,14 +41,14 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     "ghosts" and "missed" (M,): their numbers in the frame of the event.
     """
     rng = batch.rng()
-    match = watchers(batch, MATCHES, away=3)
+    match = set_up_watchers(batch, MATCHES, away=3)
     put_two_in_view(match, rng)
     side = rng.choice([-1.0, 1.0], MATCHES)
     put_facing(
         match, 3, rng.uniform(NEAR, FAR, MATCHES), side * rng.uniform(*ASIDE, MATCHES), rng.uniform(-3.0, 3.0, MATCHES)
     )
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     for pan, seconds in ((side * TURNED, LOOK_ASIDE), (0.0, LOOK_AHEAD)):
         turn_head(match, actions, 0, pan, TILT)
         for _ in play(match, seconds, actions):
@@ -52,16 +58,16 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     match.step(actions)
     memory_settings_of(match)["grouping"] = chosen
     ghosts, missed = ghosts_and_misses(*seen_and_believed(match))
-    errors = [error_of(match)]
+    errors = [memory_error(match)]
     for _ in play(match, AFTER, actions):
-        errors.append(error_of(match))
+        errors.append(memory_error(match))
     match.close()
     return {"error": np.stack(errors, axis=1), "ghosts": ghosts.astype(float), "missed": missed.astype(float)}
 
 
-def error_of(match: Match) -> np.ndarray:
+def memory_error(match: Match) -> np.ndarray:
     """Return the mean distance (M,) [m] of the opponents from the slots matched to them, KNOWN if none is matched."""
-    gaps = matched(gaps_to(match, slots_of(match), FOES), KNOWN)
+    gaps = matched_distances(gaps_to(match, slots_of(match), FOES), KNOWN)
     return np.asarray(np.minimum(gaps, KNOWN).mean(axis=1))
 
 

@@ -10,18 +10,18 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import (
-    from_camera,
+    blob_owners,
+    distances_from_camera,
     is_fresh,
-    owners,
     put_facing,
+    set_up_watchers,
     slot_bearings,
     slots_of,
-    watchers,
 )
-from soccer_env.train.papers.staging import begin, from_robot, play, standing, wrapped
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -59,9 +59,9 @@ def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
     A blob or slot belongs to the opponent that is nearest to it sideways.
     """
-    mine, slots = owners(match, FOES), slots_of(match)
-    away, true = from_camera(match, FOES)
-    aside = np.abs(wrapped(slot_bearings(match, slots)[:, :, None] - true[:, None, :])) * away[:, None, :]
+    mine, slots = blob_owners(match, FOES), slots_of(match)
+    away, true = distances_from_camera(match, FOES)
+    aside = np.abs(wrap_angle(slot_bearings(match, slots)[:, :, None] - true[:, None, :])) * away[:, None, :]
     nearest = np.where(is_fresh(match, slots), aside.argmin(axis=2), -1)
     visible = np.stack([(mine == i).any(axis=1) for i in range(len(FOES))], axis=1)
     return visible, np.stack([(nearest == i).sum(axis=1) for i in range(len(FOES))], axis=1)
@@ -74,10 +74,10 @@ def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarr
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
     """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
-    match = watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
+    match = set_up_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
     put_two_in_view(match, batch.rng())
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     total = np.zeros((4, MATCHES))
     for step in play(match, SETTLE + SECONDS, actions):
@@ -97,24 +97,24 @@ def try_factors(batch: Batch) -> Samples:
     return samples
 
 
-def share(samples: Samples, name: str, factor: float, of: str = "visible") -> np.ndarray:
+def error_share(samples: Samples, name: str, factor: float, of: str = "visible") -> np.ndarray:
     """Return the share [%] of ghosts or missed players among visible players, or filled slots, by jersey (jerseys,)."""
     total = samples[f"{of} {factor:g}"].sum(axis=0)
     return np.asarray(100 * samples[f"{name} {factor:g}"].sum(axis=0) / np.maximum(total, 1.0))
 
 
-def wrong(samples: Samples, factor: float) -> np.ndarray:
+def total_error_share(samples: Samples, factor: float) -> np.ndarray:
     """Return the sum of ghosts and missed players [%] of visible players, for each jersey (jerseys,)."""
-    return np.asarray(share(samples, "ghosts", factor) + share(samples, "missed", factor))
+    return np.asarray(error_share(samples, "ghosts", factor) + error_share(samples, "missed", factor))
 
 
-def above_the_best(samples: Samples) -> np.ndarray:
+def excess_over_best_factor(samples: Samples) -> np.ndarray:
     """Return the errors [%] at the paper's factor minus the fewest errors at another factor, by jersey (jerseys,)."""
-    others = np.stack([wrong(samples, factor) for factor in FACTORS if factor != CHOSEN])
-    return np.asarray(wrong(samples, CHOSEN) - others.min(axis=0))
+    others = np.stack([total_error_share(samples, factor) for factor in FACTORS if factor != CHOSEN])
+    return np.asarray(total_error_share(samples, CHOSEN) - others.min(axis=0))
 
 
-def of_jersey(samples: Samples, value: Callable[[Samples], np.ndarray], jersey: float) -> float:
+def value_for_jersey(samples: Samples, value: Callable[[Samples], np.ndarray], jersey: float) -> float:
     """Return the quantity `value` of the samples for one size of the jersey's stickers."""
     return float(value(samples)[JERSEYS.index(jersey)])
 
@@ -128,7 +128,7 @@ def factor_figure(samples: Samples) -> Sequence[Figure]:
             label,
             "per visible player [%]",
             tuple(
-                Curve(name, FACTORS, [float(share(samples, name, factor)[j]) for factor in FACTORS])
+                Curve(name, FACTORS, [float(error_share(samples, name, factor)[j]) for factor in FACTORS])
                 for name in ("ghosts", "missed")
             ),
         )
@@ -146,25 +146,26 @@ S33 = Claim(
     "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
         measured("ghosts at a factor of 3, in the worst jersey",
-                 lambda samples: float(share(samples, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
+                 lambda samples: float(error_share(samples, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
         measured("missed less ghosts at a factor of 3, in the worst jersey",
-                 lambda samples: float((share(samples, "missed", CHOSEN) - share(samples, "ghosts", CHOSEN)).min()),
+                 lambda samples: float((error_share(samples, "missed", CHOSEN) - error_share(samples, "ghosts",
+                     CHOSEN)).min()),
                  unit="%", above=0.0),
         measured(
             "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
             "jersey",
-            lambda samples: float(above_the_best(samples).max()),
+            lambda samples: float(excess_over_best_factor(samples).max()),
             unit="%",
             below=0.0,
         ),
         *(
             reported(f"the same, stickers {jersey:g} times as large",
-                     partial(of_jersey, value=above_the_best, jersey=jersey), unit="%")
+                     partial(value_for_jersey, value=excess_over_best_factor, jersey=jersey), unit="%")
             for jersey in JERSEYS
         ),
         *(
             reported(f"ghosts and misses at {factor:g}, stickers of their own size",
-                     partial(of_jersey, value=partial(wrong, factor=factor), jersey=1.0), unit="%")
+                     partial(value_for_jersey, value=partial(total_error_share, factor=factor), jersey=1.0), unit="%")
             for factor in FACTORS
         ),
     ),
@@ -178,43 +179,45 @@ S33 = Claim(
 )  # fmt: skip
 
 
-def keep_one(batch: Batch, alike: bool = False) -> Samples:
+def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     """Count frames (M,) with two opponents visible and one slot filled, and frames that keep the nearer opponent."""
-    match = watchers(batch, PAIRS, away=2)
+    match = set_up_watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     kept, merged = np.zeros((2, match.count))
-    true = np.stack([from_robot(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES], axis=1)
+    true = np.stack(
+        [distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES], axis=1
+    )
     for step in play(match, SETTLE + SECONDS, actions):
         if step < SETTLE * match.league.control_rate:
             continue
         visible, filled = seen_and_believed(match)
         one = visible.all(axis=1) & (filled.sum(axis=1) == 1)
         merged += one
-        kept += one & (kept_one(match) == true.argmin(axis=1))
+        kept += one & (kept_opponent(match) == true.argmin(axis=1))
     match.close()
     unlike = true.max(axis=1) > UNLIKE * true.min(axis=1)
     return {"nearer": kept, "merged": merged, "nearer unlike": kept * unlike, "merged unlike": merged * unlike}
 
 
-def two_alike(batch: Batch) -> Samples:
-    """Return `keep_one` for two opponents at equal distances, whose sizes do not tell which is nearer."""
-    return keep_one(batch, alike=True)
+def keep_one_of_equals(batch: Batch) -> Samples:
+    """Return `count_kept_opponents` for two opponents at equal distances, whose sizes do not tell which is nearer."""
+    return count_kept_opponents(batch, alike=True)
 
 
-def kept_one(match: Match) -> np.ndarray:
+def kept_opponent(match: Match) -> np.ndarray:
     """Return the index of the opponent (M,) that the slot filled in this frame stands for.
 
     This is the opponent nearest to the slot's place, in units of the errors: ASIDE, and RANGE of the distance.
     """
     slots, rows = slots_of(match), np.arange(match.count)
     row = is_fresh(match, slots).argmax(axis=1)
-    away, true = from_camera(match, FOES)
+    away, true = distances_from_camera(match, FOES)
     x, y = slots["x"][rows, row], slots["y"][rows, row]
-    places = [from_robot(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES]
-    beside = np.abs(wrapped(slot_bearings(match, slots)[rows, row][:, None] - true)) * away / ASIDE
+    places = [distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES]
+    beside = np.abs(wrap_angle(slot_bearings(match, slots)[rows, row][:, None] - true)) * away / ASIDE
     beyond = np.log(np.maximum(np.hypot(x, y), 0.01)[:, None] / np.stack(places, axis=1)) / RANGE
     return np.asarray((beside * beside + beyond * beyond).argmin(axis=1))
 
@@ -233,11 +236,11 @@ S72 = Claim(
                  unit="%"),
     ),
     rules=STAGED,
-    measure=keep_one,
+    measure=count_kept_opponents,
     batches=24,
     seconds=2.0,
-    without=Without("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
-                    two_alike),
+    without=Ablation("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
+                    keep_one_of_equals),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
 )  # fmt: skip
 

@@ -6,11 +6,11 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, watchers
-from soccer_env.train.papers.staging import begin, from_robot, play, standing
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
-from soccer_env.train.papers.values import in_bins, mean, middles_of
+from soccer_env.train.papers.values import bin_masks, mean, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -22,7 +22,7 @@ TILTS = {"up": 0.0, "down": DOWN}
 OVERLOOKED = 1.5  # [1] of the true distance, beyond which a player is overlooked; as for "significantly" closer, MS49
 
 
-def look_at_heads(batch: Batch, **sensors: float) -> Samples:
+def compare_head_tilts(batch: Batch, **sensors: float) -> Samples:
     """Return each run's mean range error (M,) [m] of a near player with its head up and down, NaN if it is not seen.
 
     "up", "down": by the size of the jersey; "... by infrared": by the ranger; also the share of frames that show the
@@ -47,18 +47,18 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
     player or obstacle; and the true distance.
     """
     rng = batch.rng()
-    match = watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
+    match = set_up_watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
     distance, view = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-FRONTAL, FRONTAL, MATCHES)
     put_facing(match, 1, distance, rng.uniform(-0.3, 0.3, MATCHES), view)
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     turn_head(match, actions, 1, 0.0, tilt)
     rows = []
     for step in play(match, SETTLE + SECONDS, actions):
         look_at(match, actions)
         if step >= SETTLE * match.league.control_rate:
-            true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            rows.append([nearest_seen(match)[0] - true, by_infrared(match) - true, nearest_known(match), true])
+            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+            rows.append([nearest_seen(match)[0] - true, infrared_distance(match) - true, nearest_known(match), true])
     match.close()
     return tuple(np.moveaxis(np.array(rows), 1, 0))
 
@@ -71,7 +71,7 @@ def nearest_known(match: Match) -> np.ndarray:
     return nearest
 
 
-def by_infrared(match: Match) -> np.ndarray:
+def infrared_distance(match: Match) -> np.ndarray:
     """Return the distance (M,) [m] from robot 0 to a player whose chest the ranger hits, NaN without a reading."""
     camera, axis = camera_of(match)
     robot, reading = match.robots[:, 0], match.percepts["infrared"][:, 0].astype(float)
@@ -81,34 +81,34 @@ def by_infrared(match: Match) -> np.ndarray:
     return np.where(reading > 0.0, place, np.nan)
 
 
-def heads_that_hide_nothing(batch: Batch) -> Samples:
-    """Return `look_at_heads` with heads that never hide stickers."""
-    return look_at_heads(batch, head_down=np.pi)
+def compare_transparent_heads(batch: Batch) -> Samples:
+    """Return `compare_head_tilts` with heads that never hide stickers."""
+    return compare_head_tilts(batch, head_down=np.pi)
 
 
-def hundred_times(samples: Samples, name: str) -> float:
+def mean_times_100(samples: Samples, name: str) -> float:
     """Return a hundred times the mean of the quantity `name`: [cm] for metres, [%] for a share."""
     return 100 * mean(samples[name])
 
 
-def farther(samples: Samples) -> float:
+def head_down_excess(samples: Samples) -> float:
     """Return the believed range with the player's head down minus the range with its head up [cm]."""
     return 100 * mean(samples["down"] - samples["up"])
 
 
-def left_over(samples: Samples) -> float:
-    """Return the absolute range error by infrared with the head down, divided by `farther` [%].
+def remaining_error_share(samples: Samples) -> float:
+    """Return the absolute range error by infrared with the head down, divided by `head_down_excess` [%].
 
     NaN where a lowered head does not make the player seem farther.
     """
-    difference = farther(samples)
-    return 100 * abs(hundred_times(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
+    difference = head_down_excess(samples)
+    return 100 * abs(mean_times_100(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
 
 
 def head_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the bias of a near player's range against the distance, with its head up and down."""
     edges = np.linspace(NEAR, FAR, 6)
-    inside = in_bins(samples["distance"], edges)
+    inside = bin_masks(samples["distance"], edges)
     curves = [
         Curve(f"head {name}", middles_of(edges, 100), [100 * mean(samples[name][i]) for i in inside])
         for name in (*TILTS, "down by infrared")
@@ -125,26 +125,31 @@ S61 = Claim(
     "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
     "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without.",
     criteria=(
-        measured("head down: bias by size", partial(hundred_times, name="down"), unit="cm", above=0.0),
-        measured("bias by size, head down less head up", farther, unit="cm", above=0.0),
-        measured("head down: bias by infrared, of that difference by size", left_over, unit="%", at_most=100.0 / 3.0),
+        measured("head down: bias by size", partial(mean_times_100, name="down"), unit="cm", above=0.0),
+        measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
+        measured(
+            "head down: bias by infrared, of that difference by size",
+            remaining_error_share,
+            unit="%",
+            at_most=100.0 / 3.0,
+        ),
         *(
-            reported(f"bias, head {name}", partial(hundred_times, name=name), unit="cm")
+            reported(f"bias, head {name}", partial(mean_times_100, name=name), unit="cm")
             for name in ("up", "up by infrared", "down by infrared")
         ),
         *(
-            reported(f"frames that show it, head {name}", partial(hundred_times, name=f"seen {name}"), unit="%")
+            reported(f"frames that show it, head {name}", partial(mean_times_100, name=f"seen {name}"), unit="%")
             for name in TILTS
         ),
         *(
-            reported(f"frames in which it is {name}", partial(hundred_times, name=name), unit="%")
+            reported(f"frames in which it is {name}", partial(mean_times_100, name=name), unit="%")
             for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
         ),
     ),
     rules=STAGED,
-    measure=look_at_heads,
+    measure=compare_head_tilts,
     seconds=1.5,
-    without=Without("sensors.head_down, the angle from which a head hides stickers", heads_that_hide_nothing),
+    without=Ablation("sensors.head_down, the angle from which a head hides stickers", compare_transparent_heads),
     figures=head_figure,
     ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),
     note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
-from soccer_env.train.papers.staging import begin, from_robot, play, standing
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -53,30 +53,30 @@ def box_sizes(match: Match) -> list[np.ndarray]:
     return [np.where(there.any(axis=1), values, np.nan) for values in sizes]
 
 
-def turn_once_round(batch: Batch, jersey: float, view: str, **sensors: Any) -> dict[str, np.ndarray]:
+def turn_player_once(batch: Batch, jersey: float, view: str, **sensors: Any) -> dict[str, np.ndarray]:
     """Return sizes [px] and relative range errors of a turning player, means (RUNS, SECTORS) over angles of view."""
     rng = batch.rng()
     settings = {"jersey": jersey, **sensors}
-    match = watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
+    match = set_up_watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
     distance = rng.uniform(NEAR, FAR, RUNS)
     put_facing(match, 1, distance, rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS))
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     frames = []
     for step in play(match, SETTLE + ROUND, actions):
         look_at(match, actions)
         actions[:, 1, 2] = 1.0 if step >= SETTLE * match.league.control_rate else 0.0
         if step >= SETTLE * match.league.control_rate:
-            true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
             sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
             frames.append([sector, *box_sizes(match), nearest_seen(match)[0] / true - 1.0])
     match.close()
     sector, *values = (np.stack(rows, axis=1) for rows in zip(*frames, strict=True))
     names = ("width", "height", "all width", "all height", f"{view} table")
-    return {name: by_sector(sector, rows) for name, rows in zip(names, values, strict=True)}
+    return {name: mean_by_sector(sector, rows) for name, rows in zip(names, values, strict=True)}
 
 
-def by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
+def mean_by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the means (M, SECTORS) of values (M, T) by their sector (M, T); NaN for an empty sector."""
     there = np.isfinite(values)
     totals = [np.where(there & (sector == i), values, 0.0).sum(axis=1) for i in range(SECTORS)]
@@ -85,19 +85,21 @@ def by_sector(sector: np.ndarray, values: np.ndarray) -> np.ndarray:
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)
 
 
-def jerseys_from_all_sides(batch: Batch, **sensors: Any) -> Samples:
-    """Return each of QUANTITIES as an array (RUNS, jerseys, SECTORS), for jerseys of all sizes."""
+def measure_all_sides(batch: Batch, **sensors: Any) -> Samples:
+    """Measure how players with jerseys of all sizes are seen; return an array (RUNS, jerseys, SECTORS) for each of
+    QUANTITIES.
+    """
     runs = []
     for jersey in JERSEYS:
-        front = turn_once_round(batch, jersey, "front", **sensors)
-        side = turn_once_round(batch, jersey, "side", **sensors)
+        front = turn_player_once(batch, jersey, "front", **sensors)
+        side = turn_player_once(batch, jersey, "side", **sensors)
         runs.append(front | {"side table": side["side table"]})
     return {name: np.stack([one[name] for one in runs], axis=1) for name in QUANTITIES}
 
 
-def stickers_alike(batch: Batch) -> Samples:
-    """Return `jerseys_from_all_sides` with stickers of chest and rump as large as the stickers of the flanks."""
-    return jerseys_from_all_sides(batch, **ALIKE)
+def measure_equal_stickers(batch: Batch) -> Samples:
+    """Return `measure_all_sides` with stickers of chest and rump as large as the stickers of the flanks."""
+    return measure_all_sides(batch, **ALIKE)
 
 
 def variation(sizes: np.ndarray) -> np.ndarray:
@@ -127,7 +129,9 @@ def bias(samples: Samples, table: str, sectors: Sequence[int]) -> np.ndarray:
     return np.array([100 * mean(errors[:, j]) for j in range(len(JERSEYS))])
 
 
-def over_views(labels: dict[str, str], title: str, unit: str, scale: float) -> Callable[[Samples], Sequence[Figure]]:
+def plot_over_views(
+    labels: dict[str, str], title: str, unit: str, scale: float
+) -> Callable[[Samples], Sequence[Figure]]:
     """Return a function that plots quantities (`labels` by name) against the view, for stickers of their own size."""
 
     def draw(samples: Samples) -> Sequence[Figure]:
@@ -162,10 +166,11 @@ S37 = Claim(
         reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     ),
     rules=STAGED,
-    measure=jerseys_from_all_sides,
+    measure=measure_all_sides,
     seconds=1.5,
-    without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
-    figures=over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
+    without=Ablation("smaller stickers on chest and rump than on the flanks; here all are alike",
+        measure_equal_stickers),
+    figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
     ingredients=("sensors.sticker_*, all assumed", "the four largest blobs of a colour alone are delivered (MS04)"),
     note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
     "so that the head is missing and the player is a fifth lower. With one sticker on each side of the trunk it varies "
@@ -190,10 +195,11 @@ S38 = Claim(
         reported("side table: mean error in the other views", lambda s: float(bias(s, "side", ASIDE).mean()), unit="%"),
     ),
     rules=STAGED,
-    measure=jerseys_from_all_sides,
+    measure=measure_all_sides,
     seconds=1.5,
-    without=Without("smaller stickers on chest and rump than on the flanks; here all are alike", stickers_alike),
-    figures=over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
+    without=Ablation("smaller stickers on chest and rump than on the flanks; here all are alike",
+        measure_equal_stickers),
+    figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip
 

@@ -8,11 +8,11 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, watchers
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, set_up_watchers
 from soccer_env.train.papers.dribble_runs import WAYS
 from soccer_env.train.papers.drill_runs import play_drill
-from soccer_env.train.papers.staging import begin, from_robot, play, put, standing
-from soccer_env.train.papers.values import in_bins, least_rise, mean, median, middles_of
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
+from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 SCENES = 64
@@ -39,26 +39,26 @@ def draw_scenes(batch: Batch) -> tuple[np.ndarray, ...]:
     return tuple(np.repeat(rng.uniform(low, high, SCENES), len(SPEEDS)) for low, high in ranges)
 
 
-def leave(batch: Batch) -> Samples:
+def walk_off(batch: Batch) -> Samples:
     """Let movers walk off after a sighting; return distances and errors of their believed places (scenes, speeds) [m].
 
     "distance" and "first", the error, at the sighting; "error" when a dribbler would arrive at the believed place.
     """
     distance, bearing, y, heading = draw_scenes(batch)
     speeds = np.tile(SPEEDS, SCENES)
-    match = watchers(batch, len(speeds))
+    match = set_up_watchers(batch, len(speeds))
     put(match, 0, EYE_X, y, 0.0)
     put(match, 1, EYE_X + distance * np.cos(bearing), y + distance * np.sin(bearing), heading, forward=speeds)
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     actions[:, 1, 0] = speeds / match.league.drive.forward
-    walk(match, actions, LOOK, batch.rng(1))
-    distance, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+    walk_mover(match, actions, LOOK, batch.rng(1))
+    distance, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
     seen, aside = nearest_seen(match)
     angle = match.robots["heading"][:, 0] + aside
     known_x = match.robots["x"][:, 0] + seen * np.cos(angle)
     known_y = match.robots["y"][:, 0] + seen * np.sin(angle)
-    x, y = walk(match, actions, (FARTHEST + LOOK * max(SPEEDS) - THERE) / DRIBBLE + 1.0, batch.rng(2))
+    x, y = walk_mover(match, actions, (FARTHEST + LOOK * max(SPEEDS) - THERE) / DRIBBLE + 1.0, batch.rng(2))
     arrival = np.round(np.maximum(distance - THERE, 0.0) / DRIBBLE * match.league.control_rate).astype(int)
     rows = np.arange(len(speeds))
     off = np.hypot(x - known_x, y - known_y)  # (T, M)
@@ -67,13 +67,13 @@ def leave(batch: Batch) -> Samples:
     return {name: values.reshape(SCENES, len(SPEEDS)) for name, values in samples.items()}
 
 
-def leave_and_pass(batch: Batch) -> Samples:
+def walk_off_and_pass(batch: Batch) -> Samples:
     """Let movers walk off; let a robot dribble past a far mover with the forces' cut-off and without ("with clean").
 
     Without the cut-off k2 is matched: a force is 1 at the same distance; "unmatched" keeps k2; "middle ..." counts
     distances from middle to middle. NaN in scenes without a dribbler.
     """
-    samples = leave(batch)
+    samples = walk_off(batch)
     for prefix, way in WAYS.items():
         for name, cut_off in CUT_OFFS.items():
             runs = play_drill(batch, FAR_DRILL, {**cut_off, **way}, RUNS)
@@ -82,12 +82,12 @@ def leave_and_pass(batch: Batch) -> Samples:
     return samples
 
 
-def gain(samples: Samples, name: str, way: str = "", other: str = "without") -> float:
+def cut_off_gain(samples: Samples, name: str, way: str = "", other: str = "without") -> float:
     """Return the gain [pp] that the cut-off brings in the share `name` of the runs past a far mover."""
     return 100.0 * (mean(samples[f"{way}with {name}"]) - mean(samples[f"{way}{other} {name}"]))
 
 
-def walk(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
+def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
     """Let the mover walk and change its turn rate every KEPT s while robot 0 watches; return its path (2, T, M) [m]."""
     robot = match.robots[:, 1]
     way = []
@@ -101,33 +101,33 @@ def walk(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Gener
     return np.moveaxis(np.array(way), 1, 0)
 
 
-def by_distance(samples: Samples, speeds: Sequence[float], name: str = "error") -> list[float]:
+def error_by_distance(samples: Samples, speeds: Sequence[float], name: str = "error") -> list[float]:
     """Return the median error of the believed place [cm] in each bin of distance, over movers of the given speeds."""
     column = [SPEEDS.index(speed) for speed in speeds]
     distance, error = samples["distance"][:, column], samples[name][:, column]
-    return [100 * median(error[there]) for there in in_bins(distance, BINS)]
+    return [100 * median(error[there]) for there in bin_masks(distance, BINS)]
 
 
-def by_speed(samples: Samples) -> list[float]:
+def error_by_speed(samples: Samples) -> list[float]:
     """Return the median error of the believed place [cm] at each speed, over all distances."""
     return [100 * median(samples["error"][:, i]) for i in range(len(SPEEDS))]
 
 
-def at_speed(samples: Samples, speed: float, beyond: bool) -> float:
+def error_at_speed(samples: Samples, speed: float, beyond: bool) -> float:
     """Return the median error [cm] of movers at one speed, sighted beyond the cut-off distance or within it."""
     distance, error = (samples[name][:, SPEEDS.index(speed)] for name in ("distance", "error"))
     return 100 * median(error[(distance > CUT_OFF) == beyond])
 
 
-def beyond_less_within(samples: Samples, speed: float) -> float:
+def cut_off_error_difference(samples: Samples, speed: float) -> float:
     """Return the error of movers sighted beyond the cut-off minus the error of movers sighted within it [cm]."""
-    return at_speed(samples, speed, True) - at_speed(samples, speed, False)
+    return error_at_speed(samples, speed, True) - error_at_speed(samples, speed, False)
 
 
 def moved_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the error of the mover's believed place against the distance of the sighting, for each speed."""
     middles = middles_of(BINS, 100)
-    curves = tuple(Curve(f"{100 * speed:.0f} cm/s", middles, by_distance(samples, (speed,))) for speed in SPEEDS)
+    curves = tuple(Curve(f"{100 * speed:.0f} cm/s", middles, error_by_distance(samples, (speed,))) for speed in SPEEDS)
     return (Figure("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]", curves),)
 
 
@@ -140,27 +140,33 @@ S70 = Claim(
     f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it.",
     criteria=(
         measured("median error of movers seen from beyond 1 m less that from within, least of the speeds",
-                 lambda samples: min(beyond_less_within(samples, speed) for speed in SPEEDS[1:]), unit="cm", above=0.0),
-        measured("least rise of the median error with the speed", lambda samples: least_rise(by_speed(samples)),
+                 lambda samples: min(cut_off_error_difference(samples, speed) for speed in SPEEDS[1:]), unit="cm",
+                 above=0.0),
+        measured("least rise of the median error with the speed", lambda samples: least_rise(error_by_speed(samples)),
                  unit="cm", above=0.0),
-        reported("at top speed, seen from within 1 m", lambda s: at_speed(s, SPEEDS[-1], False), unit="cm"),
-        reported("at top speed, seen from beyond 1 m", lambda s: at_speed(s, SPEEDS[-1], True), unit="cm"),
-        reported("of players that stand, beyond 1 m: the sensors' part", lambda s: at_speed(s, 0.0, True), unit="cm"),
+        reported("at top speed, seen from within 1 m", lambda s: error_at_speed(s, SPEEDS[-1], False), unit="cm"),
+        reported("at top speed, seen from beyond 1 m", lambda s: error_at_speed(s, SPEEDS[-1], True), unit="cm"),
+        reported("of players that stand, beyond 1 m: the sensors' part", lambda s: error_at_speed(s, 0.0, True),
+            unit="cm"),
         reported("past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]),
                  unit="%"),
-        measured("past a far mover untouched, with the cut-off less without", lambda s: gain(s, "clean"), unit="pp",
+        measured("past a far mover untouched, with the cut-off less without", lambda s: cut_off_gain(s, "clean"),
+            unit="pp",
                  at_least=0.0),
-        reported("past it, touched or not, with the cut-off less without", lambda s: gain(s, "past"), unit="pp"),
-        reported("untouched, less with the same k2 and no cut-off", lambda s: gain(s, "clean", "", "unmatched"),
+        reported("past it, touched or not, with the cut-off less without", lambda s: cut_off_gain(s, "past"),
+            unit="pp"),
+        reported("untouched, less with the same k2 and no cut-off", lambda s: cut_off_gain(s, "clean", "", "unmatched"),
                  unit="pp"),
         reported("distances from the middle: untouched, with the cut-off",
                  lambda s: 100.0 * mean(s["middle with clean"]), unit="%"),
-        reported("distances from the middle: with less without", lambda s: gain(s, "clean", "middle "), unit="pp"),
-        reported("distances from the middle: less with the same k2", lambda s: gain(s, "clean", "middle ", "unmatched"),
+        reported("distances from the middle: with less without", lambda s: cut_off_gain(s, "clean", "middle "),
+            unit="pp"),
+        reported("distances from the middle: less with the same k2", lambda s: cut_off_gain(s, "clean", "middle ",
+            "unmatched"),
                  unit="pp"),
     ),
     rules=STAGED,
-    measure=leave_and_pass,
+    measure=walk_off_and_pass,
     seconds=6.0,
     batches=10,
     figures=moved_figure,

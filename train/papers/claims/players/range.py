@@ -9,10 +9,18 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, view_of, watchers
-from soccer_env.train.papers.staging import ahead_of, ball_from, begin, from_robot, play, put_ball, standing
-from soccer_env.train.papers.true_sight import stare
-from soccer_env.train.papers.values import in_bins, middles_of, rms
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
+from soccer_env.train.papers.staging import (
+    begin_scene,
+    distance_to_ball,
+    distance_to_point,
+    play,
+    point_ahead,
+    put_ball,
+    standing_actions,
+)
+from soccer_env.train.papers.true_sight import stare_at_ball
+from soccer_env.train.papers.values import bin_masks, middles_of, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -30,17 +38,17 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
     "range": error of the distance of body centres; "true": this distance; "infrared": 0 if none; all [m]; "view" [rad].
     """
     rng = batch.rng()
-    match = watchers(batch, MATCHES, **settings)
+    match = set_up_watchers(batch, MATCHES, **settings)
     distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": [], "view": [], "infrared": []}
     for step in play(match, SETTLE + SECONDS, actions):
         look_at(match, actions)
         if step < SETTLE * match.league.control_rate:
             continue
-        true, _ = from_robot(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+        true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
         rows["range"].append(nearest_seen(match)[0] - true)
         rows["true"].append(true)
         rows["view"].append(view_of(match, 1))
@@ -50,19 +58,19 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
 
 
 def look_at_balls(batch: Batch) -> Samples:
-    """Return "range" and "true" as `look_at_players`, for a ball at the player's places."""
+    """Return the measured range of a ball ("range") and its true range ("true"), at the places of `look_at_players`."""
     rng = batch.rng()
-    match = watchers(batch, MATCHES, sensors={"patches": 0.0})
+    match = set_up_watchers(batch, MATCHES, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
-    put_ball(match, *ahead_of(match, 0, distance, bearing))
-    begin(match)
-    actions = standing(match)
+    put_ball(match, *point_ahead(match, 0, distance, bearing))
+    begin_scene(match)
+    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": []}
     for step in play(match, SETTLE + SECONDS, actions):
-        stare(match, actions)
+        stare_at_ball(match, actions)
         if step < SETTLE * match.league.control_rate:
             continue
-        true, _ = ball_from(match)
+        true, _ = distance_to_ball(match)
         ball = match.beliefs["ball"][:, 0]
         rows["range"].append(np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan))
         rows["true"].append(true)
@@ -70,7 +78,7 @@ def look_at_balls(batch: Batch) -> Samples:
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def player_and_ball(batch: Batch) -> Samples:
+def compare_player_and_ball(batch: Batch) -> Samples:
     """Return the relative range errors (M, T) of players and of balls at equal places."""
     player, ball = look_at_players(batch, NEAR, FAR), look_at_balls(batch)
     return {
@@ -79,7 +87,7 @@ def player_and_ball(batch: Batch) -> Samples:
     }  # fmt: skip
 
 
-def over_ball(samples: Samples) -> float:
+def player_over_ball_error(samples: Samples) -> float:
     """Return the relative rms range error of the player divided by that of the ball."""
     return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
 
@@ -87,7 +95,7 @@ def over_ball(samples: Samples) -> float:
 def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
     """Return curves of the rms of labelled errors, times 100, against the true distance."""
     edges = np.linspace(near, far, 8)
-    inside = in_bins(samples["true"], edges)
+    inside = bin_masks(samples["true"], edges)
     return tuple(
         Curve(label, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside])
         for name, label in labels.items()
@@ -100,7 +108,7 @@ def ball_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
 
 
-def with_and_without_ranger(batch: Batch) -> Samples:
+def compare_ranger_rule(batch: Batch) -> Samples:
     """Return range errors (M, T) [m] with the ranger's rule and without, in frames where the rule takes its reading."""
     runs = {
         name: look_at_players(batch, RANGER_NEAR, RANGER_FAR, memory={"player_infrared": rule})
@@ -113,7 +121,7 @@ def with_and_without_ranger(batch: Batch) -> Samples:
     return samples | {"true": runs["with"]["true"], "near": near, "taken": taken}
 
 
-def gain(samples: Samples) -> float:
+def ranger_gain(samples: Samples) -> float:
     """Return the reduction of the rms range error by the ranger [cm]: above 0 the ranger helps."""
     return 100 * (rms(samples["without"]) - rms(samples["with"]))
 
@@ -133,12 +141,12 @@ S40 = Claim(
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
     criteria=(
-        measured("relative range error of players over the ball's", over_ball, above=1.0),
+        measured("relative range error of players over the ball's", player_over_ball_error, above=1.0),
         reported("relative error, player (root mean square)", lambda samples: 100 * rms(samples["player"]), unit="%"),
         reported("relative error, ball", lambda samples: 100 * rms(samples["ball"]), unit="%"),
     ),
     rules=STAGED,
-    measure=player_and_ball,
+    measure=compare_player_and_ball,
     batches=32,
     seconds=1.0,
     figures=ball_figure,
@@ -153,14 +161,14 @@ S41 = Claim(
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
     criteria=(
-        measured("error without the rule less that with it", gain, unit="cm", above=0.0),
+        measured("error without the rule less that with it", ranger_gain, unit="cm", above=0.0),
         reported("error with the rule (root mean square)", lambda samples: 100 * rms(samples["with"]), unit="cm"),
         reported("error without the rule", lambda samples: 100 * rms(samples["without"]), unit="cm"),
         reported("frames with a reading under 40 cm", lambda samples: 100 * float(np.mean(samples["near"])), unit="%"),
         reported("frames in which the rule takes it", lambda samples: 100 * float(np.mean(samples["taken"])), unit="%"),
     ),
     rules=STAGED,
-    measure=with_and_without_ranger,
+    measure=compare_ranger_rule,
     seconds=1.0,
     figures=ranger_figure,
     ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),

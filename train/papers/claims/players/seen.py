@@ -12,14 +12,14 @@ from soccer_env.leagues.legged_sensors import RESOLUTIONS
 from soccer_env.match import Match
 from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, ahead_of, from_robot, hide_ball, put, stage, wrapped
+from soccer_env.train.papers.staging import LEGGED, distance_to_point, hide_ball, point_ahead, put, stage, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, look_at_point
 
 NONE = np.inf  # [m] gap to a player that nobody remembers
 STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at which a player is looked at
 
 
-def watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
+def set_up_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
     """Set up matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
     settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
     match = stage(batch, matches=matches, home=home, away=away, **settings)
@@ -33,14 +33,14 @@ def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> 
 
     View 0 is head-on, a half-turn is from behind.
     """
-    x, y = ahead_of(match, 0, distance, bearing)
-    put(match, r, x, y, wrapped(match.robots["heading"][:, 0] + bearing + np.pi - view))
+    x, y = point_ahead(match, 0, distance, bearing)
+    put(match, r, x, y, wrap_angle(match.robots["heading"][:, 0] + bearing + np.pi - view))
 
 
 def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
     """Return the angle (M,) [rad] from which another robot sees robot r: 0 head-on, a half-turn from behind."""
     eye = match.robots[:, seen_by]
-    return from_robot(match, r, eye["x"], eye["y"])[1]
+    return distance_to_point(match, r, eye["x"], eye["y"])[1]
 
 
 def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICKER) -> None:
@@ -76,10 +76,10 @@ def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
 def places_of(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the places of some robots, x and y (M, n) [m] in robot 0's frame."""
-    return ahead_and_left(match.robots[:, :1], match.robots["x"][:, robots], match.robots["y"][:, robots])
+    return into_robot_frames(match.robots[:, :1], match.robots["x"][:, robots], match.robots["y"][:, robots])
 
 
-def ahead_and_left(eye: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def into_robot_frames(eye: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Convert points of the field frame to the frames of robots `eye`: metres ahead, metres to the left."""
     cosine, sine = np.cos(eye["heading"]), np.sin(eye["heading"])
     dx, dy = x - eye["x"], y - eye["y"]
@@ -93,7 +93,7 @@ def gaps_to(match: Match, slots: np.ndarray, robots: Any) -> np.ndarray:
     return np.where(slots["present"][:, :, None] == 1, gaps, NONE)
 
 
-def matched(gaps: np.ndarray, limit: float) -> np.ndarray:
+def matched_distances(gaps: np.ndarray, limit: float) -> np.ndarray:
     """Return the distance between each player and its matched slot (M, n), `NONE` for a player without a slot.
 
     gaps (M, slots, n). Greedy: closest pair first, each slot and player at most once, pairs within `limit` only.
@@ -126,36 +126,36 @@ def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray
     up = (blobs["high"].astype(float) + blobs["low"]) / (SMALLEST_HEIGHT * finer) * np.tan(0.5 * s.view_height)
     ahead, high = np.cos(tilt) - up * np.sin(tilt), np.sin(tilt) + up * np.cos(tilt)
     there = blobs["area"] > 0
-    bearing, elevation = wrapped(pan + np.arctan2(left, ahead)), np.arctan2(high, np.hypot(ahead, left))
+    bearing, elevation = wrap_angle(pan + np.arctan2(left, ahead)), np.arctan2(high, np.hypot(ahead, left))
     return np.where(there, bearing, np.nan), np.where(there, elevation, np.nan)
 
 
-def from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
+def distances_from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the true distances along the ground [m] and bearings [rad] (M, n) of some robots from robot 0's camera."""
     camera, _ = camera_of(match)
     dx, dy = match.robots["x"][:, robots] - camera[:, :1], match.robots["y"][:, robots] - camera[:, 1:2]
-    return np.hypot(dx, dy), wrapped(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
+    return np.hypot(dx, dy), wrap_angle(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
 
 
 def blob_heights(match: Match, r: int = 1) -> np.ndarray:
     """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot r."""
-    away, _ = from_camera(match, [r])
+    away, _ = distances_from_camera(match, [r])
     camera, _ = camera_of(match)
     heights: np.ndarray = camera[:, 2:] + away * np.tan(blob_directions(match)[1])
     return heights
 
 
-def owners(match: Match, robots: Any) -> np.ndarray:
+def blob_owners(match: Match, robots: Any) -> np.ndarray:
     """Return for each opponents' blob (M, blobs) the index in `robots` of the robot nearest sideways, -1: no blob."""
     bearing, _ = blob_directions(match)
-    away, true = from_camera(match, robots)
-    aside = np.abs(wrapped(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
+    away, true = distances_from_camera(match, robots)
+    aside = np.abs(wrap_angle(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
     return np.where(np.isfinite(bearing), np.argmin(np.nan_to_num(aside, nan=NONE), axis=2), -1)
 
 
 def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
     """Return the bearings (M, slots) [rad] of slots' places from robot 0's camera, not from its body's centre."""
     camera, _ = camera_of(match)
-    ahead, left = ahead_and_left(match.robots[:, 0], camera[:, 0], camera[:, 1])
+    ahead, left = into_robot_frames(match.robots[:, 0], camera[:, 0], camera[:, 1])
     bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])
     return bearing

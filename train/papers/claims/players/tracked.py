@@ -9,15 +9,15 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.seen import (
-    from_camera,
+    distances_from_camera,
     gaps_to,
     is_fresh,
-    matched,
+    matched_distances,
+    set_up_watchers,
     slot_bearings,
     slots_of,
-    watchers,
 )
-from soccer_env.train.papers.staging import begin, from_robot, play, put, standing, wrapped
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -55,12 +55,12 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
     The errors are of the nearest team-mate and the nearest opponent in the frame, NaN without one.
     """
     rng = batch.rng()
-    match = watchers(batch, MATCHES, home=3, away=3, memory=memory)
+    match = set_up_watchers(batch, MATCHES, home=3, away=3, memory=memory)
     for r, (x, y) in enumerate(PLACES):
         aside = rng.uniform(-0.2, 0.2, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
-    begin(match)
-    actions = standing(match)
+    begin_scene(match)
+    actions = standing_actions(match)
     walks = batch.rng(1)
     tracked, errors = [], []
     for step in play(match, SETTLE + SECONDS, actions):
@@ -75,7 +75,7 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
 
 def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
     """Tell which players of a team (M, n) have a memory slot within NEAR of their true place."""
-    return np.asarray(np.isfinite(matched(gaps_to(match, slots_of(match, mates), rows), NEAR)))
+    return np.asarray(np.isfinite(matched_distances(gaps_to(match, slots_of(match, mates), rows), NEAR)))
 
 
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
@@ -86,11 +86,11 @@ def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
     slots, order = slots_of(match, mates), np.arange(match.count)
     distance = np.where(is_fresh(match, slots), slots["distance"], np.inf)
     slot = distance.argmin(axis=1)
-    away, true = from_camera(match, rows)
-    aside = np.abs(wrapped(slot_bearings(match, slots)[order, slot][:, None] - true)) * away
+    away, true = distances_from_camera(match, rows)
+    aside = np.abs(wrap_angle(slot_bearings(match, slots)[order, slot][:, None] - true)) * away
     x, y = match.robots["x"][:, rows], match.robots["y"][:, rows]
     meant = aside.argmin(axis=1)
-    range_, _ = from_robot(match, 0, x[order, meant], y[order, meant])
+    range_, _ = distance_to_point(match, 0, x[order, meant], y[order, meant])
     return np.where(np.isfinite(distance[order, slot]), distance[order, slot] - range_, np.nan)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import kick_off, wrapped
+from soccer_env.train.papers.staging import kick_off, wrap_angle
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 16
@@ -27,9 +27,9 @@ def views_in_play(match: Match) -> tuple[np.ndarray, np.ndarray]:
     dx = robots["x"][:, None, :] - robots["x"][:, :, None]  # from the one that looks (axis 1) to the other (axis 2)
     dy = robots["y"][:, None, :] - robots["y"][:, :, None]
     course, distance = np.arctan2(dy, dx), np.hypot(dx, dy)
-    view = np.abs(wrapped(course + np.pi - robots["heading"][:, None, :]))
+    view = np.abs(wrap_angle(course + np.pi - robots["heading"][:, None, :]))
     gaze = (robots["heading"] + robots["pan"])[:, :, None]
-    seen = np.abs(wrapped(course - gaze)) < 0.5 * match.league.sensors.view_width
+    seen = np.abs(wrap_angle(course - gaze)) < 0.5 * match.league.sensors.view_width
     both = (robots["active"][:, :, None] == 1) & (robots["active"][:, None, :] == 1)
     return view, seen & both & (distance < FAR) & ~np.eye(robots.shape[1], dtype=bool)
 
@@ -49,25 +49,25 @@ def play_matches(batch: Batch, senses: str) -> np.ndarray:
     return counts
 
 
-def meet_in_play(batch: Batch) -> Samples:
+def count_views(batch: Batch) -> Samples:
     """Return the counts of `play_matches` with the robots' sensors, and with ideal senses."""
     return {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}
 
 
-def thirds(counts: np.ndarray) -> np.ndarray:
+def shares_by_third(counts: np.ndarray) -> np.ndarray:
     """Return the shares [%] of views from the front (within 60 degrees), the sides, and the rear (beyond 120)."""
     total = counts.sum(axis=0).reshape(3, -1).sum(axis=1)
     return np.asarray(100.0 * total / max(total.sum(), 1.0))
 
 
-def share_of(samples: Samples, third: int) -> float:
-    """Return the share [%] of one third of the circle (see `thirds`) in play by sensors."""
-    return float(thirds(samples["sensors"])[third])
+def third_share(samples: Samples, third: int) -> float:
+    """Return the share [%] of one third of the circle (see `shares_by_third`) in play by sensors."""
+    return float(shares_by_third(samples["sensors"])[third])
 
 
-def lead_of_front(counts: np.ndarray) -> float:
+def front_lead(counts: np.ndarray) -> float:
     """Return the share of head-on views minus the larger share of the two other thirds [%]."""
-    front, side, rear = thirds(counts)
+    front, side, rear = shares_by_third(counts)
     return float(front - max(side, rear))
 
 
@@ -91,13 +91,13 @@ S69 = Claim(
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
     criteria=(
-        measured("share of head-on views less the next third's", lambda samples: lead_of_front(samples["sensors"]),
+        measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
                  unit="%", above=0.0),
-        *(reported(f"share {name}", partial(share_of, third=i), unit="%") for i, name in enumerate(THIRDS)),
-        reported("the lead where robots know the truth", lambda s: lead_of_front(s["ideal"]), unit="%"),
+        *(reported(f"share {name}", partial(third_share, third=i), unit="%") for i, name in enumerate(THIRDS)),
+        reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),
     rules=PLAYED,
-    measure=meet_in_play,
+    measure=count_views,
     seconds=4.0,
     figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),

@@ -9,8 +9,8 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim
 from soccer_env.train.papers.claims.stuck.detection import NEAR
 from soccer_env.train.papers.claims.stuck.false_alarms import TRIES, approach
-from soccer_env.train.papers.claims.stuck.sampled import OUT, Watch, behaviours, of_camera
-from soccer_env.train.papers.staging import ball_from, kick_off, play
+from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, distance_from_camera
+from soccer_env.train.papers.staging import distance_to_ball, kick_off, play
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -29,11 +29,11 @@ def signs_of(match: Match, r: int) -> np.ndarray:
 
     The distance is from the camera.
     """
-    distance, bearing = ball_from(match, r)
+    distance, bearing = distance_to_ball(match, r)
     angle = match.robots["heading"][:, r] + bearing
     away = match.balls["vx"] * np.cos(angle) + match.balls["vy"] * np.sin(angle)
     turn = np.abs(match.robots["omega"][:, r])
-    return np.stack([away, np.abs(bearing), turn, of_camera(match, distance, bearing)])
+    return np.stack([away, np.abs(bearing), turn, distance_from_camera(match, distance, bearing)])
 
 
 def cause_of(signs: np.ndarray) -> int:
@@ -47,7 +47,7 @@ class Approaches:
     """Approaches to the ball in play, by robots (M, R): counts of approaches, recoveries and false alarms by cause."""
 
     def __init__(self, match: Match) -> None:
-        self.match, self.watch = match, Watch(match, BEFORE)
+        self.match, self.watch = match, MotionWindow(match, BEFORE)
         self.signs: list[np.ndarray] = []
         self.was = np.zeros(match.robots.shape, int)
         self.goes = np.zeros(match.robots.shape, bool)  # goes for the ball, also while it is lost for a moment
@@ -78,7 +78,7 @@ class Approaches:
         return cause_of(np.mean([sign[:, m, r] for sign in self.signs], axis=0))
 
 
-def causes(batch: Batch) -> Samples:
+def count_alarm_causes(batch: Batch) -> Samples:
     """Return false alarms of play by cause (M, causes), approaches, recoveries (M,), and alarms in staged runs (M,)."""
     match = kick_off(batch, matches=MATCHES, team="sacks-2001")
     seen = Approaches(match)
@@ -91,7 +91,7 @@ def causes(batch: Batch) -> Samples:
     return {**samples, "staged": np.full(MATCHES, float(alarms.shape[1]))}
 
 
-def more_usual(samples: Samples) -> float:
+def sign_frequency_excess(samples: Samples) -> float:
     """Return the share of receding or turning before false alarms minus the share in free approaches [pp]."""
     alarms, free = samples["alarms"].sum(), samples["free"].sum()
     if not alarms or not free:
@@ -99,16 +99,16 @@ def more_usual(samples: Samples) -> float:
     return 100.0 * float(samples["usual"].sum() / alarms - samples["usual free"].sum() / free)
 
 
-def by_cause(samples: Samples) -> np.ndarray:
+def cause_shares(samples: Samples) -> np.ndarray:
     """Return the share [%] of each cause among all false alarms of play."""
     total = samples["causes"].sum()
     shares: np.ndarray = 100.0 * samples["causes"].sum(axis=0) / total if total else np.full(len(CAUSES), np.nan)
     return shares
 
 
-def share_of(samples: Samples, cause: int) -> float:
+def cause_share(samples: Samples, cause: int) -> float:
     """Return the share [%] of one cause among all false alarms of play."""
-    return float(by_cause(samples)[cause])
+    return float(cause_shares(samples)[cause])
 
 
 S24 = Claim(
@@ -122,9 +122,10 @@ S24 = Claim(
     "to 90 cm away in any direction, nothing in the way.",
     criteria=(
         counted("approaches in play that end in a false alarm", "alarms", "approaches", at_most=5.0),
-        measured("receding or turning: before false alarms less in free approaches", more_usual, unit="pp", above=0.0),
+        measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess,
+            unit="pp", above=0.0),
         *(
-            reported(f"false alarms in play: {name}", partial(share_of, cause=i), unit="%")
+            reported(f"false alarms in play: {name}", partial(cause_share, cause=i), unit="%")
             for i, name in enumerate(CAUSES)
         ),
         reported("receding or turning in free approaches",
@@ -137,7 +138,7 @@ S24 = Claim(
                  unit="%"),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=causes,
+    measure=count_alarm_causes,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
     seconds=4.5,
     batches=12,

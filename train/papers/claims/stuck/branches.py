@@ -11,9 +11,18 @@ from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE, SIDESTEP
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.stuck.runs import recover
-from soccer_env.train.papers.claims.stuck.sampled import HELD, MATCHES, MOST, Moments, Watch, behaviours, branch, sample
-from soccer_env.train.papers.staging import play, wrapped
+from soccer_env.train.papers.claims.stuck.runs import begin_recovery
+from soccer_env.train.papers.claims.stuck.sampled import (
+    HELD,
+    MATCHES,
+    MOST,
+    Moments,
+    MotionWindow,
+    behaviours,
+    branch,
+    sample_moments,
+)
+from soccer_env.train.papers.staging import play, wrap_angle
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import AWAY, HOME, NO_TEAM
 
@@ -28,7 +37,7 @@ class Fate:
 
     def __init__(self, match: Match, robots: np.ndarray) -> None:
         self.match, self.robots, self.rows = match, robots, np.arange(match.count)
-        self.watch = Watch(match)
+        self.watch = MotionWindow(match)
         self.found = {name: np.full(match.count, np.nan) for name in NUMBERS}
         self.found["tries"][:] = self.found["goals"][:] = 0.0
         self.found["before"] = misalignment(match, robots)
@@ -49,7 +58,7 @@ class Fate:
         self.first("over", ~recovers & ~np.isnan(self.found["began"]), now)
         fresh = self.found["over"] == now
         self.found["after"][fresh] = misalignment(match, self.robots)[fresh]
-        alone = has_alone(match, self.robots)
+        alone = has_ball_alone(match, self.robots)
         self.first("got", alone, now)
         fresh = self.found["got"] == now
         self.found["at ball"][fresh] = misalignment(match, self.robots)[fresh]
@@ -77,7 +86,7 @@ class Fate:
         return free_long
 
 
-def has_alone(match: Match, robots: np.ndarray) -> np.ndarray:
+def has_ball_alone(match: Match, robots: np.ndarray) -> np.ndarray:
     """Tell which of the robots, one in each match, have the ball while no opponent has it."""
     at = (np.arange(match.count), robots)
     has = match.robots["has_ball"] == 1
@@ -92,11 +101,11 @@ def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
     ahead = match.matches["home_direction"] * np.where(robot["team"] == HOME, 1.0, -1.0)
     to_ball = np.arctan2(ball["y"] - robot["y"], ball["x"] - robot["x"])
     to_goal = np.arctan2(-ball["y"], ahead * match.league.pitch.length / 2 - ball["x"])
-    off: np.ndarray = np.degrees(np.abs(wrapped(to_ball - to_goal)))
+    off: np.ndarray = np.degrees(np.abs(wrap_angle(to_ball - to_goal)))
     return off
 
 
-def follow(
+def follow_moments(
     batch: Batch, *, begun: bool = False, kind: int = HELD, random_sides: bool = False, **settings: Any
 ) -> Samples:
     """Return the fates of robots held at sampled moments, (MATCHES, MOST) each; `settings`: settings of their team.
@@ -104,14 +113,16 @@ def follow(
     NaN: no such moment, or no event. `kind`: HELD or TRIPPED; `begun`: robots begin to recover at once, as if they had
     noticed; `random_sides`: they step aside to a random side.
     """
-    return _follow(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
+    return _follow_cached(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
 
 
 @lru_cache(maxsize=1024)
-def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]) -> Samples:
-    """Compute `follow` from hashable arguments, which the cache needs."""
-    moments = sample(batch)
-    place = places(moments)
+def _follow_cached(
+    batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]
+) -> Samples:
+    """Compute `follow_moments` from hashable arguments, which the cache needs."""
+    moments = sample_moments(batch)
+    place = index_within_match(moments)
     found = {
         name: np.full((MATCHES, MOST), np.nan) for name in (*NUMBERS, "near", "still", "touching", "theirs", "held")
     }
@@ -120,7 +131,9 @@ def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: 
         rows = np.flatnonzero((moments.kind == kind) & of_team)
         if len(rows) == 0:
             continue
-        fate = run(branch(batch, moments, rows, team, dict(settings)), moments.robot[rows], batch, begun, random_sides)
+        fate = run_branch(
+            branch(batch, moments, rows, team, dict(settings)), moments.robot[rows], batch, begun, random_sides
+        )
         at = (moments.match[rows], place[rows])
         for name, values in fate.items():
             found[name][at] = values
@@ -129,11 +142,11 @@ def _follow(batch: Batch, begun: bool, kind: int, random_sides: bool, settings: 
     return found
 
 
-def run(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_sides: bool) -> Samples:
+def run_branch(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_sides: bool) -> Samples:
     """Play a branch to its end and return the fates of its robots."""
     if begun:
         for r in np.unique(robots):
-            recover(match, robots == r, int(r))
+            begin_recovery(match, robots == r, int(r))
     side = batch.rng(3).choice([-1.0, 1.0], match.count)
     fate = Fate(match, robots)
     for step in play(match, FUTURE):
@@ -147,14 +160,14 @@ def run(match: Match, robots: np.ndarray, batch: Batch, begun: bool, random_side
     return fate.found
 
 
-def places(moments: Moments) -> np.ndarray:
+def index_within_match(moments: Moments) -> np.ndarray:
     """Return the index of each moment within its match."""
     before = moments.match[:, None] == moments.match[None, :]
     numbers: np.ndarray = np.tril(before, -1).sum(axis=1)
     return numbers
 
 
-def chosen(found: Samples, **flags: float) -> np.ndarray:
+def select_moments(found: Samples, **flags: float) -> np.ndarray:
     """Tell which moments (MATCHES, MOST) exist and have the given flags, such as still=1.0, near=0.0."""
     there: np.ndarray = np.isfinite(found["near"])
     for name, value in flags.items():
@@ -162,7 +175,7 @@ def chosen(found: Samples, **flags: float) -> np.ndarray:
     return there
 
 
-def shares_of(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
+def count_hits(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the number of moments with the given flags, and the number of hits among them, by match (MATCHES,)."""
-    there = chosen(found, **flags)
+    there = select_moments(found, **flags)
     return there.sum(axis=1).astype(float), (there & hit(found)).sum(axis=1).astype(float)

@@ -7,9 +7,9 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.stuck.branches import follow, shares_of
-from soccer_env.train.papers.claims.stuck.runs import converge
-from soccer_env.train.papers.claims.stuck.sampled import Watch, behaviours
+from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
+from soccer_env.train.papers.claims.stuck.runs import set_up_converging
+from soccer_env.train.papers.claims.stuck.sampled import MotionWindow, behaviours
 from soccer_env.train.papers.staging import kick_off, play
 from soccer_env.train.papers.values import mean, median, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -22,7 +22,7 @@ MOVED = 0.1  # [m] greatest movement of a still ball, assumed: S03
 PAIRS, COME, DEADLOCK = 64, 12.0, 20.0  # pairs a batch, [s] for them to hold each other, [s] after that: S03
 
 
-def near_ball(match: Match) -> np.ndarray:
+def count_near_ball(match: Match) -> np.ndarray:
     """Return the number of robots (M,) on the field within NEAR of the ball."""
     robots, ball = match.robots, match.balls
     away = np.hypot(robots["x"] - ball["x"][:, None], robots["y"] - ball["y"][:, None])
@@ -40,7 +40,7 @@ def contacts(batch: Batch) -> Samples:
         touch = match.robot_events["collision"] == 1
         episodes += (touch & (since > PART)).sum(axis=1)
         since = np.where(touch, 0.0, since + match.league.dt)
-        crowded += near_ball(match) >= CROWD
+        crowded += count_near_ball(match) >= CROWD
         touching += touch.any(axis=1)
         goes = behaviours(match) == APPROACH
         approaches += (goes & ~was).sum(axis=1)
@@ -76,8 +76,8 @@ S01 = Claim(
 
 def deadlocks(batch: Batch, recovery: bool) -> Samples:
     """Let pairs go for a ball; return pairs held short of it, pairs without the ball 20 s later, and the times."""
-    match = converge(batch, PAIRS, recovery=recovery)
-    watch = Watch(match)
+    match = set_up_converging(batch, PAIRS, recovery=recovery)
+    watch = MotionWindow(match)
     held, got = np.full(PAIRS, np.nan), np.full(PAIRS, np.inf)
     moved, lay_x, lay_y = np.zeros(PAIRS, bool), match.balls["x"].copy(), match.balls["y"].copy()
     for step in play(match, COME + DEADLOCK):
@@ -85,7 +85,7 @@ def deadlocks(batch: Batch, recovery: bool) -> Samples:
         watch.look()
         got[np.isinf(got) & (match.robots["has_ball"] == 1).any(axis=1)] = now
         if watch.full() and now <= COME:
-            held[np.isnan(held) & np.isinf(got) & watch.short().any(axis=1)] = now
+            held[np.isnan(held) & np.isinf(got) & watch.fell_short().any(axis=1)] = now
         moved |= (np.hypot(match.balls["x"] - lay_x, match.balls["y"] - lay_y) > MOVED) & (now <= held + DEADLOCK)
     match.close()
     after = got - held
@@ -94,11 +94,11 @@ def deadlocks(batch: Batch, recovery: bool) -> Samples:
     return {**{name: values.astype(float) for name, values in flags.items()}, "until": after}
 
 
-def pairs(batch: Batch) -> Samples:
+def compare_deadlocks(batch: Batch) -> Samples:
     """Return `deadlocks` without and with recovery (M,), and the robots held in play and not free 20 s later (M,)."""
     off, on = deadlocks(batch, False), deadlocks(batch, True)
-    held, bound = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK))
-    lay, still = shares_of(follow(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK), still=1.0)
+    held, bound = count_hits(follow_moments(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK))
+    lay, still = count_hits(follow_moments(batch, recovery=False), lambda f: ~(f["freed"] <= DEADLOCK), still=1.0)
     play_of = {"play": held, "play bound": bound, "lay": lay, "lay bound": still}
     padded = {name: np.concatenate([v, np.zeros(PAIRS - len(v))]) for name, v in play_of.items()}
     return {**off, **{f"{name} on": values for name, values in on.items()}, **padded, "one": np.ones(PAIRS)}
@@ -136,7 +136,7 @@ S03 = Claim(
         reported("the same where the ball lay still", lambda s: percent("lay bound", "lay", s), unit="%"),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=pairs,
+    measure=compare_deadlocks,
     figures=deadlock_figure,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
     note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.stuck.branches import follow, shares_of
-from soccer_env.train.papers.claims.stuck.runs import hold, recovers, walk_up
-from soccer_env.train.papers.claims.stuck.sampled import BASE, MATCHES, SECONDS, Watch, of_camera
-from soccer_env.train.papers.staging import ball_from, kick_off, play
-from soccer_env.train.papers.values import in_bins, known, median, middles_of, percent
+from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
+from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_recovering, set_up_walk
+from soccer_env.train.papers.claims.stuck.sampled import BASE, MATCHES, SECONDS, MotionWindow, distance_from_camera
+from soccer_env.train.papers.staging import distance_to_ball, kick_off, play
+from soccer_env.train.papers.values import bin_masks, known, median, middles_of, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 HELD = 64  # robots a batch that are held
@@ -39,20 +39,20 @@ def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
 
     The distance is from the camera. inf: not within WAIT; NaN: noticed before the hold.
     """
-    match = walk_up(batch, HELD, NEAREST + 0.1, FARTHEST + 0.1, **settings)
+    match = set_up_walk(batch, HELD, NEAREST + 0.1, FARTHEST + 0.1, **settings)
     for _ in play(match, WALK):
         pass
-    hold(match)
-    distance = of_camera(match, *ball_from(match))
-    after, began = np.full(HELD, np.inf), recovers(match)
+    immobilise_robots(match)
+    distance = distance_from_camera(match, *distance_to_ball(match))
+    after, began = np.full(HELD, np.inf), is_recovering(match)
     for step in play(match, WAIT):
-        after[recovers(match) & np.isinf(after)] = (step + 1) * match.league.dt
+        after[is_recovering(match) & np.isinf(after)] = (step + 1) * match.league.dt
     match.close()
     after[began] = np.nan
     return distance, after
 
 
-def held(batch: Batch) -> Samples:
+def measure_held_robots(batch: Batch) -> Samples:
     """Return distances and latencies of held robots (M,), and the counts for the criteria."""
     distance, after = latencies(batch)
     samples = {"distance": distance, "after": after}
@@ -60,9 +60,9 @@ def held(batch: Batch) -> Samples:
         trials = (distance >= low) & (distance < high) & ~np.isnan(after)
         samples[f"trials {name}"] = trials.astype(float)
         samples[f"in {name}"] = (trials & (after <= seconds)).astype(float)
-    fate = follow(batch, recovery=True)
+    fate = follow_moments(batch, recovery=True)
     for name, seconds in (("5 s", LIMIT), ("20 s", LATEST)):
-        robots, known = shares_of(fate, lambda f, limit=seconds: f["began"] <= limit)  # type: ignore[misc]
+        robots, known = count_hits(fate, lambda f, limit=seconds: f["began"] <= limit)  # type: ignore[misc]
         for word, counts in (("robots", robots), ("known", known)):
             samples[f"{word} {name}"] = np.concatenate([counts, np.zeros(HELD - len(counts))])
     return samples
@@ -70,7 +70,7 @@ def held(batch: Batch) -> Samples:
 
 def latency_figure(samples: Samples) -> Sequence[Figure]:
     """Plot quantiles of the time until a held robot notices against the ball's distance."""
-    bins = [samples["after"][there & ~np.isnan(samples["after"])] for there in in_bins(samples["distance"], BINS)]
+    bins = [samples["after"][there & ~np.isnan(samples["after"])] for there in bin_masks(samples["distance"], BINS)]
     curves = tuple(
         Curve(
             f"{100 * share:.0f} %", middles_of(BINS, 100), [float(np.quantile(b, share, method="lower")) for b in bins]
@@ -100,7 +100,7 @@ S22 = Claim(
         reported("held in play: noticed within 20 s", partial(percent, "known 20 s", "robots 20 s"), unit="%"),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=held,
+    measure=measure_held_robots,
     figures=latency_figure,
     ingredients=(
         "stuck_count 9, near_zero, clearly, near_time 8 s: all assumed",
@@ -116,13 +116,13 @@ S22 = Claim(
 )
 
 
-def windows(batch: Batch) -> Samples:
+def velocity_windows(batch: Batch) -> Samples:
     """Return mean radial velocities [m/s] of free robots and of held robots in time windows of play (M, K).
 
     Windows do not overlap; NaN: no further window in the match.
     """
     match = kick_off(batch, matches=MATCHES, team=BASE)
-    watch = Watch(match, WINDOW)
+    watch = MotionWindow(match, WINDOW)
     radial: list[np.ndarray] = []
     found: dict[str, list[np.ndarray]] = {"free": [], "stuck": []}
     for _ in play(match, SECONDS):
@@ -131,7 +131,7 @@ def windows(batch: Batch) -> Samples:
         if len(radial) < watch.size:
             continue
         x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
-        near = of_camera(match, np.hypot(x, y), np.arctan2(y, x) - match.robots["heading"]) <= FARTHEST
+        near = distance_from_camera(match, np.hypot(x, y), np.arctan2(y, x) - match.robots["heading"]) <= FARTHEST
         free = (watch.mean(4) == 1.0) & (watch.mean(3) == 0.0)
         for name, there in (("free", free & near), ("stuck", watch.held() & near)):
             found[name].append(np.where(there, np.mean(radial, axis=0), np.nan))
@@ -140,7 +140,7 @@ def windows(batch: Batch) -> Samples:
     return {name: np.concatenate(values, axis=1) for name, values in found.items()}
 
 
-def area(samples: Samples) -> float:
+def roc_area(samples: Samples) -> float:
     """Return the area under the ROC curve: the probability that a stuck robot reads more than a free robot."""
     free, stuck = known(samples["free"]), known(samples["stuck"])
     if len(stuck) == 0:
@@ -168,12 +168,12 @@ S04 = Claim(
     f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
     "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
     criteria=(
-        measured("area under the ROC curve of the mean velocity", area, at_least=0.9),
+        measured("area under the ROC curve of the mean velocity", roc_area, at_least=0.9),
         reported("median of free robots", lambda s: 100 * median(s["free"]), unit="cm/s"),
         reported("median of held robots", lambda s: 100 * median(s["stuck"]), unit="cm/s"),
     ),
     rules=PLAYED,
-    measure=windows,
+    measure=velocity_windows,
     figures=velocity_figure,
     ingredients=("sensors.dither", "memory.filter_length"),
     seconds=2.0,

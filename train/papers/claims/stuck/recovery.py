@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure, Without
-from soccer_env.train.papers.claims.stuck.branches import FUTURE, follow, shares_of
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.stuck.branches import FUTURE, count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -32,14 +32,14 @@ SCENE = (
 HELD = "who holds it goes on playing: sacks-2001 without recovery"
 
 
-def stuck_again(batch: Batch, way_back: bool = False) -> Samples:
+def measure_held_again(batch: Batch, way_back: bool = False) -> Samples:
     """Tell which robots are held again within AGAIN after a recovery, by number of steps back (M, moments, numbers).
 
     `way_back`: subtract the time to walk these steps forward again.
     """
     columns = []
     for steps in BACK_STEPS:
-        fate = follow(batch, begun=True, back_steps=steps)
+        fate = follow_moments(batch, begun=True, back_steps=steps)
         after = fate["again"] - fate["over"] - (0.5 * steps * BACK_PACE if way_back else 0.0)
         columns.append(np.where(np.isfinite(fate["over"]), (after <= AGAIN).astype(float), np.nan))
     return {"again": np.stack(columns, axis=-1)}
@@ -48,25 +48,25 @@ def stuck_again(batch: Batch, way_back: bool = False) -> Samples:
 BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
 
 
-def shares(samples: Samples) -> list[float]:
+def held_again_shares(samples: Samples) -> list[float]:
     """Return the share of robots held again [%] for each number of steps back."""
     return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
 
 
-def share(samples: Samples, number: int) -> float:
+def held_again_share(samples: Samples, number: int) -> float:
     """Return the share of robots held again [%] for the number of steps BACK_STEPS[number]."""
-    return shares(samples)[number]
+    return held_again_shares(samples)[number]
 
 
-def ten_over_fewer(samples: Samples) -> float:
+def ten_steps_ratio(samples: Samples) -> float:
     """Return the share held again after 10 steps back over the mean share after 2 and 5; NaN: no robot is held."""
-    two, five, ten, _ = shares(samples)
+    two, five, ten, _ = held_again_shares(samples)
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
 
 def again_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of robots held again against the number of steps back."""
-    curve = Curve("held again within 5 s", BACK_STEPS, shares(samples))
+    curve = Curve("held again within 5 s", BACK_STEPS, held_again_shares(samples))
     return (Figure("Held again after a recovery", "steps back", "robots [%]", (curve,)),)
 
 
@@ -77,15 +77,17 @@ S26 = Claim(
     method=SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
     "recovery.",
     criteria=(
-        measured("held again after 10 steps over the mean of 2 and 5", ten_over_fewer, at_most=0.5),
+        measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
         *(
-            reported(f"held again after {steps} steps back", partial(share, number=i), unit="%")
+            reported(f"held again after {steps} steps back", partial(held_again_share, number=i), unit="%")
             for i, steps in enumerate(BACK_STEPS)
         ),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=stuck_again,
-    without=Without("the way back counted in the five seconds, as here it is not", partial(stuck_again, way_back=True)),
+    measure=measure_held_again,
+    without=Ablation(
+        "the way back counted in the five seconds, as here it is not", partial(measure_held_again, way_back=True)
+    ),
     figures=again_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
     seconds=4.0,
@@ -94,13 +96,15 @@ S26 = Claim(
 )
 
 
-def sides(batch: Batch) -> Samples:
-    """Return misalignments [deg] (M, moments) and counts of clear paths (M,), also for random sides ("... either")."""
+def compare_sides(batch: Batch) -> Samples:
+    """Return the misalignment of robot and ball [deg] (M, moments of a recovery) and the number of clear paths (M,),
+    for the side that the player chose and, in keys that end in " either", for a random side.
+    """
     samples: Samples = {}
     for word, drawn in (("", False), (" either", True)):
-        fate = follow(batch, begun=True, random_sides=drawn)
+        fate = follow_moments(batch, begun=True, random_sides=drawn)
         there = np.isfinite(fate["aside"])
-        aside, clear = shares_of(
+        aside, clear = count_hits(
             {**fate, "stepped": there.astype(float)},
             lambda f: ~(f["again"] - f["over"] <= CLEAR) & np.isfinite(f["over"]), stepped=1.0,
         )  # fmt: skip
@@ -110,7 +114,7 @@ def sides(batch: Batch) -> Samples:
     return samples
 
 
-def change(samples: Samples, name: str = "", until: str = "at ball") -> float:
+def misalignment_change(samples: Samples, name: str = "", until: str = "at ball") -> float:
     """Return the mean change [deg] of the misalignment from before a recovery until the ball, or until "after" it."""
     return mean(samples[f"{until}{name}"] - samples[f"before{name}"])
 
@@ -126,18 +130,19 @@ S27 = Claim(
     criteria=(
         counted("cleared the obstacle: at least 50 %", "clear", "aside", at_least=50.0),
         counted("cleared the obstacle: at most 95 %", "clear", "aside", at_most=95.0),
-        measured("change of the misalignment until the robot has the ball", change, unit="deg", below=0.0),
+        measured("change of the misalignment until the robot has the ball", misalignment_change, unit="deg", below=0.0),
         measured("misalignment when it has the ball, less that with a random side",
                  lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
         reported("cleared with a random side", partial(percent, "clear either", "aside either"), unit="%"),
-        reported("the same change with a random side", lambda s: change(s, " either"), unit="deg"),
-        reported("change of the misalignment by the recovery alone", partial(change, until="after"), unit="deg"),
+        reported("the same change with a random side", lambda s: misalignment_change(s, " either"), unit="deg"),
+        reported("change of the misalignment by the recovery alone", partial(misalignment_change, until="after"),
+            unit="deg"),
         reported("misalignment right after it, less that with a random side",
                  lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
         reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=sides,
+    measure=compare_sides,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="The paper speaks of the moment at which the robot reaches the ball. Right after the recovery a robot is "
     "placed worse than before: while it retreats the others take the ball elsewhere.",
@@ -147,11 +152,11 @@ S27 = Claim(
 )  # fmt: skip
 
 
-def attempts(batch: Batch) -> Samples:
+def compare_recoveries(batch: Batch) -> Samples:
     """Return fates of held robots (M, moments) that recover at once, when they notice, not at all, or by QUICK."""
     samples: Samples = {}
-    variants = {"begun": follow(batch, begun=True), "on": follow(batch, recovery=True),
-                "off": follow(batch, recovery=False), "quick": follow(batch, **QUICK)}  # fmt: skip
+    variants = {"begun": follow_moments(batch, begun=True), "on": follow_moments(batch, recovery=True),
+                "off": follow_moments(batch, recovery=False), "quick": follow_moments(batch, **QUICK)}  # fmt: skip
     for word, fate in variants.items():
         there = np.isfinite(fate["near"])
         for name in ("freed", "got"):
@@ -159,12 +164,12 @@ def attempts(batch: Batch) -> Samples:
         samples[f"goals {word}"], samples[f"tries {word}"] = fate["goals"], fate["tries"]
     for name in ("still", "near", "theirs"):
         samples[name] = variants["on"][name]
-    few_tries = shares_of(variants["begun"], lambda f: np.isfinite(f["freed"]) & (f["tries"] <= FEW))
+    few_tries = count_hits(variants["begun"], lambda f: np.isfinite(f["freed"]) & (f["tries"] <= FEW))
     samples["one"], samples["few"] = few_tries
     return samples
 
 
-def within(samples: Samples, name: str, seconds: float, flags: dict[str, float]) -> float:
+def share_within(samples: Samples, name: str, seconds: float, flags: dict[str, float]) -> float:
     """Return the share [%] of robots with the given flags that are free, or have the ball, within `seconds`."""
     times = samples[name]
     for flag, value in flags.items():
@@ -172,10 +177,12 @@ def within(samples: Samples, name: str, seconds: float, flags: dict[str, float])
     return 100.0 * mean(np.where(np.isnan(times), np.nan, times <= seconds))
 
 
-def gain(samples: Samples, name: str = "freed", word: str = "begun", flags: dict[str, float] | None = None) -> float:
+def recovery_gain(
+    samples: Samples, name: str = "freed", word: str = "begun", flags: dict[str, float] | None = None
+) -> float:
     """Return the share of robots free, or with the ball, with a recovery minus the share without a recovery [pp]."""
     seconds = FREE if name == "freed" else FUTURE
-    return within(samples, f"{name} {word}", seconds, flags or {}) - within(
+    return share_within(samples, f"{name} {word}", seconds, flags or {}) - share_within(
         samples, f"{name} off", seconds, flags or {}
     )
 
@@ -190,7 +197,7 @@ def tries_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Robots held in play: free by when", "time [s]", "robots [%]", tuple(curves)),)
 
 
-def several(samples: Samples) -> float:
+def repeated_recovery_share(samples: Samples) -> float:
     """Return the share [%] of robots that begin more than one recovery before they have the ball."""
     tries = samples["tries begun"]
     return 100.0 * mean(np.where(np.isnan(tries), np.nan, tries > 1.0))
@@ -205,20 +212,23 @@ S29 = Claim(
     f"ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
     criteria=(
         counted("free after at most three tries", "few", "one", at_least=90.0),
-        measured("cases that take more than one try, until it has the ball", several, unit="%", at_least=5.0),
-        measured("free within 10 s: recovering less pushing on", gain, unit="pp", above=0.0),
-        reported("free within 10 s, pushing on", partial(within, name="freed off", seconds=FREE, flags={}), unit="%"),
-        reported("when they notice by themselves: free within 10 s, less pushing on", partial(gain, word="on"),
+        measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
+            at_least=5.0),
+        measured("free within 10 s: recovering less pushing on", recovery_gain, unit="pp", above=0.0),
+        reported("free within 10 s, pushing on", partial(share_within, name="freed off", seconds=FREE, flags={}),
+            unit="%"),
+        reported("when they notice by themselves: free within 10 s, less pushing on", partial(recovery_gain, word="on"),
                  unit="pp"),
         reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
-                 partial(gain, word="quick"), unit="pp"),
-        reported("the same: ball got, less pushing on", partial(gain, name="got", word="quick"), unit="pp"),
+                 partial(recovery_gain, word="quick"), unit="pp"),
+        reported("the same: ball got, less pushing on", partial(recovery_gain, name="got", word="quick"), unit="pp"),
         *(
-            reported(f"{title}: free within 10 s, recovering less pushing on", partial(gain, flags=flags), unit="pp")
+            reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
+                unit="pp")
             for title, flags in SITUATIONS.items()
         ),
         *(
-            reported(f"{title}: ball got, recovering less pushing on", partial(gain, name="got", flags=flags),
+            reported(f"{title}: ball got, recovering less pushing on", partial(recovery_gain, name="got", flags=flags),
                      unit="pp")
             for title, flags in {"all": {}, **SITUATIONS}.items()
         ),
@@ -226,7 +236,7 @@ S29 = Claim(
                  lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=attempts,
+    measure=compare_recoveries,
     figures=tries_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "

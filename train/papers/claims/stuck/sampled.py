@@ -54,7 +54,7 @@ class Moments:
         return len(self.match)
 
 
-class Watch:
+class MotionWindow:
     """A sliding window over the movements of robots (M, R): the last `seconds` seconds."""
 
     def __init__(self, match: Match, seconds: float = WINDOW) -> None:
@@ -103,7 +103,7 @@ class Watch:
         held: np.ndarray = (self.mean(4) == 1.0) & self.touches() & (walked > WALKED) & gone
         return held
 
-    def short(self) -> np.ndarray:
+    def fell_short(self) -> np.ndarray:
         """Tell which robots went for the ball, in contact, and approached it much less than their legs walked.
 
         Unlike held robots they may move: two robots that push the ball ahead of them come no nearer to the ball.
@@ -128,37 +128,37 @@ def behaviours(match: Match) -> np.ndarray:
     return np.where(match.robots["active"] == 1, doing, OUT)
 
 
-def of_camera(match: Match, distance: np.ndarray, bearing: np.ndarray) -> np.ndarray:
+def distance_from_camera(match: Match, distance: np.ndarray, bearing: np.ndarray) -> np.ndarray:
     """Convert distances [m] from body centres, at bearings [rad], to distances from a camera that looks ahead."""
     ahead = match.league.head.camera_ahead
     from_camera: np.ndarray = np.hypot(distance * np.cos(bearing) - ahead, distance * np.sin(bearing))
     return from_camera
 
 
-def tripped(match: Match) -> np.ndarray:
-    """Tell for which robots (M, R) on the path to the ball both counters have tripped, by the paper's settings."""
+def counters_have_tripped(match: Match) -> np.ndarray:
+    """Tell which robots (M, R) on the path to the ball are stuck by both counters of Sacks (2001)."""
     team = SacksSettings()
     memory = np.stack([memory_of(match, r) for r in range(match.robots.shape[1])], axis=1)
     ball = match.beliefs["ball"]
-    near = of_camera(match, ball["filtered_distance"], ball["filtered_bearing"]) < team.near
+    near = distance_from_camera(match, ball["filtered_distance"], ball["filtered_bearing"]) < team.near
     both = ~near | (memory["near"] >= team.near_time)
     stuck: np.ndarray = (behaviours(match) == APPROACH) & (memory["stuck"] >= team.stuck_count) & both
     return stuck
 
 
-def sample(batch: Batch) -> Moments:
+def sample_moments(batch: Batch) -> Moments:
     """Play a batch of matches, and copy them where a robot is held and where its counters trip.
 
     All claims share these moments, which depend only on the batch's seed, index and pose.
     """
-    return _sample(replace(batch, claim="moments"))
+    return _sample_cached(replace(batch, claim="moments"))
 
 
 @lru_cache(maxsize=64)
-def _sample(batch: Batch) -> Moments:
-    """Compute `sample` for a batch that serves as the key of a cache."""
+def _sample_cached(batch: Batch) -> Moments:
+    """Compute `sample_moments` for a batch that serves as the key of a cache."""
     match = kick_off(batch, matches=MATCHES, team=BASE)
-    watch = Watch(match)
+    watch = MotionWindow(match)
     since = np.full((2, *match.robots.shape), np.inf)
     copies: list[tuple[dict[str, np.ndarray], dict[str, Any]]] = []
     taken = np.zeros(MATCHES, int)
@@ -167,17 +167,17 @@ def _sample(batch: Batch) -> Moments:
         since += match.league.dt
         if not watch.full():
             continue
-        now = np.stack([watch.held(), tripped(match)])
+        now = np.stack([watch.held(), counters_have_tripped(match)])
         begins = now & (since > AGAIN) & ((match.matches["phase"] == Phase.PLAY) & (taken < MOST))[:, None]
         since[now] = 0.0
         for kind, m, r in np.argwhere(begins):
             taken[m] += 1
             copies.append(copy_moment(match, watch, int(kind), int(m), int(r)))
     match.close()
-    return gathered(match, copies)
+    return stack_moments(match, copies)
 
 
-def gathered(match: Match, copies: list[tuple[dict[str, np.ndarray], dict[str, Any]]]) -> Moments:
+def stack_moments(match: Match, copies: list[tuple[dict[str, np.ndarray], dict[str, Any]]]) -> Moments:
     """Stack copies of moments into arrays; `match` gives the shapes if there are no copies."""
     stacked = {
         name: np.stack([saved[name] for saved, _ in copies]) if copies else array[:0]
@@ -186,7 +186,9 @@ def gathered(match: Match, copies: list[tuple[dict[str, np.ndarray], dict[str, A
     return Moments(stacked, *(np.array([words[item.name] for _, words in copies]) for item in fields(Moments)[1:]))
 
 
-def copy_moment(match: Match, watch: Watch, kind: int, m: int, r: int) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+def copy_moment(
+    match: Match, watch: MotionWindow, kind: int, m: int, r: int
+) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
     """Return copies of the parts of match m, and the circumstances of the moment for robot r."""
     saved = {name: array[m].copy() for name, array in parts(match).items()}
     robots, ball = match.robots[m], match.balls[m]
@@ -200,7 +202,7 @@ def copy_moment(match: Match, watch: Watch, kind: int, m: int, r: int) -> tuple[
         "held": bool(watch.held()[m, r]),
         "touching": bool(watch.touches()[m, r]),
         "still": bool(watch.still()[m, r]),
-        "near": bool(of_camera(match, np.hypot(x, y), bearing) < SacksSettings().near),
+        "near": bool(distance_from_camera(match, np.hypot(x, y), bearing) < SacksSettings().near),
         "theirs": bool(((robots["team"] != robots["team"][r]) & (robots["has_ball"] == 1)).any()),
     }
     return saved, words

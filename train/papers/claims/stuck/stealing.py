@@ -7,7 +7,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim
-from soccer_env.train.papers.staging import ahead_of, begin, play, put, put_ball, stage
+from soccer_env.train.papers.staging import begin_scene, play, point_ahead, put, put_ball, stage
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, counted, reported
 
@@ -27,10 +27,10 @@ def steal(batch: Batch, avoid: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray
     x, y = rng.uniform(-0.3, 0.5, STEALS), rng.uniform(-0.4, 0.4, STEALS)
     heading = np.pi + rng.uniform(-0.8, 0.8, STEALS)
     put(match, 1, x, y, heading)
-    put_ball(match, *ahead_of(match, 1, match.league.body.front + match.league.ball.radius + 0.003, 0.0))
+    put_ball(match, *point_ahead(match, 1, match.league.body.front + match.league.ball.radius + 0.003, 0.0))
     angle, away = np.pi + rng.uniform(-1.2, 1.2, STEALS), rng.uniform(0.5, 0.8, STEALS)
     put(match, 0, x + away * np.cos(angle), y + away * np.sin(angle), angle + np.pi + rng.uniform(-0.3, 0.3, STEALS))
-    begin(match, placed=True)
+    begin_scene(match, placed=True)
     won, by_contact, called = np.zeros(STEALS), np.zeros(STEALS), np.zeros(STEALS)
     over, lost, had = np.zeros(STEALS, bool), np.zeros(STEALS, bool), np.ones(STEALS, bool)
     touched = np.full(STEALS, np.inf)  # [s] since the two touched
@@ -57,7 +57,7 @@ def ended_by_referee(match: Match) -> np.ndarray:
     return called & (match.events["goal"] < 0)
 
 
-def steals(batch: Batch) -> Samples:
+def compare_avoidance(batch: Batch) -> Samples:
     """Return the results of `steal` with avoidance while chasing, and without avoidance (M,)."""
     (on, on_contact, on_called), (off, off_contact, off_called) = steal(batch, True), steal(batch, False)
     found = {"on": on, "off": off, "on contact": on_contact, "contact": off_contact}
@@ -81,7 +81,7 @@ S30 = Claim(
         reported("balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="pp"),
     ),
     rules=PLAYED,
-    measure=steals,
+    measure=compare_avoidance,
     ingredients=("how the team walks round others: soccer_env/skills/moves.py",),
     seconds=3.0,
     batches=16,

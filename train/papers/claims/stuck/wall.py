@@ -8,7 +8,7 @@ import numpy as np
 from soccer_env.match.staging import memory_of, put_ball
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
-from soccer_env.train.papers.staging import ahead_of, begin, drill, play
+from soccer_env.train.papers.staging import begin_scene, play, point_ahead, stage_drill
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -22,13 +22,13 @@ def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np
     `seen`: the ball lies to the robot's side, in view, not behind the robot.
     """
     team, rng = make_team("sacks-2001", **settings), batch.rng()
-    match = drill(batch, "facing-wall", team, matches=RUNS)
+    match = stage_drill(batch, "facing-wall", team, matches=RUNS)
     if seen:
         inwards = rng.choice([-1.0, 1.0], RUNS)
-        place = ahead_of(match, 0, rng.uniform(*AWAY, RUNS), inwards * np.radians(rng.uniform(*ASIDE, RUNS)))
+        place = point_ahead(match, 0, rng.uniform(*AWAY, RUNS), inwards * np.radians(rng.uniform(*ASIDE, RUNS)))
         half_length, half_width = match.league.pitch.length / 2 - 0.1, match.league.pitch.width / 2 - 0.1
         put_ball(match, np.clip(place[0], -half_length, half_length), np.clip(place[1], -half_width, half_width))
-        begin(match, placed=True)
+        begin_scene(match, placed=True)
     solved, tries = np.zeros(RUNS), np.zeros(RUNS)
     for _ in play(match, LONGEST):
         solved += match.events["drill"] == 1
@@ -39,7 +39,7 @@ def face_wall(batch: Batch, seen: bool, **settings: Any) -> tuple[np.ndarray, np
     return solved, tries
 
 
-def walls(batch: Batch) -> Samples:
+def compare_turns_at_wall(batch: Batch) -> Samples:
     """Run both scenes with rotation to a ball far aside, always with sidesteps, and without recovery (`face_wall`)."""
     samples: Samples = {"one": np.ones(RUNS)}
     for scene, seen in (("aside", True), ("behind", False)):
@@ -73,7 +73,7 @@ S28 = Claim(
         reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
     ),
     rules=STAGED,
-    measure=walls,
+    measure=compare_turns_at_wall,
     ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
     note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "
     "little, for it turns to the ball on its way to it. Where the ball lies behind, a robot that has not seen it "

@@ -9,10 +9,10 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.stuck.branches import follow
-from soccer_env.train.papers.claims.stuck.runs import behind_post, converge
+from soccer_env.train.papers.claims.stuck.branches import follow_moments
+from soccer_env.train.papers.claims.stuck.runs import set_up_blocked_path, set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES
-from soccer_env.train.papers.staging import drill, kick_off, play
+from soccer_env.train.papers.staging import kick_off, play, stage_drill
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -24,28 +24,28 @@ WAYS = {"on": True, "off": False}
 
 def task(batch: Batch, scene: str, recovery: bool) -> Match:
     """Set up the drill `scene` for robot 0, with or without the recovery."""
-    return drill(batch, scene, make_team("sacks-2001", recovery=recovery), matches=RUNS)
+    return stage_drill(batch, scene, make_team("sacks-2001", recovery=recovery), matches=RUNS)
 
 
-def past_post(batch: Batch, recovery: bool) -> Match:
+def set_up_hidden_post(batch: Batch, recovery: bool) -> Match:
     """Set up runs of robot 0 to a ball that it sees past an immovable robot in its path."""
-    return behind_post(batch, RUNS, recovery=recovery)
+    return set_up_blocked_path(batch, RUNS, recovery=recovery)
 
 
-def meeting(batch: Batch, recovery: bool) -> Match:
+def set_up_meeting(batch: Batch, recovery: bool) -> Match:
     """Set up pairs that go for a still ball from two directions, both with the recovery or both without."""
-    return converge(batch, RUNS, recovery=recovery)
+    return set_up_converging(batch, RUNS, recovery=recovery)
 
 
 TASKS: dict[str, Callable[..., Match]] = {
     "blocker": partial(task, scene="ball-behind-robot"),
     "wall": partial(task, scene="facing-wall"),
-    "post": past_post,
-    "pair": meeting,
+    "post": set_up_hidden_post,
+    "pair": set_up_meeting,
 }
 
 
-def until_got(match: Match) -> np.ndarray:
+def time_to_ball(match: Match) -> np.ndarray:
     """Return the time [s] until a robot of a staged task has the ball (M,); inf: not within LONGEST."""
     got = np.full(match.count, np.inf)
     for step in play(match, LONGEST):
@@ -57,7 +57,7 @@ def until_got(match: Match) -> np.ndarray:
     return got
 
 
-def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
+def count_referee_calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
     """Return the numbers of stuck balls called in 3 v 3 play (M,), and of times that robots are pulled apart (M,)."""
     match = kick_off(batch, matches=MATCHES, team=f"sacks-2001:recovery={recovery}")
     stuck, apart = np.zeros(MATCHES), np.zeros(MATCHES)
@@ -68,29 +68,29 @@ def calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
     return stuck, apart
 
 
-def on_and_off(batch: Batch) -> Samples:
+def compare_with_recovery(batch: Batch) -> Samples:
     """Return times to the ball of robots held in play (M, moments) and in staged tasks (M, 3), and calls (M,)."""
     samples: dict[str, Any] = {}
     for word, recovery in WAYS.items():
-        fate = follow(batch, recovery=recovery)
+        fate = follow_moments(batch, recovery=recovery)
         late = np.where(fate["got"] <= WITHIN, fate["got"], np.inf)
         samples[f"play {word}"] = np.where(np.isfinite(fate["near"]), late, np.nan)
         samples[f"goals {word}"] = fate["goals"]
         for name, begun in TASKS.items():
-            samples[f"{name} {word}"] = until_got(begun(batch, recovery=recovery)).reshape(MATCHES, -1)
-        samples[f"calls {word}"], samples[f"apart {word}"] = calls(batch, recovery)
+            samples[f"{name} {word}"] = time_to_ball(begun(batch, recovery=recovery)).reshape(MATCHES, -1)
+        samples[f"calls {word}"], samples[f"apart {word}"] = count_referee_calls(batch, recovery)
     return samples
 
 
-def success(samples: Samples, word: str, task: str = "play") -> float:
+def task_success(samples: Samples, word: str, task: str = "play") -> float:
     """Return the share [%] of a task's runs in which a robot got the ball."""
     times = samples[f"{task} {word}"]
     return 100.0 * mean(np.where(np.isnan(times), np.nan, np.isfinite(times)))
 
 
-def gain(samples: Samples, task: str = "play") -> float:
+def success_gain(samples: Samples, task: str = "play") -> float:
     """Return the success [pp] in a task with the recovery minus the success without the recovery."""
-    return success(samples, "on", task) - success(samples, "off", task)
+    return task_success(samples, "on", task) - task_success(samples, "off", task)
 
 
 def mean_time(samples: Samples, word: str) -> float:
@@ -120,16 +120,16 @@ S02 = Claim(
     f"{RUNS} runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     criteria=(
-        measured("held in play: success with recovery less without", gain, unit="pp", at_least=20.0),
+        measured("held in play: success with recovery less without", success_gain, unit="pp", at_least=20.0),
         measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
                  lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
         measured("stuck balls a minute of play, with less without",
                  lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY, below=0.0),
-        reported("held in play: success without", partial(success, word="off"), unit="%"),
+        reported("held in play: success without", partial(task_success, word="off"), unit="%"),
         reported("held in play: goals in 100, with less without",
                  lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
         *(
-            reported(f"success, {name}, recovery {word}", partial(success, word=word, task=name), unit="%")
+            reported(f"success, {name}, recovery {word}", partial(task_success, word=word, task=name), unit="%")
             for name in TASKS
             for word in WAYS
         ),
@@ -138,7 +138,7 @@ S02 = Claim(
         reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
     ),
     rules=PLAYED_AND_STAGED,
-    measure=on_and_off,
+    measure=compare_with_recovery,
     figures=time_figure,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
     note="Two explanations were tested. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
