@@ -112,7 +112,9 @@ FIGURES: tuple[Statistic, ...] = (
     team_statistic(
         "mates", "s", "Time in play of field players that are not nearest to the ball in their team.", SHARE, IN_PLAY
     ),
-    team_statistic("idle", "s", "Time of those that move slower than 1 cm/s (middle size: 5 cm/s).", SHARE, MATES),
+    team_statistic(
+        "idle", "s", "Time in which such a field player moves slower than 1 cm/s (middle size: 5 cm/s).", SHARE, MATES
+    ),
     team_statistic("present", "s", "Time in play of the robots on the pitch, of all together.", SHARE, IN_PLAY),
     team_statistic(
         "stuck", "s",

@@ -103,7 +103,7 @@ def set_up_blocked_path(batch: Batch, matches: int, ways: float = 0.4, **setting
 
 
 def begin_recovery(match: Match, rows: Any = slice(None), r: int = 0) -> None:
-    """Make the player of robot r begin_scene a recovery now, as if it had noticed that it is stuck."""
+    """Make the player of robot r begin a recovery now, as if it had noticed that it is stuck."""
     memory, steps = memory_of(match, r), team_settings_of(match, r)["back_steps"][0]
     memory["behaviour"][rows] = BACK
     memory["clock"][rows] = 0.0
