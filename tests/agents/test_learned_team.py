@@ -16,6 +16,7 @@ from soccer_env.agents.policy import Policy
 from soccer_env.teams import TeamRandom, View, make_team
 from soccer_env.types import COMMAND
 from tests.agents.staged_policies import decide, random_attention_policy, random_policy, team_from_disk
+from tests.scenes.staging import play
 from tests.scenes.symmetry import Records, mirrored
 
 # What is observed, by which senses, with which settings.
@@ -67,9 +68,8 @@ def test_with_a_policy_at_home_and_one_away_each_observes_from_its_own_side() ->
 
 
 def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() -> None:
-    match = Match(
-        home=2, away=1, controllers={"home": team_from_policy(random_policy(action_repeat=8)), "away": "still"}, seed=1
-    )
+    team = team_from_policy(random_policy(action_repeat=8))
+    match = Match(home=2, away=1, controllers={"home": team, "away": "still"}, seed=1)
     asked = []
     for _ in range(30):
         match.step()
@@ -88,9 +88,8 @@ def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() ->
 @pytest.mark.parametrize("size", [1, 2, 3, 5])
 def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, make: Callable[..., Policy]) -> None:
     policy = make(16)
-    match = Match(
-        home=size, away=size, controllers={"home": team_from_policy(policy), "away": "chaser"}, matches=2, seed=1
-    )
+    teams = {"home": team_from_policy(policy), "away": "chaser"}
+    match = Match(home=size, away=size, controllers=teams, matches=2, seed=1)
     start = match.robots["x"].copy()
     for _ in range(50):
         match.step()
@@ -101,9 +100,8 @@ def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, ma
 
 def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
     policy = random_policy(16)
-    match = Match(
-        home=3, away=1, controllers={"home_1": team_from_policy(policy), "home": "chaser", "away": "still"}, seed=1
-    )
+    teams = {"home_1": team_from_policy(policy), "home": "chaser", "away": "still"}
+    match = Match(home=3, away=1, controllers=teams, seed=1)
     for _ in range(20):
         match.step()
         squad = next(squad for squad in match.squads if squad.name == "lively")
@@ -115,14 +113,10 @@ def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
 def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path, make: Callable[..., Policy]) -> None:
     policy = make(16, 8, action_repeat=4, mirror=True)
     hashes = []
-    for team in (
-        team_from_disk(policy, tmp_path),
-        team_from_policy(policy),
-        make_team(team_from_disk(policy, tmp_path)),
-    ):
+    saved = team_from_disk(policy, tmp_path)
+    for team in (saved, team_from_policy(policy), make_team(saved)):
         match = Match(home=2, away=2, controllers={"home": team, "away": team}, seed=1)
-        for _ in range(60):
-            match.step()
+        play(match, steps=60)
         hashes.append(match.state_hash())
     assert len(set(hashes)) == 1
 
@@ -132,14 +126,12 @@ def test_a_match_plays_alone_as_among_64_and_on_two_threads_as_on_one() -> None:
     hashes = []
     for threads in (1, 2):
         many = Match(controllers={"home": team, "away": "chaser"}, home=2, away=1, matches=64, threads=threads, seed=3)
-        for _ in range(40):
-            many.step()
+        play(many, steps=40)
         hashes.append(many.state_hash())
         many.close()
     assert hashes[0] == hashes[1]
     one = Match(controllers={"home": team, "away": "chaser"}, home=2, away=1, seeds=[many.seeds[41]])
-    for _ in range(40):
-        one.step()
+    play(one, steps=40)
     assert one.state_hash(0) == many.state_hash(41)
 
 
@@ -149,8 +141,7 @@ def test_a_save_between_two_decisions_has_one_future(tmp_path: Path) -> None:
         return Match(home=2, away=2, matches=2, controllers={"home": team, "away": "chaser"}, seed=3)
 
     match = fresh()
-    for _ in range(41):
-        match.step()
+    play(match, steps=41)
     assert (match.squads[0].memory["wait"] == 5).all()
     saved, other = match.save(), fresh()
     other.load(saved)
@@ -175,14 +166,12 @@ def test_it_plays_exactly_as_a_learner_that_was_asked_in_training(
     sides = {"home": team_from_policy(policy), "away": "chaser"}
     player = Match(home=2, away=2, controllers=sides, autoreset="same_step", **settings)
     seen = learner.reset()
-    for _ in range(first_decision_step(player.league.delay_steps, repeat)):
-        player.step()
+    play(player, steps=first_decision_step(player.league.delay_steps, repeat))
     assert same_play(learner.matches[0], player)
     ends = 0
     for _ in range(120 // repeat):
         seen, _, dones, _ = learner.step(decide(policy, seen))
-        for _ in range(repeat):
-            player.step()
+        play(player, steps=repeat)
         ends += dones.any()
         assert same_play(learner.matches[0], player)
     assert ends == 2, "it goes on so in later episodes"
@@ -214,8 +203,7 @@ def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
     """Slots go by distance; with ideal senses, for the numbers of the others are in no observation."""
     sides = {"home": team_from_policy(random_policy(32)), "away": "still"}
     match, swapped = (Match(home=3, away=2, controllers=sides, seed=2, senses="ideal") for _ in range(2))
-    for _ in range(30):
-        match.step()
+    play(match, steps=30)
     records = Records.of(match)
     records.robots[:, [1, 2]] = records.robots[:, [2, 1]]
     for name in ("number", "keeper"):
@@ -233,8 +221,7 @@ def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
 def test_a_mirror_policy_plays_a_mirrored_scene_mirrored(observe: str) -> None:
     team = team_from_policy(random_policy(32, 32, observe=observe, mirror=True))
     one, other = (Match(home=2, away=2, controllers={"home": team, "away": team}, senses="ideal", seed=2) for _ in "ab")
-    for _ in range(30):
-        one.step()
+    play(one, steps=30)
     mirrored(Records.of(one)).put_into(other)
     for squad, twin in zip(one.squads, other.squads, strict=True):
         twin.memory[:] = squad.memory
@@ -265,8 +252,7 @@ def test_a_body_and_its_league_are_needed_to_act_and_saves_are_of_one_policy() -
         team.act(view, memory, rng)
     with pytest.raises(ValueError, match="policy 'lively' was trained in .* family legged, 'middle-size-2006' is of"):
         Match("middle-size-2006", opponents=team, seed=1)
-    one, other = (
-        Match(home=1, away=1, opponents=team_from_policy(random_policy(16, seed=seed)), seed=1) for seed in (1, 2)
-    )
+    teams = [team_from_policy(random_policy(16, seed=seed)) for seed in (1, 2)]
+    one, other = (Match(home=1, away=1, opponents=team, seed=1) for team in teams)
     with pytest.raises(ValueError, match="teams differ"):
         other.load(one.save())

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from tests.scenes.staged_envs import MODES, make_single_env, make_vector_env
+from tests.scenes.staging import refused
 
 NAN = float("nan")
 GOOD = np.zeros((4, 4), np.float32)
 
 
-BOTH = (make_single_env, make_vector_env)
+BOTH, VECTOR = (make_single_env, make_vector_env), (make_vector_env,)
 BAD_SETTINGS = [
     (BOTH, {"agent": "home_2"}, "unknown agent 'home_2', did you mean .*known: home_0, home_1, away_0, away_1"),
     (BOTH, {"agent": 1}, "agent must be a text, got 1"),
@@ -22,15 +23,11 @@ BAD_SETTINGS = [
     (BOTH, {"league": "football"}, "unknown league 'football'"),
     (BOTH, {"home": 12}, "home must be 1 to 11, got 12"),
     (BOTH, {"render_mode": "ascii"}, "render_mode must be one of rgb_array"),
-    ((make_vector_env,), {"num_envs": 0}, "num_envs must be 1 to "),
-    ((make_vector_env,), {"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
-    ((make_vector_env,), {"threads": 0}, "threads must be 1 to 256, got 0"),
-    (
-        (make_vector_env,),
-        {"autoreset_mode": "Disabled"},
-        "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'",
-    ),
-    ((make_vector_env,), {"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
+    (VECTOR, {"num_envs": 0}, "num_envs must be 1 to "),
+    (VECTOR, {"num_envs": 2.5}, "num_envs must be a whole number, 1 to .*2.5"),
+    (VECTOR, {"threads": 0}, "threads must be 1 to 256, got 0"),
+    (VECTOR, {"autoreset_mode": "Disabled"}, "autoreset_mode must be one of NextStep, SameStep, got 'Disabled'"),
+    (VECTOR, {"render_mode": "human"}, "render_mode must be one of rgb_array, got 'human'"),
 ]
 
 
@@ -56,10 +53,8 @@ def test_bad_actions_are_refused_and_change_nothing(action, complaint):
     env = make_single_env()
     env.reset(seed=1)
     env.step(np.zeros(4))
-    before = env.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
+    with refused(env.match, complaint):
         env.step(action)
-    assert env.match.state_hash() == before
     env.step(np.zeros(4))
 
 
@@ -85,10 +80,8 @@ def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, kind
     good = GOOD if kind == "box" else [0, 11, 3, 4]
     envs.reset(seed=1), witness.reset(seed=1)
     envs.step(good), witness.step(good)
-    before = envs.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
+    with refused(envs.match, complaint):
         envs.step(actions)
-    assert envs.match.state_hash() == before
     assert np.array_equal(envs.step(good)[0], witness.step(good)[0])
 
 
@@ -108,10 +101,8 @@ def test_bad_actions_of_the_vector_env_are_refused_and_change_nothing(mode, kind
 def test_bad_resets_of_the_vector_env_are_refused(arguments, complaint):
     envs = make_vector_env()
     envs.reset(seed=1)
-    before = envs.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
+    with refused(envs.match, complaint):
         envs.reset(**arguments)
-    assert envs.match.state_hash() == before
 
 
 def test_calls_in_the_wrong_order_say_that_reset_is_due():

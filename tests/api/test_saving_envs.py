@@ -11,6 +11,7 @@ import pytest
 import soccer_env
 from soccer_env import soccer_v0
 from soccer_env.api.turn_env import MAGIC
+from tests.scenes.staging import refused
 
 SOLO = f"{soccer_env.__name__}/Legged2001-2v2-v0"
 
@@ -92,11 +93,9 @@ def test_what_cannot_be_saved_or_loaded_is_said(kind: str) -> None:
         env.save()
     env.reset(seed=1)
     other.reset(seed=1)
-    before = env.match.state_hash()
     for bad, message in ((other.save(), "minutes 3.0 there, "), (b"no", "not a save"), (None, "a save is bytes")):
-        with pytest.raises(ValueError, match=message):
+        with refused(env.match, message):
             env.load(bad)
-    assert env.match.state_hash() == before
 
 
 SETTINGS: dict[str, Any] = {"home": 2, "away": 1, "max_cycles": 6}
@@ -163,11 +162,11 @@ def test_a_forged_turn_is_refused_and_the_episode_goes_on(changes: dict[str, Any
     env: Any = soccer_v0.env(**SETTINGS)
     env.reset(seed=1)
     act(env, 4)
-    saved, before = env.save(), env.unwrapped.match.state_hash()
+    saved = env.save()
     env.load(forged(saved))
-    with pytest.raises(ValueError):
+    with refused(env.unwrapped.match, ""):
         env.load(forged(saved, **changes))
-    assert env.unwrapped.match.state_hash() == before and env.agent_selection == "home_1"
+    assert env.agent_selection == "home_1"
 
 
 def test_saves_of_others_and_damaged_ones_are_refused() -> None:

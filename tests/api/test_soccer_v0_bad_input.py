@@ -10,6 +10,7 @@ from gymnasium.utils.env_checker import data_equivalence
 
 from soccer_env import soccer_v0
 from tests.scenes.staged_envs import play, standing_actions
+from tests.scenes.staging import refused
 
 NAN, GOOD = float("nan"), np.zeros(4, np.float32)
 BAD_ACTIONS = {
@@ -43,10 +44,8 @@ def test_bad_actions_are_refused_and_change_nothing(spoil, complaint):
     env.reset(seed=1), witness.reset(seed=1)
     for _ in zip(play(env, 5), play(witness, 5), strict=True):
         pass
-    before = env.unwrapped.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
+    with refused(env.unwrapped.match, complaint):
         env.step(spoil(standing_actions(env)))
-    assert env.unwrapped.match.state_hash() == before
     for (_, mine), (_, theirs) in zip(play(env, 5), play(witness, 5), strict=True):
         assert data_equivalence(mine, theirs, exact=True)
 
@@ -63,10 +62,8 @@ def test_bad_actions_are_refused_and_change_nothing(spoil, complaint):
 def test_bad_discrete_actions_are_refused(action, complaint):
     env = soccer_v0.parallel_env(home=1, away=1, actions="discrete")
     env.reset(seed=1)
-    before = env.unwrapped.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
+    with refused(env.unwrapped.match, complaint):
         env.step({"home_0": action, "away_0": 0})
-    assert env.unwrapped.match.state_hash() == before
     env.step({"home_0": np.array([3]), "away_0": np.int64(10)})
 
 
@@ -86,10 +83,8 @@ def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
     env = soccer_v0.parallel_env(home=1, away=1)
     env.reset(seed=1)
     env.step(standing_actions(env))
-    before = env.unwrapped.match.state_hash()
-    with pytest.raises(ValueError, match=complaint):
+    with refused(env.unwrapped.match, complaint):
         env.reset(**arguments)
-    assert env.unwrapped.match.state_hash() == before
     env.step(standing_actions(env))
 
 
@@ -129,28 +124,23 @@ def test_positions_and_unknown_settings_are_refused():
 def test_calls_in_the_wrong_order_say_that_reset_is_due():
     env = soccer_v0.parallel_env(home=1, away=1, max_cycles=1, render_mode="rgb_array")
     good = {"home_0": GOOD, "away_0": GOOD}
-    before = env.unwrapped.match.state_hash()
     for call, complaint in ((lambda: env.step(good), "step before reset"), (env.render, "render before reset")):
-        with pytest.raises(RuntimeError, match=complaint):
+        with refused(env.unwrapped.match, complaint, RuntimeError):
             call()
-    assert env.unwrapped.match.state_hash() == before
     env.reset(seed=0)
     env.step(standing_actions(env))
-    before = env.unwrapped.match.state_hash()
     for actions in ({}, good):
-        with pytest.raises(RuntimeError, match="step after the end of the episode"):
+        with refused(env.unwrapped.match, "step after the end of the episode", RuntimeError):
             env.step(actions)
-    assert env.unwrapped.match.state_hash() == before
 
 
 def test_a_bad_action_of_one_who_takes_turns_is_refused_at_once():
     env = soccer_v0.env(home=2, away=1, max_cycles=2)
     env.reset(seed=0)
-    before = env.unwrapped.match.state_hash()
     for action in (None, np.array([0, 0, NAN, 0]), np.zeros(3)):
-        with pytest.raises(ValueError, match="home_0"):
+        with refused(env.unwrapped.match, "home_0"):
             env.step(action)
-    assert env.agent_selection == "home_0" and env.unwrapped.match.state_hash() == before
+    assert env.agent_selection == "home_0"
     for _ in range(6):
         env.step(GOOD)
     assert all(env.truncations.values())

@@ -13,6 +13,7 @@ from soccer_env.leagues import find_league
 from soccer_env.skills import SIGHT, fill_sight, fitted, go, skill_settings
 from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_player
+from tests.scenes.staging import play, refused
 
 
 @compiled
@@ -36,25 +37,19 @@ def test_a_players_own_kernel_uses_skills_by_their_numbers() -> None:
     teams: dict[str, Any] = {"home": CompiledTeam("goer", GOER, NO_MEMORY, skill_settings(hurry=1.0), fit=fitted)}
     match = Match(home=1, away=1, seed=1, controllers=teams | {"away": "still"}, senses="ideal", rules="none")
     before = np.hypot(match.robots["x"], match.robots["y"])[0, 0]
-    for _ in range(48):
-        match.step()
+    play(match, steps=48)
     assert np.hypot(match.robots["x"], match.robots["y"])[0, 0] < before - 0.1
 
 
 @pytest.mark.parametrize(
     ("kernel", "message"),
-    [
-        (GOER, "team 'goer' cannot be compiled: it reads 'hurry' of a record"),
-        (WORDS, "team 'goer' cannot be compiled: "),
-    ],
+    [(GOER, "team 'goer' cannot be compiled: it reads 'hurry'"), (WORDS, "team 'goer' cannot be compiled: ")],
 )
 def test_a_kernel_that_cannot_be_compiled_says_why_in_one_line(kernel: Any, message: str) -> None:
     team = CompiledTeam("goer", kernel, NO_MEMORY, np.array([(1.0,)], STRENGTH))
     match = Match(home=1, away=1, seed=1, controllers={"home": team, "away": "still"}, senses="ideal")
-    before = match.state_hash()
-    with pytest.raises(ValueError, match=message) as caught:
+    with refused(match, rf"^.*{message}.*$(?!\n)"):
         match.step()
-    assert "\n" not in str(caught.value) and match.state_hash() == before
 
 
 def test_numbers_follow_pitch_and_robot_in_a_league_of_another_family() -> None:
@@ -67,9 +62,7 @@ def test_numbers_follow_pitch_and_robot_in_a_league_of_another_family() -> None:
         assert kept[name] == value
         halved = name in ("shot_range", "cover", "back", "aside", "change_side", "keeper_zone")
         assert scaled[name] == pytest.approx(value / 2.0 if halved else value)
-    match = Match(
-        small, home=2, away=2, matches=8, seed=1, controllers={"home": "chaser", "away": "still"}, senses="ideal"
-    )
-    for _ in range(2000):
-        match.step()
+    teams = {"home": "chaser", "away": "still"}
+    match = Match(small, home=2, away=2, matches=8, seed=1, controllers=teams, senses="ideal")
+    play(match, steps=2000)
     assert match.matches["score"][:, 0].sum() >= 2

@@ -1,12 +1,14 @@
 """Functions that return nonsense are named, with the robot and what is allowed, and the match stays as it was."""
 
 import copy
+import re
 from typing import Any
 
 import numpy as np
 import pytest
 
 from soccer_env import Match, team_of_function
+from tests.scenes.staging import refused
 
 
 def nothing(observations: np.ndarray) -> np.ndarray:
@@ -54,21 +56,15 @@ def test_what_it_returns_wrongly_is_named_and_nothing_changes(case: str) -> None
     value, message = WRONG[case]
     team = team_of_function(returns(value))
     match = Match(home=1, away=3, matches=2, opponents=team, teammates="chaser", seed=1)
-    before = match.state_hash()
-    with pytest.raises(ValueError) as error:
+    with refused(match, re.escape(message)):
         match.step(np.ones((2, 4, 4)))
-    assert message in str(error.value)
-    assert match.state_hash() == before
 
 
 def test_a_flat_function_is_told_of_rows_and_one_robot_alone_is_named_once() -> None:
     match = Match(home=3, away=1, matches=2, teammates=team_of_function(returns(np.zeros((3, 4))), flat=True), seed=1)
-    with pytest.raises(ValueError) as error:
+    said = "actions of shape (4, 4) or (4, 7), or discrete ones of shape (4,), for home_0 in match 0 to home_1 in match"
+    with pytest.raises(ValueError, match=re.escape(f"team 'mine' must return {said} 1, got float64 of shape (3, 4)")):
         match.step(np.zeros((2, 4, 4)))
-    assert str(error.value) == (
-        "team 'mine' must return actions of shape (4, 4) or (4, 7), or discrete ones of shape (4,), "
-        "for home_0 in match 0 to home_1 in match 1, got float64 of shape (3, 4)"
-    )
     match = Match(home=1, away=1, opponents=team_of_function(returns(np.zeros((1, 1, 5)))), seed=1)
     with pytest.raises(ValueError, match=r"of shape \(1, 1\), for away_0 in match 0, got float64"):
         match.step(np.zeros((1, 2, 4)))
@@ -84,10 +80,8 @@ def test_neither_of_two_functions_keeps_anything_when_the_second_raises() -> Non
 
     first = team_of_function(remembering, memory="f8")
     match = Match(home=1, away=1, controllers={"home": first, "away": team_of_function(raising)}, seed=1)
-    before = match.state_hash()
-    with pytest.raises(KeyError, match="no such layer"):
+    with refused(match, "no such layer", KeyError):
         match.step()
-    assert match.state_hash() == before
 
 
 @pytest.mark.parametrize("flat", [False, True])
@@ -98,10 +92,8 @@ def test_memory_that_is_not_finite_is_named(memory: Any, flat: bool) -> None:
         return nothing(observations)
 
     match = Match(home=1, away=2, opponents=team_of_function(forget, memory=memory, flat=flat), seed=1)
-    before = match.state_hash()
-    with pytest.raises(ValueError, match="memory of away_0 in match 0 by team 'forget' must be finite"):
+    with refused(match, "memory of away_0 in match 0 by team 'forget' must be finite"):
         match.step(np.zeros((1, 3, 4)))
-    assert match.state_hash() == before
 
 
 def test_a_function_cannot_change_what_the_match_holds() -> None:
@@ -144,9 +136,8 @@ BAD: list[tuple[dict[str, Any], str]] = [
 
 @pytest.mark.parametrize(("given", "message"), BAD, ids=range(len(BAD)))
 def test_bad_settings_are_named(given: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError) as error:
+    with pytest.raises(ValueError, match=re.escape(message)):
         team_of_function(**{"function": nothing, **given})
-    assert message in str(error.value)
 
 
 def test_senses_that_do_not_fit_what_it_observes_are_named() -> None:
@@ -166,10 +157,9 @@ def test_a_function_that_moves_the_match_that_asks_it_is_told_so_and_nothing_cha
         getattr(match, move)(*given)
         return nothing(observations)
 
-    before, seeds = match.state_hash(), match.seeds.tolist()
-    with pytest.raises(RuntimeError, match="team 'mine' must not call step, reset or load of the match that asks"):
+    seeds = match.seeds.tolist()
+    with refused(match, "team 'mine' must not call step, reset or load of the match that asks", RuntimeError):
         match.step(np.zeros((1, 2, 4)))
-    assert match.state_hash() == before
     assert match.seeds.tolist() == seeds
     match.reset(seed=3)
 

@@ -13,6 +13,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.replay import Recorder
 from soccer_env.teams import ObservingTeam
 from tests.agents.staged_policies import random_policy
+from tests.scenes.staging import play, record_each_step
 
 
 def by_numbers(policy: Any) -> Any:
@@ -75,20 +76,16 @@ def test_it_is_asked_once_for_each_repeat_with_the_matches_that_are_due() -> Non
         return ahead(observations)
 
     match = Match(home=2, away=3, matches=5, controllers={"away": team_of_function(note, action_repeat=8)}, seed=1)
-    for _ in range(17):
-        match.step(np.zeros((5, 5, 4)))
+    play(match, steps=17)
     assert [shape[:2] for shape in seen] == [(5, 3)] * 3
     assert (match.robots["command"]["forward"][:, 2:] == 1.0).all()
 
 
 def test_decisions_in_the_rhythm_of_soccer_vec_env_come_a_delay_early() -> None:
     match = Match(home=1, away=1, opponents=team_of_function(ahead, action_repeat=8, at_once=False), seed=1)
-    forward = []
-    for _ in range(12):
-        match.step(np.zeros((1, 2, 4)))
-        forward.append(float(match.robots["command"]["forward"][0, 1]))
+    forward = record_each_step(match, lambda: match.robots["command"]["forward"][0, 1], steps=12)
     first = -match.league.delay_steps % 8
-    assert forward == [0.0] * first + [1.0] * (12 - first)
+    assert forward.tolist() == [0.0] * first + [1.0] * (12 - first)
 
 
 def test_flat_functions_get_a_row_for_each_player() -> None:
@@ -102,8 +99,7 @@ def test_flat_functions_get_a_row_for_each_player() -> None:
     square = team_of_function(counting, **COUNTS)
     matches = [Match(home=3, away=1, matches=2, opponents="still", teammates=one, seed=1) for one in (team, square)]
     for match in matches:
-        for _ in range(5):
-            match.step(np.zeros((2, 4, 4)))
+        play(match, steps=5)
     assert set(seen) == {(4, 4, 1)}
     assert (matches[0].robots["command"]["left"] == matches[1].robots["command"]["left"]).all()
     assert (matches[0].robots["command"]["left"][:, :2] == 1.0).all()

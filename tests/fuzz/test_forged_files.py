@@ -16,6 +16,7 @@ from tests.fuzz.children import outcomes
 from tests.fuzz.fuzz import Forger, found_by
 from tests.fuzz.replays import use
 from tests.fuzz.targets import load_and_play
+from tests.scenes.staging import play
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="children are forked")
 
@@ -36,8 +37,7 @@ def test_forged_files_are_played_or_refused(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def lively() -> Match:
     match = Match(home=2, away=2, seed=1, senses="ideal", controllers={"home": "chaser", "away": "chaser"})
-    for _ in range(10):
-        match.step()
+    play(match, steps=10)
     return match
 
 
@@ -45,8 +45,7 @@ def lively() -> Match:
 def test_what_once_ended_a_process_is_refused(fields: dict[str, int], lively: Match, tmp_path: Path) -> None:
     lively.rebuild()
     recorder = Recorder(lively)
-    for _ in range(3):
-        lively.step()
+    play(lively, steps=3)
     replay = recorder.stop()
     forged = replay.make_match()
     for name, value in fields.items():

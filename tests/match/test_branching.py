@@ -1,5 +1,6 @@
 """Branches: matches copied in memory and by saves of some rows, each with the future of its original."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.match.saving.fitting import describe_differences
 from soccer_env.replay import Recorder
-from tests.scenes.staging import LEAGUES
+from tests.scenes.staging import LEAGUES, refused
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
@@ -126,11 +127,10 @@ def test_a_replay_of_a_match_that_was_branched_into_plays_again() -> None:
 )
 def test_what_cannot_be_branched_is_said_and_changes_nothing(given: dict[str, Any], message: str) -> None:
     match, planner = played(steps=5), played(steps=9, matches=4)
-    before = match.state_hash(), planner.state_hash()
-    with pytest.raises(ValueError) as error:
+    before = match.state_hash()
+    with refused(planner, re.escape(message)):
         match.branch(**{"into": planner, **given})
-    assert message in str(error.value)
-    assert (match.state_hash(), planner.state_hash()) == before
+    assert match.state_hash() == before
 
 
 @pytest.mark.parametrize(
@@ -145,10 +145,8 @@ def test_what_cannot_be_branched_is_said_and_changes_nothing(given: dict[str, An
 )
 def test_a_match_that_does_not_fit_is_refused(settings: dict[str, Any], message: str) -> None:
     match, planner = played(steps=5), played(steps=9, **settings)
-    before = planner.state_hash()
-    with pytest.raises(ValueError, match=f"into does not fit this match: {message}"):
+    with refused(planner, f"into does not fit this match: {message}"):
         match.branch(0, planner)
-    assert planner.state_hash() == before
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -183,10 +181,9 @@ def test_a_save_of_some_rows_goes_into_as_many() -> None:
 )
 def test_a_save_of_another_number_of_matches_is_refused(rows: Any, message: str) -> None:
     match, planner = played(steps=5), played(steps=9, matches=6)
-    saved, before = match.save([0, 1]), planner.state_hash()
-    with pytest.raises(ValueError, match=message):
+    saved = match.save([0, 1])
+    with refused(planner, message):
         planner.load(saved, rows)
-    assert planner.state_hash() == before
 
 
 @pytest.mark.parametrize(

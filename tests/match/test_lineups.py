@@ -1,6 +1,6 @@
 """Lineups: which team plays an episode follows from seed, episode and side, and it plays as if it had come alone."""
 
-import pickle
+import re
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from soccer_env.agents.learned import team_from_policy
 from soccer_env.teams import make_team
 from soccer_env.types import AWAY, HOME
 from tests.agents.staged_policies import random_policy
+from tests.scenes.staging import play
 
 NAMES = ("still", "random@0.5", "chaser")
 
@@ -50,8 +51,7 @@ def episodes(match: Match, count: int = 4) -> list[list[str]]:
     found = []
     for _ in range(count):
         found.append(who_plays(match))
-        for _ in range(8):
-            match.step()
+        play(match, steps=8)
     return found
 
 
@@ -140,8 +140,7 @@ def test_a_memory_begins_empty_with_each_episode() -> None:
 
 def test_a_save_keeps_who_plays() -> None:
     match, other = pitch(learned_too(), matches=8), pitch(learned_too(), matches=8, seed=6)
-    for _ in range(21):
-        match.step()
+    play(match, steps=21)
     assert who_plays(other) != who_plays(match)
     other.load(match.save())
     assert who_plays(other) == who_plays(match)
@@ -194,17 +193,6 @@ def test_a_match_of_a_lineup_is_bit_for_bit_that_of_the_team_that_plays(senses: 
             assert getattr(match, records)[m].tobytes() == getattr(alone[name], records)[m].tobytes()
 
 
-def test_a_copy_of_a_match_with_a_lineup_goes_on_alike() -> None:
-    match = pitch(learned_too(), matches=4)
-    for _ in range(5):
-        match.step()
-    other = pickle.loads(pickle.dumps(match))
-    for _ in range(20):
-        match.step()
-        other.step()
-    assert other.state_hash() == match.state_hash()
-
-
 CHASER: Any = make_team("chaser")
 
 
@@ -225,9 +213,8 @@ BAD: list[tuple[tuple[Any, ...], str]] = [
 
 @pytest.mark.parametrize(("given", "message"), BAD, ids=range(len(BAD)))
 def test_what_is_no_lineup_is_refused(given: tuple[Any, ...], message: str) -> None:
-    with pytest.raises(ValueError) as error:
+    with pytest.raises(ValueError, match=re.escape(message)):
         Lineup(*given)
-    assert message in str(error.value)
 
 
 def test_a_team_that_cannot_play_and_weights_that_were_spoilt_are_named() -> None:

@@ -1,5 +1,6 @@
 """Match with a user's own teams, rewards, observations, scenes and leagues, and the nonsense that they may return."""
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -8,6 +9,7 @@ import pytest
 
 from soccer_env import Match, Rewards, Scene
 from soccer_env.leagues import find_league
+from tests.scenes.staging import play, refused
 
 
 class Walker:
@@ -25,8 +27,7 @@ class Walker:
 
 def test_a_team_in_python_plays_remembers_and_is_clipped() -> None:
     match = Match(home=2, away=1, matches=3, controllers={"home": Walker()}, seed=1)
-    for _ in range(20):
-        match.step(np.zeros((3, 3, 4)))
+    play(match, steps=20)
     assert match.squads[0].memory["steps"].tolist() == [[20, 20]] * 3
     assert (match.robots["command"]["forward"][:, :2] == 1.0).all()
     assert (match.robots["vx"][:, 0] > 0.05).all()
@@ -59,10 +60,8 @@ class Broken:
 @pytest.mark.parametrize("commands", [np.zeros((1, 1, 3)), np.full((1, 1, 4), np.nan), np.zeros(4)])
 def test_a_team_that_returns_nonsense_is_named(commands: Any) -> None:
     match = Match(home=1, away=1, controllers={"home": Broken(commands), "away": "still"}, seed=1)
-    before = match.state_hash()
-    with pytest.raises(ValueError, match="broken"):
+    with refused(match, "broken"):
         match.step()
-    assert match.state_hash() == before
     with pytest.raises(ValueError, match=r"give Walker\(\), not the class"):
         Match(home=1, away=1, opponents=Walker, seed=1)
 
@@ -107,9 +106,8 @@ def test_one_terms_of_ones_own_is_added() -> None:
 )
 def test_a_reward_term_that_returns_nonsense_is_named(returned: Any, message: str) -> None:
     match = Match(home=1, away=1, seed=1, rewards=Rewards(extra={"mine": lambda match: returned}))
-    with pytest.raises(ValueError) as error:
+    with pytest.raises(ValueError, match=re.escape(message)):
         match.step(np.zeros((1, 2, 4)))
-    assert message in str(error.value)
 
 
 def test_an_observation_of_ones_own_is_used_everywhere() -> None:
@@ -172,11 +170,9 @@ def test_a_scene_that_places_what_cannot_be_is_named(change: Any, complaint: str
         asked[-1](ball, robots)
 
     match = Match(home=1, away=1, scene=Scene("own", "as it likes", place), seed=1)
-    before = match.state_hash()
     asked.append(change)
-    with pytest.raises(ValueError, match=f"scene 'own' must {complaint}"):
+    with refused(match, f"scene 'own' must {complaint}"):
         match.reset()
-    assert match.state_hash() == before
 
 
 def test_bodies_that_overlap_a_little_are_pushed_apart() -> None:
@@ -186,8 +182,7 @@ def test_bodies_that_overlap_a_little_are_pushed_apart() -> None:
         ball["x"] = 0.5 * league.pitch.length + 0.2
 
     match = Match(home=1, away=1, scene=Scene("mine", "a throng", place=close), seed=1)
-    for _ in range(25):
-        match.step(np.zeros((1, 2, 4)))
+    play(match, steps=25)
     x, y = (float(np.diff(match.robots[name][0])[0]) for name in ("x", "y"))
     assert np.hypot(x, y) > 0.12
 

@@ -10,6 +10,7 @@ from soccer_env import Match
 from soccer_env.match import saving
 from soccer_env.replay import Recorder, Replay
 from soccer_env.types import RobotStream
+from tests.scenes.staging import refused
 
 LEAGUES = ("legged-2001", "middle-size-2006")
 
@@ -134,10 +135,8 @@ def test_a_damaged_save_is_refused_and_changes_nothing(damage: bytes) -> None:
         b"not bytes": "text",
         b"other": Match("middle-size-2006", home=1, away=1, seed=1).save(),
     }.get(damage, damage)
-    before = match.state_hash()
-    with pytest.raises(ValueError, match="save"):
+    with refused(match, "save"):
         match.load(bad)  # type: ignore[arg-type]
-    assert match.state_hash() == before
 
 
 class Forgetful:
@@ -173,17 +172,8 @@ def test_a_forged_save_is_refused(records: str, field: str, value: float) -> Non
     """Kernels index by what lies in the records: a wrong number would end the process."""
     match, forged = Match(home=1, away=1, seed=1), Match(home=1, away=1, seed=1)
     getattr(forged, records)[field] = value
-    before = match.state_hash()
-    with pytest.raises(ValueError, match=f"{field} of {records} is (out of range|not that of the match)"):
+    with refused(match, f"{field} of {records} is (out of range|not that of the match)"):
         match.load(saving.dump(forged))
-    assert match.state_hash() == before
-
-
-def test_a_save_of_the_same_team_at_another_strength_is_refused() -> None:
-    weak = Match(home=1, away=1, seed=1, controllers={"home": "chaser@0.2", "away": "still"})
-    strong = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
-    with pytest.raises(ValueError, match="teams differ"):
-        strong.load(weak.save())
 
 
 @pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])

@@ -7,6 +7,7 @@ from soccer_env import Match
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, SHOOT
 from soccer_env.leagues import find_league
 from soccer_env.match import staging
+from tests.scenes.staging import play, robot_actions
 
 
 def sacks(**settings: object) -> Match:
@@ -38,8 +39,7 @@ def test_sensors_read_the_settings_that_are_changed(missed: float) -> None:
     staging.put_ball(match, 1.5, 0.0)
     staging.begin_scene(match)
     staging.sensors_of(match)["ball_miss"], staging.sensors_of(match)["false_balls"] = missed, 0.0
-    for _ in range(50):
-        match.step(np.zeros((2, 2, 4)))
+    play(match, steps=50)
     assert (match.beliefs["ball"]["confidence"][:, 0] > 0.0).all() == (missed == 0.0)
 
 
@@ -50,8 +50,7 @@ def test_bodies_read_the_constants_that_are_changed(traction: float | None, walk
     staging.begin_scene(match)
     if traction:
         staging.constants_of(match)["drive_traction"] = staging.constants_of(match)["drive_thrust"] = traction
-    for _ in range(32):
-        match.step(np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]]))
+    play(match, actions=robot_actions(match, forward=1.0), steps=32)
     assert (abs(float(match.robots["x"][0, 0])) > 0.1) == walks
 
 
@@ -75,10 +74,7 @@ def pushed_by(pushers: int, mass: float | None = None) -> float:
     staging.begin_scene(match)
     if mass:
         staging.set_mass(match, (pushers,), mass, mass)
-    actions = np.zeros((1, pushers + 1, 4))
-    actions[:, :pushers, 0] = 1.0
-    for _ in range(64):
-        match.step(actions)
+    play(match, actions=robot_actions(match, range(pushers), forward=1.0), steps=64)
     return abs(float(match.robots["x"][0, pushers]) - apart)
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env import Match, WholeTruth, soccer_v0
 from soccer_env.match import truth_state
-from tests.scenes.staging import LEAGUES
+from tests.scenes.staging import LEAGUES, play
 
 PLACES = ("x", "y", "vx", "vy", "roll_x", "roll_y")
 
@@ -148,8 +148,7 @@ def test_no_episode_is_longer_than_its_limit() -> None:
 
 def test_a_match_says_what_is_played() -> None:
     match = Match(home=2, away=1, opponents="chaser", seed=1)
-    for _ in range(8):
-        match.step(np.zeros((1, 3, 4)))
+    play(match, steps=8)
     assert repr(match).startswith("<Match legged-2001: 2 learners v 1 chaser; first half, 0.5 s, ")
     many = Match("middle-size-2006", matches=5, controllers={"home": "heinemann-2006", "away_0": "still"}, seed=1)
     assert repr(many) == "<Match middle-size-2006, 5 matches: 5 heinemann-2006 v 1 still and 4 learners; 0 ended>"

@@ -10,6 +10,7 @@ from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.replay.clips import EVERY, Clips, exact_clip
 from soccer_env.thoughts.thoughts import SEES, TABLE, Notes
 from soccer_env.train.evaluate.recording import shown_memory_fields
+from tests.scenes.staging import play
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
@@ -17,8 +18,7 @@ TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 def recorded(league: str, steps: int = 60, thinks: bool = True, **settings: object) -> tuple[Match, Replay]:
     match = Match(league, controllers={"home": TEAMS[league], "away": "chaser"}, seed=5, **settings)
     recorder = Recorder(match, Thoughts(match, shown_memory_fields()) if thinks else None)
-    for _ in range(steps):
-        match.step()
+    play(match, steps=steps)
     return match, recorder.stop()
 
 
@@ -47,15 +47,13 @@ def test_thoughts_change_nothing_in_the_play() -> None:
     assert recorded("legged-2001", thinks=False)[1].notes() is None
     match = Match(home=1, away=1, seed=1)
     recorder = Recorder(match, Thoughts(match))
-    for _ in range(10):
-        match.step(np.zeros((1, 2, 4)))
+    play(match, steps=10)
     assert recorder.stop().notes() is None, "nobody there believes anything"
 
 
 def test_believed_players_lie_where_the_players_are() -> None:
     match, replay = recorded("middle-size-2006", senses="ideal", home=2, away=1)
     notes = replay.notes()
-    assert notes is not None
     tracks = notes.numbers[-1, 0, len(TABLE) : len(TABLE) + 3 * notes.slots].reshape(-1, 3)
     for x, y, age in tracks[tracks[:, 2] != 0]:
         other = match.robots[0, 1 if age > 0 else 2]
@@ -107,8 +105,7 @@ def test_a_clip_shows_what_happened(league: str, tmp_path: Path) -> None:
 def test_recording_for_clips_changes_nothing() -> None:
     match, _, _ = clipped("legged-2001", 10.0, (5.0,))
     plain = Match("legged-2001", home=2, away=2, controllers={"home": "chaser", "away": "chaser"}, minutes=2, seed=3)
-    for _ in range(10 * match.league.control_rate):
-        plain.step()
+    play(plain, steps=10 * match.league.control_rate)
     assert plain.state_hash(0) == match.state_hash(0)
 
 

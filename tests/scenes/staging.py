@@ -1,9 +1,11 @@
 """Stage matches for tests: small scenes and commands."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
+import pytest
 
 from soccer_env import Match
 from soccer_env.match.staging import constants_of as running_constants
@@ -66,6 +68,15 @@ def scatter(match: Match, rng: np.random.Generator, share: float = 0.8) -> None:
         match.robots["x"][m], match.robots["y"][m] = np.transpose(places[1:])
     match.robots["heading"] = rng.uniform(-np.pi, np.pi, match.robots.shape)
     match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
+
+
+@contextmanager
+def refused(match: Match, complaint: str, error: type[Exception] = ValueError) -> Iterator[None]:
+    """Expect an error that says so, and a match that stays as it was."""
+    before = match.state_hash()
+    with pytest.raises(error, match=complaint):
+        yield
+    assert match.state_hash() == before
 
 
 # Playing

@@ -184,8 +184,7 @@ def test_it_is_recorded_replayed_exported_and_drawn(
     monkeypatch.setitem(globals(), "BEACON", replace(BEACON, noted=noted))
     match = Match(league, home=2, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
     recorder = Recorder(match, Thoughts(match))
-    for _ in range(100):
-        match.step()
+    play(match, steps=100)
     x, y = match.balls["x"][0] - match.robots["x"][0], match.balls["y"][0] - match.robots["y"][0]
     replay = Replay.read(recorder.stop().write(tmp_path / "a.replay"))
     assert replay.check() == 100
@@ -198,6 +197,5 @@ def test_it_is_recorded_replayed_exported_and_drawn(
         assert thought.groups["beacon"][0, 1] / CENTI == pytest.approx(np.hypot(x, y)[1], abs=0.15)
         assert (plain != drawn).any(axis=2).sum() > 100  # the ray to the ball
     assert shows.html(replay, tmp_path / "a.html", sight=True, robot="home_1").stat().st_size > 50_000
-    assert all(
-        path.stat().st_size for path in write_tables([match_tables(collect_match(replay))], tmp_path / "a.csv").values()
-    )
+    tables = write_tables([match_tables(collect_match(replay))], tmp_path / "a.csv")
+    assert all(path.stat().st_size for path in tables.values())

@@ -8,25 +8,9 @@ import pytest
 from soccer_env import Match
 from soccer_env.match.saving import dump
 from tests.scenes import symmetry
-from tests.scenes.staging import play, scatter, set_phase
+from tests.scenes.staging import play, refused, scatter, set_phase
 from tests.scenes.symmetry import Records, assert_same, mirrored, mirrored_actions, swapped_rows, turned
 from tests.senses.staged_senses import LEAGUES, look_again, random_actions, sensing_matches
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-def test_a_save_goes_on_with_the_same_senses(league: str) -> None:
-    match = sensing_matches(league, pose="particles")
-    actions = random_actions(match, 80)
-    for step in range(40):
-        match.step(actions[step])
-    saved = match.save()
-    futures = []
-    for _ in range(2):
-        for step in range(40, 80):
-            match.step(actions[step])
-        futures.append(match.state_hash())
-        match.load(saved)
-    assert futures[0] == futures[1]
 
 
 def test_a_team_that_uses_its_sensors_alone_is_saved_alone() -> None:
@@ -52,10 +36,8 @@ def test_a_save_with_nonsense_in_the_memory_is_refused() -> None:
         memory["ball"][name] = value
         damaged = dump(match)
         memory["ball"][name] = kept
-        before = match.state_hash()
-        with pytest.raises(ValueError, match="this save is damaged"):
+        with refused(match, "this save is damaged"):
             match.load(damaged)
-        assert match.state_hash() == before
 
 
 def scattered_pair(league: str, pose: str, changed: Callable[[Records], Records], seed: int) -> tuple[Match, Match]:

@@ -11,6 +11,7 @@ from soccer_env import Match
 from soccer_env.agents.learned import first_decision_step
 from soccer_env.leagues import find_league
 from soccer_env.observations import layout
+from tests.scenes.staging import play
 
 pytest.importorskip("stable_baselines3")
 
@@ -18,14 +19,8 @@ import torch
 from gymnasium import spaces
 
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.teaching.imitation import (
-    NO_KICK,
-    fit,
-    fit_a_little,
-    imitation_weight,
-    permute_own_commands,
-    record,
-)
+from soccer_env.train.ppo.teaching import imitation
+from soccer_env.train.ppo.teaching.imitation import NO_KICK, fit, fit_a_little, imitation_weight, record
 from tests.train.ppo.staged_training import tiny_settings
 
 Rows = tuple[np.ndarray, np.ndarray]  # observations, actions
@@ -42,8 +37,7 @@ def recorded() -> Rows:
 def commands(repeat: int, decisions: int) -> np.ndarray:
     """Return what 2 chasers command (decisions, repeat, M, 2, 4) from the first decision on."""
     match = Match(home=2, away=1, controllers={"home": "chaser", "away": "still"}, autoreset="same_step", **SETTINGS)
-    for _ in range(first_decision_step(match.league.delay_steps, repeat)):
-        match.step()
+    play(match, steps=first_decision_step(match.league.delay_steps, repeat))
     found = []
     for _ in range(repeat * decisions):
         match.step()
@@ -88,8 +82,7 @@ def test_a_kick_between_two_decisions_is_not_lost() -> None:
 
 def test_what_does_not_lie_in_a_command_is_the_learners_observation(recorded: Rows) -> None:
     match = Match(home=2, away=1, controllers={"home": "chaser", "away": "still"}, **SETTINGS)
-    for _ in range(first_decision_step(match.league.delay_steps, 8)):
-        match.step()
+    play(match, steps=first_decision_step(match.league.delay_steps, 8))
     columns = [index for index, name in enumerate(NAMES) if not name.startswith("last_")]
     first = recorded[0][:8].reshape(4, 2, -1)
     np.testing.assert_array_equal(first[..., columns], match.observations[:, :2][..., columns])
@@ -98,7 +91,7 @@ def test_what_does_not_lie_in_a_command_is_the_learners_observation(recorded: Ro
 def test_what_tells_the_next_command_is_shuffled_over_the_rows(recorded: Rows) -> None:
     before = recorded[0]
     after = before.copy()
-    permute_own_commands(after, ENTRIES, 1)
+    imitation.permute_own_commands(after, ENTRIES, 1)
     own = np.array([name.startswith("last_") for name in NAMES])
     assert np.array_equal(after[:, ~own], before[:, ~own])
     assert not np.array_equal(after[:, own], before[:, own])
@@ -153,11 +146,8 @@ def test_an_actor_that_strays_is_brought_back_the_more_the_stronger_it_is_held(r
 def test_it_is_held_less_and_less_and_not_at_all_without_a_teacher() -> None:
     settings = tiny_settings(Path("runs/held"), steps=1000, teacher_until=0.5)
     assert [imitation_weight(settings, step) for step in (0, 250, 500, 900)] == [1.0, 0.5, 0.0, 0.0]
-    assert (
-        imitation_weight(replace(settings, teacher=""), 0)
-        == imitation_weight(replace(settings, teacher_until=0.0), 0)
-        == 0.0
-    )
+    for without in ({"teacher": ""}, {"teacher_until": 0.0}):
+        assert imitation_weight(replace(settings, **without), 0) == 0.0
 
 
 def test_holding_leaves_the_width_of_the_noise_and_the_critic_alone(recorded: Rows) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.policy_file import load
+from tests.scenes.staging import play
 
 pytest.importorskip("stable_baselines3")
 
@@ -137,7 +138,6 @@ def test_of_a_match_that_the_team_plays_itself_it_says_what_is_done(senses: str,
 
 
 def test_by_the_truth_it_goes_to_a_ball_that_the_robot_does_not_see() -> None:
-    """The ball lies to the left behind the robot, which has never seen it and turns by its own choice."""
     match = watched("sensors")
     adviser = Adviser("chaser", "ideal", **TEAMS, **SETTINGS)
     match.robots["heading"][:, 1] = 0.0
@@ -161,15 +161,13 @@ def test_a_ball_unseen_for_long_is_searched_for_as_beliefs_say() -> None:
     settings = {**SETTINGS, "minutes": 0.3, "scene": "lost-ball-behind", "episode": "match"}
     sides = {"home": "chaser", "away": "still"}
     match = Match(controllers=sides, senses="sensors", home=1, away=1, observe="belief", **settings)
-    for _ in range(first_decision_step(match.league.delay_steps, 8)):
-        match.step()
+    play(match, steps=first_decision_step(match.league.delay_steps, 8))
     done, known = [], []
     while not (match.terminated | match.truncated).all():
         known.append(match.beliefs["ball"]["age"][:, 0] < KNOWN)
         match.step()
         done.append(np.stack([match.robots["command"][:, 0][word] for word in WORDS[:3]], axis=-1))
-        for _ in range(7):
-            match.step()
+        play(match, steps=7)
     _, advice = advised("chaser", "chaser", "still", (1, 1), 8, senses="sensors", **settings)
     unknown = ~np.concatenate(known)
     assert 0.0 < unknown.mean() < 1.0 and len(advice) == len(unknown)

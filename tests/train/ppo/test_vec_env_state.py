@@ -1,5 +1,6 @@
 """A VecEnv in which both sides learn, by discrete actions, from the critic's state; staggered beginnings, saves."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from soccer_env import Match
 from soccer_env.actions import DISCRETE
 from soccer_env.match import truth_state
 from soccer_env.random_numbers import seeds_for
+from tests.scenes.staging import refused
 
 pytest.importorskip("stable_baselines3")
 
@@ -102,11 +104,8 @@ WRONG = [
 def test_wrong_discrete_actions_are_named_and_nothing_moves(actions: np.ndarray, message: str) -> None:
     env = SoccerVecEnv(**SETTINGS, opponents="still", actions="discrete")
     env.reset()
-    before = env.matches[0].state_hash()
-    with pytest.raises(ValueError) as error:
+    with refused(env.matches[0], f"^{re.escape(message)}$"):
         env.step(actions)
-    assert str(error.value) == message
-    assert env.matches[0].state_hash() == before
 
 
 def test_each_side_has_the_state_from_its_own_side_and_so_at_the_end() -> None:
@@ -149,19 +148,6 @@ def test_the_state_lies_behind_the_observation_seen_from_home() -> None:
         assert told["home_0_x"] == pytest.approx(less[0, env.matches[0].observation_names.index("own_x")], abs=1e-6)
         assert told["home_1_cos"] == pytest.approx(less[1, env.matches[0].observation_names.index("own_cos")], abs=1e-6)
     assert halves == {1.0, -1.0}, "both halves were played"
-
-
-def test_the_state_of_a_turned_scene_is_the_same() -> None:
-    env = rows(state=True)
-    env.reset()
-    match = env.matches[0]
-    before = env._observations()[:, env.observed :]
-    for name in ("x", "y", "vx", "vy"):
-        match.balls[name] *= -1.0
-        match.robots[name] *= -1.0
-    match.robots["heading"] += np.pi
-    match.matches["home_direction"] *= -1.0
-    np.testing.assert_allclose(env._observations()[:, env.observed :], before, atol=1e-6)
 
 
 def test_the_state_of_an_end_is_the_last_of_the_old_episode() -> None:
