@@ -7,6 +7,7 @@ begin (`warm_up.py`); files and ports of a test are its own.
 import os
 import signal
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pettingzoo  # noqa: F401  # first, for it sets the sound driver as it is imported
@@ -33,3 +34,23 @@ def compiled_code(tmp_path_factory: pytest.TempPathFactory) -> None:
         from tests.warm_up import warm_up
 
         warm_up(tmp_path_factory.getbasetemp().parent, int(worker.removeprefix("gw")))
+
+
+@pytest.fixture
+def soccer(capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+    """Return a function that runs a `soccer` command, which ends with `code`, and returns what it printed.
+
+    With 2 that is one line of error, and nothing else. quiet: no error or warning is printed.
+    """
+    from soccer_env.train.command.command_line import main
+
+    def run(*words: object, code: int = 0, quiet: bool = False) -> str:
+        capsys.readouterr()
+        assert main([str(word) for word in words]) == code
+        printed = capsys.readouterr()
+        assert not (quiet and printed.err)
+        if code == 2:
+            assert printed.out == "" and printed.err.startswith("soccer: ") and printed.err.count("\n") == 1
+        return printed.out if code == 0 else printed.out + printed.err
+
+    return run

@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,6 @@ from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
 from soccer_env.observations import entry_names
 from soccer_env.teams import ObservingTeam, make_team
-from soccer_env.train.command.command_line import main
 from soccer_env.train.provenance import team_hash
 
 LEAGUE = "legged-2001"
@@ -35,17 +35,18 @@ def written(path: Path, made: Policy) -> str:
     return str(path)
 
 
-def evaluate(home: str, out: Path, *words: str) -> int:
-    match = ["--players", "1", "--matches", "2", "--minutes", "0.1", "--seed", "1", "--out", str(out)]
-    return main(["evaluate", "--home", home, "--away", "still", *match, *words])
+@pytest.fixture
+def evaluate(soccer: Any, tmp_path: Path) -> Any:
+    match = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.1", "--seed", "1"]
+    words = ["evaluate", *match, "--out", tmp_path / "out"]
+    return lambda home, *more, **expected: soccer(*words, "--home", home, *more, **expected)
 
 
-def test_a_policy_plays_by_the_name_of_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_policy_plays_by_the_name_of_its_file(tmp_path: Path, evaluate: Any) -> None:
     file = written(tmp_path / "tiny.safetensors", policy())
-    assert isinstance(make_team(file), ObservingTeam) and evaluate(file, tmp_path / "out") == 0
+    assert isinstance(make_team(file), ObservingTeam) and evaluate(file, quiet=True)
     assert len((tmp_path / "out" / "matches.jsonl").read_text().splitlines()) == 2
     assert json.loads((tmp_path / "out" / "result.json").read_text())["home"] == file
-    assert capsys.readouterr().err == ""
 
 
 @pytest.mark.parametrize("name", ["a b.safetensors", "user@host.safetensors", "12:30.safetensors", "ü.safetensors"])
@@ -54,10 +55,9 @@ def test_a_path_may_be_written_as_files_are(tmp_path: Path, name: str) -> None:
     assert make_team(file).name == "tiny"
 
 
-def test_a_policy_has_no_strength(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_policy_has_no_strength(tmp_path: Path, evaluate: Any) -> None:
     file = written(tmp_path / "tiny.safetensors", policy())
-    assert evaluate(f"{file}@0.5", tmp_path / "out") == 2
-    assert f"a policy has no strength, got 0.5 for '{file}'" in capsys.readouterr().err
+    assert f"a policy has no strength, got 0.5 for '{file}'" in evaluate(f"{file}@0.5", code=2)
     with pytest.raises(ValueError, match="a policy has no strength"):
         make_team(file, strength=0.5)
     assert make_team(f"{file}@1").name == "tiny"
@@ -65,20 +65,19 @@ def test_a_policy_has_no_strength(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 @pytest.mark.parametrize("name", ["none.safetensors", "none.zip", "broken.safetensors", "broken.zip"])
-def test_a_missing_file_or_one_that_is_no_policy_is_said(tmp_path, name, capsys) -> None:
+def test_a_missing_file_or_one_that_is_no_policy_is_said(tmp_path, name, evaluate) -> None:
     if name.startswith("broken"):
         (tmp_path / name).write_bytes(b"not a policy")
-    assert evaluate(str(tmp_path / name), tmp_path / "out") == 2
-    said = capsys.readouterr().err
-    assert name in said and said.count("\n") == 1 and ("No such file" in said) == name.startswith("none")
+    said = evaluate(tmp_path / name, code=2)
+    assert name in said and ("No such file" in said) == name.startswith("none")
     assert not (tmp_path / "out").exists()
 
 
-def test_a_policy_of_another_league_or_a_setting_that_it_does_not_have_is_refused(tmp_path, capsys) -> None:
+def test_a_policy_of_another_league_or_a_setting_that_it_does_not_have_is_refused(tmp_path, evaluate) -> None:
     file = written(tmp_path / "tiny.safetensors", policy())
-    assert evaluate(file, tmp_path / "out", "--league", "middle-size-2006") == 2
     said = "was trained in 'legged-2001' of family legged, 'middle-size-2006' is of family middle-size"
-    assert f"policy 'tiny' {said}" in capsys.readouterr().err and not (tmp_path / "out").exists()
+    assert f"policy 'tiny' {said}" in evaluate(file, "--league", "middle-size-2006", code=2)
+    assert not (tmp_path / "out").exists()
     with pytest.raises(ValueError, match="has no setting 'observe'"):
         make_team(file, observe="belief")
 
@@ -89,14 +88,12 @@ def test_teams_of_other_weights_have_other_hashes(tmp_path: Path) -> None:
     assert len({team_hash(one), team_hash(other), team_hash("still")}) == 3
 
 
-def test_an_evaluation_does_not_go_on_with_another_policy(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_evaluation_does_not_go_on_with_another_policy(tmp_path: Path, evaluate: Any) -> None:
     file = written(tmp_path / "tiny.safetensors", policy(1))
-    assert evaluate(file, tmp_path / "out") == 0
+    evaluate(file)
     lines = (tmp_path / "out" / "matches.jsonl").read_bytes()
-    assert evaluate(file, tmp_path / "out") == 0, "nothing is left to do"
+    evaluate(file)  # nothing is left to do
     written(tmp_path / "tiny.safetensors", policy(2))
-    capsys.readouterr()
-    assert evaluate(file, tmp_path / "out") == 2
-    assert "home_team" in capsys.readouterr().err
+    assert "home_team" in evaluate(file, code=2)
     assert (tmp_path / "out" / "matches.jsonl").read_bytes() == lines
-    assert evaluate(file, tmp_path / "out", "--anew") == 0
+    evaluate(file, "--anew")

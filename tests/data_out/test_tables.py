@@ -9,18 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.data_out.collect import MatchRecording
 from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import write_standard
 from soccer_env.data_out.table_files import escape_formula, write_tables
 from soccer_env.data_out.tables import EVENTS, TRACKING, event_table, match_tables, tracking_table
-from soccer_env.replay import Replay
-from soccer_env.train.command.command_line import main
 from soccer_env.types import Phase
 from tests.data_out.readers import READERS, frame_at
 
 
-def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Replay, found: MatchRecording) -> None:
+def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Any, found: Any) -> None:
     table = tracking_table(found)
     assert [*table] == [column.name for column in TRACKING]
     assert len(table["x"]) == (len(replay) + 1) * 5
@@ -35,7 +32,7 @@ def test_every_frame_has_a_row_for_the_ball_and_for_each_robot(replay: Replay, f
     assert table["time"][-1] == pytest.approx(len(replay) / found.league.control_rate)
 
 
-def test_events_are_those_that_are_counted(replay: Replay, found: MatchRecording) -> None:
+def test_events_are_those_that_are_counted(replay: Any, found: Any) -> None:
     *_, last = replay.play()
     counts, table = last.statistics[0], event_table(found)
     kinds = table["event"].tolist()
@@ -57,7 +54,7 @@ def read_csv(path: Path) -> list[dict[str, str]]:
         return [*csv.DictReader(file)]
 
 
-def test_csv_holds_the_table(found: MatchRecording, tmp_path: Path) -> None:
+def test_csv_holds_the_table(found: Any, tmp_path: Path) -> None:
     paths = write_tables([match_tables(found)], tmp_path / "x.csv")
     rows, table = read_csv(paths["tracking"]), tracking_table(found)
     assert len(rows) == len(table["x"])
@@ -69,7 +66,7 @@ def test_csv_holds_the_table(found: MatchRecording, tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["x.csv", "x_events.csv"]
 
 
-def test_parquet_holds_the_table_with_units(found: MatchRecording, tmp_path: Path) -> None:
+def test_parquet_holds_the_table_with_units(found: Any, tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     paths = write_tables([match_tables(found)] * 2, tmp_path / "x.parquet")
     read, table = parquet.read_table(paths["tracking"]), tracking_table(found)
@@ -81,7 +78,7 @@ def test_parquet_holds_the_table_with_units(found: MatchRecording, tmp_path: Pat
     assert all(column.text for column in (*TRACKING, *EVENTS))
 
 
-def test_a_match_that_fails_leaves_what_was_there(found: MatchRecording, tmp_path: Path) -> None:
+def test_a_match_that_fails_leaves_what_was_there(found: Any, tmp_path: Path) -> None:
     (tmp_path / "x.csv").write_text("mine")
 
     def matches() -> Any:
@@ -100,39 +97,35 @@ def test_no_cell_of_a_csv_is_a_formula(text: str) -> None:
     assert escape_formula("match-1") == "match-1"
 
 
-def test_a_folder_gives_one_table_with_the_names_of_its_matches(folder: Path, tmp_path: Path) -> None:
+def test_a_folder_gives_one_table_with_the_names_of_its_matches(folder: Path, tmp_path: Path, soccer: Any) -> None:
     out = tmp_path / "all.csv"
-    assert main(["export", str(folder), "--out", str(out)]) == 0
+    soccer("export", folder, "--out", out)
     assert list(dict.fromkeys(row["match"] for row in read_csv(out))) == ["deep/two", "one"]
-    assert main(["export", str(folder), "--out", str(tmp_path / "each.xml")]) == 0
+    soccer("export", folder, "--out", tmp_path / "each.xml")
     assert sorted(path.name for path in tmp_path.glob("*.xml")) == ["each_deep_two.xml", "each_one.xml"]
 
 
 @pytest.mark.parametrize("name", ["x.csv", "x.xml", "x.cdf"])
-def test_nothing_is_written_over(folder: Path, tmp_path: Path, name: str, capsys: Any) -> None:
-    source, out = str(folder / "one.replay"), tmp_path / name
-    assert main(["export", source, "--out", str(out)]) == 0
+def test_nothing_is_written_over(folder: Path, tmp_path: Path, name: str, soccer: Any) -> None:
+    words = ["export", folder / "one.replay", "--out", tmp_path / name]
+    soccer(*words)
     before = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")}
-    assert main(["export", source, "--out", str(out)]) == 2
-    assert "exists already" in capsys.readouterr().err
+    assert "exists already" in soccer(*words, code=2)
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
-    assert main(["export", source, "--out", str(out), "--anew"]) == 0
+    soccer(*words, "--anew")
 
 
-def test_folders_of_other_things_and_without_replays_are_refused(folder: Path, tmp_path: Path, capsys: Any) -> None:
+def test_folders_of_other_things_and_without_replays_are_refused(folder: Path, tmp_path: Path, soccer: Any) -> None:
     (tmp_path / "x.cdf").mkdir()
     (tmp_path / "x.cdf" / "mine").touch()
-    assert main(["export", str(folder / "one.replay"), "--out", str(tmp_path / "x.cdf"), "--anew"]) == 2
-    assert "other files" in capsys.readouterr().err
-    assert main(["export", str(tmp_path), "--out", str(tmp_path / "x.csv")]) == 2
-    assert "there are no replays" in capsys.readouterr().err
+    words = ["export", folder / "one.replay", "--out", tmp_path / "x.cdf", "--anew"]
+    assert "other files" in soccer(*words, code=2)
+    assert "there are no replays" in soccer("export", tmp_path, "--out", tmp_path / "x.csv", code=2)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="limits of Unix")
 @pytest.mark.parametrize("name", ["x.csv", "x.parquet", "x.xml", "x.cdf"])
-def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(
-    found: MatchRecording, tmp_path: Path, name: str
-) -> None:
+def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(found: Any, tmp_path: Path, name: str) -> None:
     import resource
 
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -156,7 +149,7 @@ Records = dict[str, np.ndarray]
 
 
 @pytest.fixture(scope="module")
-def records(replay: Replay) -> Records:
+def records(replay: Any) -> Records:
     """Return copies of the records of each frame: match (T,), ball (T,), robots (T, R), events (T,)."""
     frames: list[tuple[Any, ...]] = []
     for match in replay.play():
@@ -165,7 +158,7 @@ def records(replay: Replay) -> Records:
     return dict(zip(("match", "ball", "robots", "events"), map(np.array, zip(*frames, strict=True)), strict=True))
 
 
-def expected_of(records: Records, frames: np.ndarray, rate: int) -> Records:
+def expected_of(records: Any, frames: np.ndarray, rate: int) -> Records:
     """Return what formats tell of some frames, by the names that readers have for it."""
     match, ball, robots = (records[name][frames] for name in ("match", "ball", "robots"))
     on_pitch, has_ball = robots["active"] == 1, robots["has_ball"] == 1
@@ -189,7 +182,7 @@ def expected_of(records: Records, frames: np.ndarray, rate: int) -> Records:
 
 @pytest.mark.parametrize("kind", READERS)
 def test_a_format_tells_what_the_records_of_the_match_are(
-    kind: str, replay: Replay, found: MatchRecording, records: Records, tmp_path: Path
+    kind: str, replay: Any, found: Any, records: Any, tmp_path: Path
 ) -> None:
     pytest.importorskip(NEEDS.get(kind, "numpy"))
     told = READERS[kind](replay, found, tmp_path)
@@ -206,16 +199,14 @@ def test_a_format_tells_what_the_records_of_the_match_are(
         np.testing.assert_allclose(numbers.astype(float), wanted, rtol=0.0, atol=tolerance, err_msg=f"{kind}: {name}")
 
 
-def goals_in(records: Records) -> list[tuple[int, int, int]]:
+def goals_in(records: Any) -> list[tuple[int, int, int]]:
     """Return frame, team and half (from 1) of each goal: where the score grows."""
     score = records["match"]["score"]
     grown = np.argwhere(np.diff(score, axis=0)).tolist()
     return [(frame + 1, team, int(records["match"]["half"][frame]) + 1) for frame, team in grown]
 
 
-def test_every_format_tells_the_goals_of_the_score(
-    replay: Replay, found: MatchRecording, records: Records, tmp_path: Path
-) -> None:
+def test_every_format_tells_the_goals_of_the_score(replay: Any, found: Any, records: Any, tmp_path: Path) -> None:
     goals, rate = goals_in(records), found.league.control_rate
     assert len({half for _, _, half in goals}) == 2, "goals in both halves"
     table = event_table(found)
@@ -235,9 +226,7 @@ def test_every_format_tells_the_goals_of_the_score(
     assert final == {"home": home, "away": away, "winning_team_id": winner}
 
 
-def test_events_lie_where_the_ball_was_and_are_turned_with_the_half(
-    found: MatchRecording, records: Records, tmp_path: Path
-) -> None:
+def test_events_lie_where_the_ball_was_and_are_turned_with_the_half(found: Any, records: Any, tmp_path: Path) -> None:
     ball = np.stack([records["events"]["ball_x"], records["events"]["ball_y"]], axis=-1)  # before any restart
     table = event_table(found)
     kinds = ("pass", "shot", "interception", "save")

@@ -12,7 +12,6 @@ from soccer_env import Match, shows
 from soccer_env.render import video
 from soccer_env.replay import Recorder, Replay
 from soccer_env.shows.film import FilmSettings, drawn_steps
-from soccer_env.train.command.command_line import main
 
 pytest.importorskip("pygame")
 
@@ -103,23 +102,19 @@ def test_a_gif_has_every_colour_of_the_pictures(tmp_path: Path) -> None:
         video.write_video(tmp_path / "b.gif", iter(()), 12.5, 1501)
 
 
-def test_a_replay_is_exported_by_the_command(replay: Replay, tmp_path: Path, capsys: Any) -> None:
+def test_a_replay_is_exported_by_the_command(replay: Replay, tmp_path: Path, soccer: Any) -> None:
     pytest.importorskip("PIL")
     source, out = replay.write(tmp_path / "a.replay"), tmp_path / "new" / "a.gif"
-    assert main(["export", str(source), "--out", str(out), "--width", "240", "--seconds", "0.5"]) == 0
-    assert "a.gif, 0." in capsys.readouterr().out
-    assert main(["export", str(source), "--out", str(out)]) == 2
-    assert main(["export", str(source), "--out", str(tmp_path / "a.avi")]) == 2
+    assert "a.gif, 0." in soccer("export", source, "--out", out, "--width", "240", "--seconds", "0.5")
+    assert "exists already; give another --out, or --anew" in soccer("export", source, "--out", out, code=2)
+    assert "--out must end with " in soccer("export", source, "--out", tmp_path / "a.avi", code=2)
     source.write_bytes(source.read_bytes()[:-100])
-    assert main(["export", str(source), "--out", str(tmp_path / "b.gif")]) == 2
-    exists, ending, short = capsys.readouterr().err.splitlines()
-    assert "exists already; give another --out, or --anew" in exists
-    assert "--out must end with " in ending
-    assert "is not a replay that can be read: it is cut short, damaged or no replay" in short
+    said = soccer("export", source, "--out", tmp_path / "b.gif", code=2)
+    assert "is not a replay that can be read: it is cut short, damaged or no replay" in said
     assert not (tmp_path / "b.gif").exists()
 
 
-def test_a_replay_of_another_version_says_which(replay: Replay, tmp_path: Path, monkeypatch: Any, capsys: Any) -> None:
+def test_a_replay_of_another_version_says_which(replay: Replay, tmp_path: Path, monkeypatch: Any, soccer: Any) -> None:
     replay = copy(replay)
     replay.made_by = "0.0.1"
     path = replay.write(tmp_path / "a.replay")
@@ -132,11 +127,12 @@ def test_a_replay_of_another_version_says_which(replay: Replay, tmp_path: Path, 
         Replay.read(path)
     monkeypatch.undo()
     replay.settings = {"league": "mine"}
-    assert main(["export", str(replay.write(path)), "--out", str(tmp_path / "b.html")]) == 2
     np.savez(tmp_path / "c.npz", a=np.zeros(3))
-    assert main(["export", str(tmp_path / "c.npz"), "--out", str(tmp_path / "b.html")]) == 2
-    damaged, foreign = capsys.readouterr().err.splitlines()
-    assert "the settings of this replay are damaged" in damaged and "it is an archive of something else" in foreign
+    for file, said in (
+        (replay.write(path), "the settings of this replay are damaged"),
+        (tmp_path / "c.npz", "it is an archive of something else"),
+    ):
+        assert said in soccer("export", file, "--out", tmp_path / "b.html", code=2)
     assert not (tmp_path / "b.html").exists()
 
 

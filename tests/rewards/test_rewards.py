@@ -8,7 +8,6 @@ import pytest
 
 from soccer_env import Match, Rewards
 from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_reward_kernel
-from soccer_env.train.command.command_line import main
 from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import LEAGUES, endless, place, play, put, put_ball, scatter, set_phase, stage, stand
 
@@ -141,9 +140,8 @@ def test_progress_is_lost_by_the_other_team_and_approach_rewards_the_nearest_rob
     match = stage(endless("middle-size-2006"), rewards=Rewards(gamma=1.0))
     place(match, ball=(0.0, 0.0, 3.0), robots={0: (-3.0, 3.0), 1: (3.0, -3.0)})
     match.step(stand(match))
-    assert (
-        match.terms[0, 0, PROGRESS] == pytest.approx(-match.terms[0, 1, PROGRESS]) and match.terms[0, 0, PROGRESS] > 0
-    )
+    ours, theirs = match.terms[0, :, PROGRESS]
+    assert ours == pytest.approx(-theirs) and ours > 0.0
     match = stage("middle-size-2006", home=2, away=1, rewards=Rewards(gamma=1.0))
     for r, x in enumerate((-3.0, -1.0, 2.0)):
         put(match, r, x, 0.5, forward=1.0 if r == 1 else 0.0)
@@ -177,20 +175,18 @@ def test_shaping_of_a_kept_action_discounts_once(repeat: int) -> None:
     assert paid[0, 1] == pytest.approx((0.9 - 1.0) * -potential)
 
 
-def test_weights_infos_presets_and_lists_follow_from_the_table(capsys: pytest.CaptureFixture[str]) -> None:
+def test_weights_infos_presets_and_lists_follow_from_the_table(soccer: Any) -> None:
     assert {term.kind for term in TERMS} <= set(KINDS)
     assert sum(term.kind == "potential" for term in TERMS) == POTENTIALS[1]
     for term in TERMS:
         assert getattr(Rewards(), term.name) == term.weight
         assert getattr(PRESETS["sparse"], term.name) == (term.weight if term.kind == "event" else 0.0)
     assert Match(home=1, away=1, seed=1).term_names == [term.name for term in TERMS]
-    assert main(["list", "rewards"]) == 0
-    printed = capsys.readouterr().out
+    printed = soccer("list", "rewards")
     assert all(term.name in printed for term in TERMS) and all(name in printed for name in PRESETS)
 
 
 def test_a_kernel_follows_from_any_table() -> None:
-    """Rows in another order, another number of potentials: each is paid in its own column."""
     another = Term("another", "one more potential", TERMS[PROGRESS].function, "potential", 1.0)
     pay = make_reward_kernel((TERMS[EFFORT], TERMS[PROGRESS], another, TERMS[GOAL]))
     match = stage("legged-2001", home=1, away=1)

@@ -16,7 +16,6 @@ from soccer_env.train.bench import benchmark as bench
 from soccer_env.train.bench import loads as bench_loads
 from soccer_env.train.bench import plans as bench_plans
 from soccer_env.train.bench.settings import BenchSettings
-from soccer_env.train.command.command_line import main
 
 
 @pytest.fixture(autouse=True)
@@ -224,14 +223,13 @@ def test_a_checkout_has_its_own_interpreter_or_the_one_that_is_given(tmp_path: P
     assert found.startswith(str(own / ".venv"))
 
 
-def test_what_is_no_checkout_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_no_checkout_is_refused(tmp_path: Path, soccer: Any) -> None:
     for words, complaint in (
         (["--against", str(tmp_path / "nowhere")], "against must be the folder of a checkout"),
         (["--against", str(tmp_path)], "is no checkout: it has no soccer_env/__init__.py"),
         (["--python", "python3"], "give against as well"),
     ):
-        assert main(["bench", *words]) == 2
-        assert complaint in capsys.readouterr().err
+        assert complaint in soccer("bench", *words, code=2)
 
 
 def test_a_process_that_dies_is_said(tmp_path: Path) -> None:

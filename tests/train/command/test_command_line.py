@@ -10,7 +10,7 @@ import sys
 import time
 import weakref
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import pytest
 
@@ -40,9 +40,7 @@ def test_what_needs_nothing_imports_nothing(words: list[str], tmp_path: Path) ->
     assert heavy_after(words, tmp_path)[1] == "[]"
 
 
-def test_help_names_every_command_that_is_built_and_compiles_nothing(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_help_names_every_command_that_is_built_and_compiles_nothing(tmp_path: Path, capsys: Any) -> None:
     printed, heavy = heavy_after(["evaluate", "--help"], tmp_path)
     assert "--matches" in printed and "numba" not in heavy and "torch" not in heavy
     assert main(["--help"]) == 0
@@ -53,7 +51,7 @@ def test_help_names_every_command_that_is_built_and_compiles_nothing(
     assert main([]) == 2
 
 
-def test_a_ctrl_c_that_a_callback_swallows_comes_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_ctrl_c_that_a_callback_swallows_comes_again(monkeypatch: Any) -> None:
     class Thing:
         pass
 
@@ -73,13 +71,13 @@ def test_a_ctrl_c_that_a_callback_swallows_comes_again(monkeypatch: pytest.Monke
 
 
 @pytest.mark.parametrize("name", command_line.SUMMARIES)
-def test_help_says_what_leaving_an_option_out_does(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_says_what_leaving_an_option_out_does(name: str, capsys: Any) -> None:
     with pytest.raises(SystemExit):
         main([name, "--help-all"])
     assert "None" not in capsys.readouterr().out
 
 
-def test_the_basic_options_of_a_training_come_first(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_basic_options_of_a_training_come_first(capsys: Any) -> None:
     with pytest.raises(SystemExit):
         main(["train", "--help"])
     flags = re.findall(r"^\W (--[a-z][a-z-]+)", capsys.readouterr().out, re.MULTILINE)
@@ -88,9 +86,7 @@ def test_the_basic_options_of_a_training_come_first(capsys: pytest.CaptureFixtur
 
 
 @pytest.mark.parametrize("name", command_line.SUMMARIES)
-def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves_out(
-    name: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves_out(name: str, capsys: Any) -> None:
     shown = []
     for flag in ("--help", "--help-all"):
         with pytest.raises(SystemExit):
@@ -138,20 +134,14 @@ def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves
         (["list", "observations", "--league", "x"], "unknown league 'x'"),
     ],
 )
-def test_a_mistake_is_one_line_and_exit_code_2(
-    words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(words) == 2
-    printed = capsys.readouterr()
-    assert printed.out == "" and complaint in printed.err
-    assert printed.err.startswith("soccer: ") and printed.err.count("\n") == 1
+def test_a_mistake_is_one_line_and_exit_code_2(words: list[str], complaint: str, soccer: Any) -> None:
+    assert complaint in soccer(*words, code=2)
 
 
-def test_a_folder_that_cannot_be_made_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_folder_that_cannot_be_made_is_one_line(tmp_path: Path, soccer: Any) -> None:
     (tmp_path / "file").write_text("")
-    words = ["evaluate", "--home", "still", "--away", "still", "--out", str(tmp_path / "file" / "inside")]
-    assert main(words) == 2
-    assert "not a directory" in capsys.readouterr().err
+    words = ["evaluate", "--home", "still", "--away", "still", "--out", tmp_path / "file" / "inside"]
+    assert "not a directory" in soccer(*words, code=2)
 
 
 NAMED = {
@@ -162,16 +152,14 @@ NAMED = {
 
 
 @pytest.mark.parametrize("what", NAMED)
-def test_lists_name_what_there_is(what: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["list", what]) == 0
-    text = capsys.readouterr().out
+def test_lists_name_what_there_is(what: str, soccer: Any) -> None:
+    text = soccer("list", what)
     assert all(word in text for word in NAMED[what])
 
 
 @pytest.mark.parametrize("what", get_args(What))
-def test_lists_are_json_when_asked(what: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["list", what, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_lists_are_json_when_asked(what: str, soccer: Any) -> None:
+    found = json.loads(soccer("list", what, "--json"))
     assert found and all(table["title"] and table["rows"] for table in found)
     for table in found:
         assert all(isinstance(value, str) for row in table["rows"] for value in row.values())
@@ -180,21 +168,17 @@ def test_lists_are_json_when_asked(what: str, capsys: pytest.CaptureFixture[str]
 
 
 def test_help_of_list_names_its_options_and_the_package_runs_as_the_command(tmp_path: Path) -> None:
-    for words, code, said in (
-        (["list", "--help"], 0, "--league --observe --json observations"),
-        (["evalute"], 2, "evaluate"),
-    ):
+    cases = (["list", "--help"], 0, "--league --observe --json observations"), (["evalute"], 2, "evaluate")
+    for words, code, said in cases:
         run = [sys.executable, "-m", "soccer_env", *words]
         done = subprocess.run(run, capture_output=True, text=True, cwd=tmp_path)
         assert done.returncode == code and all(word in done.stdout + done.stderr for word in said.split())
 
 
-def test_a_result_is_json_when_asked_and_nothing_else_is_printed(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_result_is_json_when_asked_and_nothing_else_is_printed(tmp_path: Path, soccer: Any) -> None:
     words = ["evaluate", "--home", "still", "--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.02"]
-    assert main([*words, "--json", "--out", str(tmp_path / "[red]")]) == 0
-    assert json.loads(capsys.readouterr().out) == json.loads((tmp_path / "[red]" / "result.json").read_text())
+    printed = soccer(*words, "--json", "--out", tmp_path / "[red]")
+    assert json.loads(printed) == json.loads((tmp_path / "[red]" / "result.json").read_text())
     assert "--json" not in (tmp_path / "[red]" / "settings.json").read_text(), "the same run, shown in another way"
 
 
@@ -207,10 +191,9 @@ def test_names_are_printed_as_they_are() -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_every_command_and_option_can_be_completed(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["--tyro-print-completion", shell]) == 0
-    text = capsys.readouterr().out
-    assert main([f"--print-completion={shell}"]) == 0 and capsys.readouterr().out == text
+def test_every_command_and_option_can_be_completed(shell: str, soccer: Any) -> None:
+    text = soccer("--tyro-print-completion", shell)
+    assert soccer(f"--print-completion={shell}") == text
     assert all(word in text for word in (*command_line.COMMANDS, "--at-least", "--teacher-steps", "--against"))
 
 
@@ -219,7 +202,7 @@ def test_every_command_and_option_can_be_completed(shell: str, capsys: pytest.Ca
     ("typed", "completed"),
     [("soccer eva", "evaluate"), ("soccer evaluate --mat", "--matches"), ("soccer evaluate --pose part", "particles")],
 )
-def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: Any) -> None:
     main(["--print-completion", "bash"])
     (tmp_path / "completion").write_text(capsys.readouterr().out)
     asked = f"source {tmp_path / 'completion'}; COMP_WORDS=({typed}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n"
@@ -229,41 +212,35 @@ def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: pyte
     assert [line.split("\t")[0].split(" (")[0].strip() for line in done.stdout.splitlines()] == [completed], done.stderr
 
 
-def test_zsh_may_source_its_script_or_find_it_as_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+def test_zsh_may_source_its_script_or_find_it_as_a_file(soccer: Any) -> None:
     """As tyro makes it, sourcing it calls the completion at once, outside of one: an error, and nothing completes."""
-    main(["--print-completion", "zsh"])
-    text = capsys.readouterr().out
+    text = soccer("--print-completion", "zsh")
     assert text.startswith("#compdef soccer\n")
     assert "compdef _tyro_soccer soccer" in text and '\n_tyro_soccer "$@"' not in text
 
 
 @pytest.mark.skipif(shutil.which("zsh") is None, reason="there is no zsh")
-def test_zsh_completes_once_it_has_sourced_the_script(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    main(["--print-completion", "zsh"])
-    (tmp_path / "completion").write_text(capsys.readouterr().out)
+def test_zsh_completes_once_it_has_sourced_the_script(tmp_path: Path, soccer: Any) -> None:
+    (tmp_path / "completion").write_text(soccer("--print-completion", "zsh"))
     asked = f"autoload -Uz compinit; compinit -u -d {tmp_path / 'dump'}; source {tmp_path / 'completion'}\n"
     asked += '_describe() { print -r -- "${(P)2}" }; words=(soccer eva); CURRENT=2; $_comps[soccer]'
     done = subprocess.run(["zsh", "-f", "-c", asked], capture_output=True, text=True)
     assert done.stdout.strip() == "evaluate:evaluate", done.stderr
 
 
-def test_a_list_of_teams_runs_nothing_of_other_packages(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_list_of_teams_runs_nothing_of_other_packages(monkeypatch: Any, capsys: Any) -> None:
     lions = {"lions": "canary_that_does_not_exist:team"}
     monkeypatch.setattr("soccer_env.teams.registered_teams", lambda: lions | registry.NAMES)
     found = registry.import_factory
-    monkeypatch.setattr(
-        registry, "import_factory", lambda where: found(where) if "canary" not in where else pytest.fail(where)
-    )
+    kept = lambda where: found(where) if "canary" not in where else pytest.fail(where)  # noqa: E731
+    monkeypatch.setattr(registry, "import_factory", kept)
     for what in ("teams", "settings"):
         assert main(["list", what]) == 0
     assert "canary" not in capsys.readouterr().err
 
 
-def test_each_team_is_listed_in_its_own_words(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["list", "teams", "--json"]) == 0
-    (table,) = json.loads(capsys.readouterr().out)
+def test_each_team_is_listed_in_its_own_words(soccer: Any) -> None:
+    (table,) = json.loads(soccer("list", "teams", "--json"))
     told = {row["name"]: row["what it is"] for row in table["rows"]}
     assert len(set(told.values())) == len(told)
     assert told["weigel-2001"].startswith("A variant of heinemann-2006: ")
@@ -271,7 +248,7 @@ def test_each_team_is_listed_in_its_own_words(capsys: pytest.CaptureFixture[str]
     assert told["sacks-2001"].startswith("sacks-2001: the legged team of the University of Pennsylvania")
 
 
-def test_a_traceback_can_be_had(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_traceback_can_be_had(monkeypatch: Any) -> None:
     monkeypatch.setenv("SOCCER_ENV_TRACEBACK", "1")
     with pytest.raises(ValueError, match="unknown team"):
         main(["evaluate", "--home", "winners"])

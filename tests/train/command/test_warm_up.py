@@ -37,11 +37,9 @@ def test_the_second_time_nothing_is_left(monkeypatch: pytest.MonkeyPatch, capsys
     assert said == f"nothing was left to compile; the cache is in {cache.cache_folders()[0]}"
 
 
-def test_wrong_words_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["warm-up", "--league", "legged"]) == 2
-    assert "league must be one of all, legged-2001" in capsys.readouterr().err
-    assert main(["warm-up", "--team", "chasr"]) == 2
-    assert "unknown team 'chasr', did you mean 'chaser'?" in capsys.readouterr().err
+def test_wrong_words_are_refused(soccer: Any) -> None:
+    assert "league must be one of all, legged-2001" in soccer("warm-up", "--league", "legged", code=2)
+    assert "unknown team 'chasr', did you mean 'chaser'?" in soccer("warm-up", "--team", "chasr", code=2)
 
 
 def test_long_compiling_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

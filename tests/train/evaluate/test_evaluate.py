@@ -9,14 +9,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.leagues import find_league
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.records import FRESH
-from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.evaluate import contest as module
 from soccer_env.train.evaluate.results import EvaluationResult
-from soccer_env.train.evaluate.settings import conditions_of
 
 SHORT: dict[str, Any] = {"home": "random", "away": "still", "matches": 10, "minutes": 0.1, "seed": 5}
 
@@ -59,7 +56,6 @@ def test_another_seed_gives_other_matches_and_more_matches_begin_with_the_same_p
 
 
 def test_matches_are_added_to_a_finished_evaluation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As if all had been played at once: only those that are missing are."""
     played: list[int] = []
     play = module.play
     monkeypatch.setattr(module, "play", lambda *given: played.extend(given[1]) or play(*given))
@@ -91,17 +87,6 @@ def test_pairs_share_a_seed_and_swap_sides() -> None:
     assert found == [(n, seed, side) for n, seed in enumerate(seeds_for(5, 5).tolist()) for side in ("home", "away")]
 
 
-def test_the_second_match_of_a_pair_swaps_teams_and_sizes() -> None:
-    settings = EvaluateSettings(home="random", away="still", players="1v2", minutes=0.1)
-    league = find_league("legged-2001")
-    contest = module.contest_of(conditions_of(settings, league), league, {})
-    there, back = contest.start("home", [1]), contest.start("away", [1])
-    assert there.agents == ["home_0", "away_0", "away_1"]
-    assert back.agents == ["home_0", "home_1", "away_0"]
-    assert [(squad.team.name, len(squad.players)) for squad in there.squads] == [("random", 1), ("still", 2)]
-    assert [(squad.team.name, len(squad.players)) for squad in back.squads] == [("still", 2), ("random", 1)]
-
-
 def test_goals_count_for_the_team_that_scored_them() -> None:
     """5 : 2 for the side called home is 5 : 2 for the first team in an even match and 2 : 5 in an odd one."""
     record = np.zeros(1, [("score", "i8", (2,)), ("step", "i8")])
@@ -116,7 +101,6 @@ def test_goals_count_for_the_team_that_scored_them() -> None:
 
 
 def test_a_team_of_ones_own_wins_on_both_sides() -> None:
-    """Whoever runs at the ball scores more than whoever stands still, from either side."""
     settings = EvaluateSettings(
         league="middle-size-2006", home="mine", away="still", matches=10, minutes=2.0, players=1, placement="instant",
         rules="simple",
@@ -125,17 +109,6 @@ def test_a_team_of_ones_own_wins_on_both_sides() -> None:
     for side in ("home", "away"):
         lines = [line for line in result.lines if line.side == side]
         assert sum(line.goals_for for line in lines) > sum(line.goals_against for line in lines)
-
-
-@pytest.mark.slow
-def test_the_first_evaluation_of_the_readme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["evaluate", "--league", "legged-2001", "--home", "chaser", "--away", "random@0.5", "--matches", "20"]
-    words += ["--minutes", "4", "--players", "3", "--seed", "1", "--threads", "2", "--out", str(tmp_path)]
-    assert main([*words, "--at-least", "0.95"]) == 0
-    assert "chaser beats random@0.5 clearly." in capsys.readouterr().out
-    record = json.loads((tmp_path / "result.json").read_text())
-    assert record["goal_difference"]["low"] > 0.0
-    assert (tmp_path / "report.md").read_text().startswith("# chaser against random@0.5\n")
 
 
 def test_a_stopped_run_goes_on_and_ends_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -216,11 +189,8 @@ def test_pictures_of_the_first_match(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert not (tmp_path / "without" / "match.png").exists()
 
 
-def test_the_command_prints_a_table_and_judges(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["evaluate", "--home", "still", "--away", "still", "--matches", "2", "--minutes", "0.05", "--out"]
-    assert main([*words, str(tmp_path)]) == 0
-    printed = capsys.readouterr()
-    assert "still against still" in printed.out and "goal difference" in printed.out
-    assert printed.err == ""
-    assert main([*words, str(tmp_path), "--at-least", "0.6"]) == 1
-    assert "points 0.500 are below 0.6" in capsys.readouterr().err
+def test_the_command_prints_a_table_and_judges(tmp_path: Path, soccer: Any) -> None:
+    words = ["evaluate", "--home", "still", "--away", "still", "--matches", "2", "--minutes", "0.05", "--out", tmp_path]
+    printed = soccer(*words, quiet=True)
+    assert "still against still" in printed and "goal difference" in printed
+    assert "points 0.500 are below 0.6" in soccer(*words, "--at-least", "0.6", code=1)

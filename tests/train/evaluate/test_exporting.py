@@ -30,14 +30,14 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ],
 )  # fmt: skip
 def test_a_folder_becomes_a_file_for_each_match_or_one_table(
-    folder: Path, tmp_path: Path, name: str, starts: bytes, capsys: pytest.CaptureFixture[str]
+    folder: Path, tmp_path: Path, name: str, starts: bytes, soccer: Any
 ) -> None:
     if name.endswith(".parquet"):
         pytest.importorskip("pyarrow")
     if name.endswith((".gif", ".mp4", ".png", ".svg")):
         pytest.importorskip({".gif": "PIL", ".mp4": "imageio_ffmpeg", ".png": "pygame", ".svg": "matplotlib"}[name[1:]])
-    command = ["export", str(folder), "--out", str(tmp_path / name), *(["--maps"] if name == "x.svg" else [])]
-    assert main(command) == 0
+    command = ["export", folder, "--out", tmp_path / name, *(["--maps"] if name == "x.svg" else [])]
+    soccer(*command)
     tables = name in ("x.csv", "x.parquet")
     stem, ending = name.split(".")
     names = {f"{stem}{part}.{ending}" for part in (("", "_events") if tables else ("_b", "_a_c"))}
@@ -45,7 +45,7 @@ def test_a_folder_becomes_a_file_for_each_match_or_one_table(
     if name != "x.cdf":
         contents = {path: path.read_bytes() for path in tmp_path.iterdir()}
         assert all(content.lower().startswith(starts.lower()) for content in contents.values())
-        assert main(command) == 2 and "exists already" in capsys.readouterr().err
+        assert "exists already" in soccer(*command, code=2)
         assert all(path.read_bytes() == content for path, content in contents.items())
 
 
@@ -63,12 +63,11 @@ def test_a_link_a_folder_or_a_file_of_another_kind_is_in_the_way(tmp_path: Path,
 
 
 @pytest.mark.parametrize("name", ["x.html", "x.xml"])
-def test_replays_whose_files_would_be_one_are_refused(folder: Path, tmp_path: Path, name: str, capsys: Any) -> None:
+def test_replays_whose_files_would_be_one_are_refused(folder: Path, tmp_path: Path, name: str, soccer: Any) -> None:
     (tmp_path / "in/a").mkdir(parents=True)
     for place in ("in/a/c.replay", "in/a_c.replay"):
         (tmp_path / place).write_bytes((folder / "b.replay").read_bytes())
-    assert main(["export", str(tmp_path / "in"), "--out", str(tmp_path / name)]) == 2
-    assert "would both be written to" in capsys.readouterr().err
+    assert "would both be written to" in soccer("export", tmp_path / "in", "--out", tmp_path / name, code=2)
     assert [path.name for path in tmp_path.iterdir()] == ["in"]
 
 

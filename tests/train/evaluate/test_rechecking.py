@@ -44,13 +44,12 @@ def content(folder: Path) -> dict[str, tuple[bytes, int]]:
     return {path.name: (path.read_bytes(), path.stat().st_mtime_ns) for path in folder.rglob("*") if path.is_file()}
 
 
-def test_an_honest_folder_agrees_and_stays_as_it_is(folder: Path, capsys: CaptureFixture[str]) -> None:
+def test_an_honest_folder_agrees_and_stays_as_it_is(folder: Path, soccer: Any) -> None:
     before = content(folder)
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "2", "--seed", "3"]) == 0
-    printed = capsys.readouterr().out
+    printed = soccer("evaluate", "--recheck", folder, "--pairs", "2", "--seed", "3")
     assert "2 of 3 finished pairs played again (drawn with --pairs 2 --seed 3), 2 agree, 0 differ" in printed
     assert "result.json follows from matches.jsonl" in printed
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all", "--threads", "2"]) == 0
+    soccer("evaluate", "--recheck", folder, "--pairs", "all", "--threads", "2")
     assert content(folder) == before
 
 
@@ -65,21 +64,19 @@ def test_an_honest_folder_agrees_and_stays_as_it_is(folder: Path, capsys: Captur
         (lambda line: line.update(seed=1), "match 3: seed is 1 there"),
     ],
 )
-def test_what_was_changed_is_named(change: Callable[[Any], None], found: str, folder: Path, capsys: Any) -> None:
+def test_what_was_changed_is_named(change: Callable[[Any], None], found: str, folder: Path, soccer: Any) -> None:
     changed(folder, 3, change)
     before = content(folder)
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all"]) == 1
-    printed = capsys.readouterr().out
+    printed = soccer("evaluate", "--recheck", folder, "--pairs", "all", code=1)
     assert "pair 1, matches 2 and 3: differs" in printed and found in printed
     assert "3 of 3 finished pairs played again, 2 agree, 1 differ" in printed
     assert content(folder) == before
 
 
-def test_a_changed_result_is_found_though_all_lines_agree(folder: Path, capsys: CaptureFixture[str]) -> None:
+def test_a_changed_result_is_found_though_all_lines_agree(folder: Path, soccer: Any) -> None:
     record = json.loads((folder / "result.json").read_text())
     (folder / "result.json").write_text(json.dumps({**record, "wins": 6}))
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "1", "--json"]) == 1
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(soccer("evaluate", "--recheck", folder, "--pairs", "1", "--json", code=1))
     assert (found["differences"], found["result"], found["agrees"]) == ([], ["'wins'"], False)
 
 
@@ -87,19 +84,17 @@ def test_a_changed_result_is_found_though_all_lines_agree(folder: Path, capsys: 
     ("field", "value"),
     [("statistics", {"a": "x"}), ("goals_for", 10**400), ("steps", -1), ("maps", {"shots_for": [[1]]})],
 )
-def test_lines_that_no_match_writes_are_refused_by_all(field: str, value: Any, folder: Path, capsys: Any) -> None:
+def test_lines_that_no_match_writes_are_refused_by_all(field: str, value: Any, folder: Path, soccer: Any) -> None:
     changed(folder, 3, lambda line: line.update({field: value}))
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all"]) == 1
-    assert f"match 3: {field}" in capsys.readouterr().out
+    assert f"match 3: {field}" in soccer("evaluate", "--recheck", folder, "--pairs", "all", code=1)
     with pytest.raises(ValueError, match=r"match 3"):
         evaluate(EvaluateSettings(**SHORT, out=folder))
 
 
-def test_lines_that_were_taken_away_are_missed(folder: Path, capsys: CaptureFixture[str]) -> None:
+def test_lines_that_were_taken_away_are_missed(folder: Path, soccer: Any) -> None:
     lines = (folder / "matches.jsonl").read_text().splitlines(keepends=True)
     (folder / "matches.jsonl").write_text("".join(line for line in lines if json.loads(line)["pair"] != 1))
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "all"]) == 1
-    printed = capsys.readouterr().out
+    printed = soccer("evaluate", "--recheck", folder, "--pairs", "all", code=1)
     assert "1 pairs of 3 are not finished" in printed
     assert "result.json: all of it, as 2 of its 6 matches have no line, does not follow" in printed
 
@@ -131,42 +126,38 @@ def test_an_evaluation_that_was_stopped_or_has_grown_is_checked_as_far_as_it_is(
     assert (folder / "matches.jsonl").read_bytes().endswith(lines[5][:40]), "a torn line is left as it is"
 
 
-def test_a_policy_file_is_found_where_it_lies_now(tmp_path: Path, capsys: CaptureFixture[str]) -> None:
-    policy, run = tmp_path / "mine.safetensors", str(tmp_path / "run")
+def test_a_policy_file_is_found_where_it_lies_now(tmp_path: Path, soccer: Any) -> None:
+    policy, again = tmp_path / "mine.safetensors", ["evaluate", "--recheck", tmp_path / "run"]
     shutil.copy(POLICY, policy)
-    evaluate(EvaluateSettings(**{**SHORT, "home": str(policy), "matches": 2}, out=Path(run)))
-    assert main(["evaluate", "--recheck", run]) == 0
+    evaluate(EvaluateSettings(**{**SHORT, "home": str(policy), "matches": 2}, out=tmp_path / "run"))
+    soccer(*again)
     moved = policy.rename(tmp_path / "moved.safetensors")
-    assert main(["evaluate", "--recheck", run]) == 2
-    assert "--home and --away say where a file is now" in capsys.readouterr().err
-    assert main(["evaluate", "--recheck", run, "--home", str(moved)]) == 0
-    assert main(["evaluate", "--recheck", run, "--home", "chaser"]) == 2
-    assert "home_team" in capsys.readouterr().err
+    assert "--home and --away say where a file is now" in soccer(*again, code=2)
+    soccer(*again, "--home", moved)
+    assert "home_team" in soccer(*again, "--home", "chaser", code=2)
 
 
-def test_a_team_of_a_program_is_given_in_python(tmp_path: Path, capsys: CaptureFixture[str]) -> None:
+def test_a_team_of_a_program_is_given_in_python(tmp_path: Path, soccer: Any) -> None:
     team = {"mine": make_team("chaser", strength=0.5)}
     evaluate(EvaluateSettings(**{**SHORT, "home": "mine", "matches": 2}, out=tmp_path), teams=team)
-    assert main(["evaluate", "--recheck", str(tmp_path)]) == 2
-    assert "recheck(folder, teams={name: team})" in capsys.readouterr().err
+    assert "recheck(folder, teams={name: team})" in soccer("evaluate", "--recheck", tmp_path, code=2)
     assert recheck(tmp_path, teams=team).agrees
 
 
-def test_code_that_a_folder_names_is_not_run(tmp_path: Path, monkeypatch: MonkeyPatch, capsys: Any) -> None:
+def test_code_that_a_folder_names_is_not_run(tmp_path: Path, monkeypatch: MonkeyPatch, soccer: Any) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "lions_of_mine.py").write_text("from soccer_env import make_team\nteam = make_team('chaser')\n")
     evaluate(EvaluateSettings(**{**SHORT, "home": "lions_of_mine:team", "matches": 2}, out=tmp_path / "run"))
     monkeypatch.delitem(sys.modules, "lions_of_mine")
-    assert main(["evaluate", "--recheck", "run"]) == 2
-    assert "--home lions_of_mine:team" in capsys.readouterr().err
+    assert "--home lions_of_mine:team" in soccer("evaluate", "--recheck", "run", code=2)
     assert "lions_of_mine" not in sys.modules
-    assert main(["evaluate", "--recheck", "run", "--home", "lions_of_mine:team"]) == 0
+    soccer("evaluate", "--recheck", "run", "--home", "lions_of_mine:team")
 
 
-def test_lines_of_another_version_are_compared_and_said(folder: Path, monkeypatch: MonkeyPatch, capsys: Any) -> None:
+def test_lines_of_another_version_are_compared_and_said(folder: Path, monkeypatch: MonkeyPatch, soccer: Any) -> None:
     monkeypatch.setattr("soccer_env.train.provenance.version_of", lambda package: "9.9")
-    assert main(["evaluate", "--recheck", str(folder), "--pairs", "1"]) == 0
-    assert "made with other versions, so that lines may differ: soccer_env '" in capsys.readouterr().out
+    printed = soccer("evaluate", "--recheck", folder, "--pairs", "1")
+    assert "made with other versions, so that lines may differ: soccer_env '" in printed
 
 
 def test_ctrl_c_changes_nothing(folder: Path, monkeypatch: MonkeyPatch, capsys: CaptureFixture[str]) -> None:
@@ -192,13 +183,11 @@ def test_ctrl_c_changes_nothing(folder: Path, monkeypatch: MonkeyPatch, capsys: 
         ("matches.jsonl", None, "has no finished pair yet"),
     ],
 )
-def test_a_damaged_folder_is_one_line(file: str, text: str | None, message: str, folder: Path, capsys: Any) -> None:
+def test_a_damaged_folder_is_one_line(file: str, text: str | None, message: str, folder: Path, soccer: Any) -> None:
     (folder / file).unlink()
     if text is not None:
         (folder / file).write_text(text)
-    assert main(["evaluate", "--recheck", str(folder)]) == 2
-    printed = capsys.readouterr().err
-    assert message in printed and printed.count("\n") == 1
+    assert message in soccer("evaluate", "--recheck", folder, code=2)
 
 
 CONDITIONS: list[tuple[str, Any, str]] = [
@@ -219,18 +208,15 @@ CONDITIONS: list[tuple[str, Any, str]] = [
 
 
 @pytest.mark.parametrize(("name", "value", "message"), CONDITIONS)
-def test_conditions_that_cannot_be_are_one_line(name: str, value: Any, message: str, folder: Path, capsys: Any) -> None:
+def test_conditions_that_cannot_be_are_one_line(name: str, value: Any, message: str, folder: Path, soccer: Any) -> None:
     record = json.loads((folder / "settings.json").read_text())
     record["conditions"][name] = value
     (folder / "settings.json").write_text(json.dumps(record))
     (folder / "matches.jsonl").write_text("")  # else the lines are of other settings already
-    assert main(["evaluate", "--recheck", str(folder)]) == 2
-    printed = capsys.readouterr().err
-    assert message in printed and printed.count("\n") == 1
+    assert message in soccer("evaluate", "--recheck", folder, code=2)
 
 
-def test_a_pipe_is_not_waited_for(folder: Path, capsys: CaptureFixture[str]) -> None:
+def test_a_pipe_is_not_waited_for(folder: Path, soccer: Any) -> None:
     (folder / "matches.jsonl").unlink()
     os.mkfifo(folder / "matches.jsonl")
-    assert main(["evaluate", "--recheck", str(folder)]) == 2
-    assert "is not a regular file" in capsys.readouterr().err
+    assert "is not a regular file" in soccer("evaluate", "--recheck", folder, code=2)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pytest import CaptureFixture, MonkeyPatch
+from pytest import MonkeyPatch
 
 from soccer_env.replay import Replay
 from soccer_env.train.command.command_line import main
@@ -19,32 +19,26 @@ from soccer_env.train.evaluate.results import MatchLine
 
 
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
-def test_a_recorded_match_plays_again(league: str, tmp_path: Path, capsys: CaptureFixture[str]) -> None:
-    path = tmp_path / "new" / "a.replay"
-    command = ["--league", league, "--away", "random", "--minutes", "0.1", "--players", "2v3", "--out", str(path)]
-    assert main(["record", *command]) == 0
-    assert main(["replay", str(path)]) == 0
-    assert main(["replay", str(path), "--verify"]) == 0
+def test_a_recorded_match_plays_again(league: str, tmp_path: Path, soccer: Any) -> None:
+    path, match = tmp_path / "new" / "a.replay", "--away random --minutes 0.1 --players 2v3"
+    soccer("record", "--league", league, *match.split(), "--out", path)
     steps = {"legged-2001": 96, "middle-size-2006": 300}[league]
-    assert f"{steps} control steps agree" in capsys.readouterr().out
+    soccer("replay", path)
+    assert f"{steps} control steps agree" in soccer("replay", path, "--verify")
 
 
-def test_a_file_that_is_no_replay_is_refused_in_one_line(tmp_path: Path, capsys: CaptureFixture[str]) -> None:
+def test_a_file_that_is_no_replay_is_refused_in_one_line(tmp_path: Path, soccer: Any) -> None:
     path = tmp_path / "b.replay"
     path.write_bytes(b"PK nothing")
-    assert main(["replay", str(path)]) == 2
-    assert main(["replay", str(tmp_path / "missing")]) == 2
-    lines = capsys.readouterr().err.splitlines()
-    assert len(lines) == 2 and "is not a replay that can be read" in lines[0]
+    assert "is not a replay that can be read" in soccer("replay", path, code=2)
+    soccer("replay", tmp_path / "missing", code=2)
 
 
-def test_a_place_that_cannot_be_written_is_refused_first(tmp_path: Path, monkeypatch: MonkeyPatch, capsys: Any) -> None:
+def test_a_place_that_cannot_be_written_is_refused_first(tmp_path: Path, monkeypatch: MonkeyPatch, soccer: Any) -> None:
     monkeypatch.setattr("soccer_env.train.evaluate.recording.start_match", lambda settings: pytest.fail("it played"))
     (tmp_path / "file").write_bytes(b"")
-    assert main(["record", "--out", str(tmp_path)]) == 2
-    assert main(["record", "--out", str(tmp_path / "file" / "a.replay")]) == 2
-    first, second = capsys.readouterr().err.splitlines()
-    assert "is a folder" in first and "its folder cannot be made" in second
+    assert "is a folder" in soccer("record", "--out", tmp_path, code=2)
+    assert "its folder cannot be made" in soccer("record", "--out", tmp_path / "file" / "a.replay", code=2)
 
 
 def test_a_replay_that_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -> None:
@@ -68,12 +62,12 @@ def test_a_replay_that_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -
         ("--league middle-size-2006 --scene empty-goal", "drill empty-goal: "),
     ],
 )
-def test_a_scene_is_recorded_as_it_is_meant(words: str, said: str, tmp_path: Path, capsys: CaptureFixture[str]) -> None:
+def test_a_scene_is_recorded_as_it_is_meant(words: str, said: str, tmp_path: Path, soccer: Any) -> None:
     path, picture = tmp_path / "a.replay", tmp_path / "a.png"
-    assert main(["record", *words.split(), "--out", str(path)]) == 0
-    assert said in capsys.readouterr().out
-    assert main(["replay", str(path)]) == 0
-    assert main(["export", str(path), "--out", str(picture), "--width", "320"]) == 0 and picture.exists()
+    assert said in soccer("record", *words.split(), "--out", path)
+    soccer("replay", path)
+    soccer("export", path, "--out", picture, "--width", "320")
+    assert picture.exists()
 
 
 def test_a_drill_is_played_by_those_whom_it_is_meant_for(tmp_path: Path) -> None:
@@ -100,10 +94,8 @@ def test_a_drill_is_played_by_those_whom_it_is_meant_for(tmp_path: Path) -> None
         ("--scene empty-goal --episode dril", "did you mean 'drill'?"),
     ],
 )
-def test_what_cannot_be_recorded_is_one_line(words: str, message: str, tmp_path: Path, capsys: Any) -> None:
-    assert main(["record", *words.split(), "--out", str(tmp_path / "a.replay")]) == 2
-    printed = capsys.readouterr().err
-    assert message in printed and printed.count("\n") == 1
+def test_what_cannot_be_recorded_is_one_line(words: str, message: str, tmp_path: Path, soccer: Any) -> None:
+    assert message in soccer("record", *words.split(), "--out", tmp_path / "a.replay", code=2)
     assert not (tmp_path / "a.replay").exists()
 
 
@@ -138,10 +130,8 @@ def files(out: Path) -> set[str]:
 
 def test_best_and_worst_are_by_goal_difference_then_goals_then_who_came_first() -> None:
     lines = [line(0, 1, 1), line(1, 3, 1), line(2, 4, 2), line(3, 0, 1), line(4, 1, 2), line(5, 1, 2)]
-    assert [(kind, one.match) for kind, one in Keep("worst, best").matches_to_keep(lines)] == [
-        ("best", 2),
-        ("worst", 4),
-    ]
+    kept = Keep("worst, best").matches_to_keep(lines)
+    assert [(kind, one.match) for kind, one in kept] == [("best", 2), ("worst", 4)]
     assert [one.match for _, one in Keep("goals").matches_to_keep([line(0, 0, 0), line(1, 0, 2)])] == [1]
     assert Keep("goals,best").matches_to_keep([]) == []
 
@@ -225,11 +215,10 @@ def test_anew_removes_replays_and_nothing_else(tmp_path: Path) -> None:
     assert files(tmp_path) == {"mine.txt"}
 
 
-def test_what_cannot_be_kept_is_said(tmp_path: Path, capsys: CaptureFixture[str]) -> None:
-    assert main(["evaluate", "--keep", "besd", "--out", str(tmp_path / "a")]) == 2
-    assert "unknown keep 'besd'" in capsys.readouterr().err and not (tmp_path / "a").exists()
-    assert main(["evaluate", "--keep", "best"]) == 2
-    assert "replays are kept in a folder: give out as well" in capsys.readouterr().err
+def test_what_cannot_be_kept_is_said(tmp_path: Path, soccer: Any) -> None:
+    assert "unknown keep 'besd'" in soccer("evaluate", "--keep", "besd", "--out", tmp_path / "a", code=2)
+    assert not (tmp_path / "a").exists()
+    assert "replays are kept in a folder: give out as well" in soccer("evaluate", "--keep", "best", code=2)
 
 
 class Forgetful:

@@ -74,17 +74,15 @@ def file_of(folder: Path, **known: Any) -> str:
     return str(file)
 
 
-def test_another_pose_needs_a_flag_and_the_report_says_what_it_was(tmp_path: Path, capsys: Any) -> None:
+def test_another_pose_needs_a_flag_and_the_report_says_what_it_was(tmp_path: Path, soccer: Any) -> None:
     home, out = file_of(tmp_path, pose="percept"), tmp_path / "out"
-    assert main(["evaluate", "--home", home, "--out", str(out), *WORDS]) == 2
-    said = capsys.readouterr().err
-    assert said.count("\n") == 1 and home in said and not out.exists()
+    said = soccer("evaluate", "--home", home, "--out", out, *WORDS, code=2)
+    assert home in said and not out.exists()
     assert "--pose percept plays it as it was trained, --pose particles tests it so" in said
-    assert main(["evaluate", "--home", home, "--pose", "particles", "--out", str(out), *WORDS]) == 0
+    soccer("evaluate", "--home", home, "--pose", "particles", "--out", out, *WORDS)
     assert "| lively was trained with | pose percept |" in (out / "report.md").read_text()
     assert json.loads((out / "result.json").read_text())["trained"] == {"lively": "pose percept"}
-    assert main(["evaluate", "--home", home, "--pose", "percept", *WORDS]) == 0
-    assert "was trained with" not in capsys.readouterr().out.split("written")[1]
+    assert "was trained with" not in soccer("evaluate", "--home", home, "--pose", "percept", *WORDS)
 
 
 def test_the_team_away_is_looked_at_too() -> None:
@@ -95,10 +93,9 @@ def test_the_team_away_is_looked_at_too() -> None:
         evaluate(asked, teams={"mine": team_from_policy(random_policy(senses="ideal"))})
 
 
-def test_who_observes_the_truth_is_not_offered_sensors(tmp_path: Path, capsys: Any) -> None:
+def test_who_observes_the_truth_is_not_offered_sensors(tmp_path: Path, soccer: Any) -> None:
     home = file_of(tmp_path, observe="truth", senses="ideal")
-    assert main(["evaluate", "--home", home, *WORDS]) == 2
-    said = capsys.readouterr().err
+    said = soccer("evaluate", "--home", home, *WORDS, code=2)
     assert said.endswith("--senses ideal plays it as it was trained\n"), said
 
 

@@ -3,11 +3,11 @@
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env.train.command.command_line import main
 from soccer_env.train.papers import reproduction
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import all_claims, find_claims
@@ -206,10 +206,7 @@ def test_all_leaves_out_studies_which_can_be_named() -> None:
         (["reproduce", "X99"], "unknown claim 'X99'; known: "),
         (["reproduce", "S05", "--minutes", "0"], "minutes must be a number above 0"),
         (["reproduce", "S05", "--minutes", "3", "--quick"], "give quick or minutes, not both"),
-        (
-            ["reproduce", "S05", "--stored", "--quick"],
-            "stored measures nothing: give it without quick",
-        ),
+        (["reproduce", "S05", "--stored", "--quick"], "stored measures nothing: give it without quick"),
         (["reproduce", "sensors", "--stored"], "no result of sensors is stored; measure it without --stored"),
         (["reproduce", "S05", "--seed", "-1"], "seeds must be a whole number"),
         (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, at least one and each once"),
@@ -217,10 +214,8 @@ def test_all_leaves_out_studies_which_can_be_named() -> None:
         (["reproduce", "S05", "--rules", "street"], "unknown --rules 'street'"),
     ],
 )
-def test_a_mistake_is_one_line(words: list[str], complaint: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(words) == 2
-    printed = capsys.readouterr().err
-    assert complaint in printed and printed.count("\n") == 1
+def test_a_mistake_is_one_line(words: list[str], complaint: str, soccer: Any) -> None:
+    assert complaint in soccer(*words, code=2)
 
 
 def test_the_command_is_the_one_that_asks_for_the_same() -> None:
@@ -230,12 +225,9 @@ def test_the_command_is_the_one_that_asks_for_the_same() -> None:
     assert command_of(ReproduceSettings(all=True, minutes=9.0), "S06") == "soccer reproduce --all --minutes 9"
 
 
-def test_stored_results_are_printed_with_every_criterion_and_nothing_is_measured(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_stored_results_are_printed_with_every_criterion_and_nothing_is_measured(soccer: Any, monkeypatch: Any) -> None:
     monkeypatch.setattr(reproduction, "measure_missing", None)
-    assert main(["reproduce", "S63", "H12", "--stored"]) == 0
-    printed = " ".join(capsys.readouterr().out.split())
+    printed = " ".join(soccer("reproduce", "S63", "H12", "--stored").split())
     stored = {name: row for folder in FOLDERS.values() for name, row in read_stored(folder).items()}
     for name in ("S63", "H12"):
         found, claim = stored[name], all_claims()[name]
@@ -245,12 +237,10 @@ def test_stored_results_are_printed_with_every_criterion_and_nothing_is_measured
     assert "With the ingredient off (one speed for both" in printed and "at least 80" in printed
 
 
-def test_all_stored_results_are_a_table_alone(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["reproduce", "--all", "--stored"]) == 0
-    printed = capsys.readouterr().out
+def test_all_stored_results_are_a_table_alone(soccer: Any) -> None:
+    printed = soccer("reproduce", "--all", "--stored")
     assert len(re.findall(r"│ [SH]\d\d │", printed)) == 72 + 27 and "Measured 2" not in printed
-    assert main(["reproduce", "S63", "--stored", "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
+    (record,) = json.loads(soccer("reproduce", "S63", "--stored", "--json"))
     assert record["verdict"] == "not" and record["findings"][0]["shown"] == "73.8 % (70.3 to 77.7)"
 
 
@@ -266,9 +256,3 @@ def test_every_built_claim_is_complete() -> None:
     measured_by_all = [found for found in claims.values() if not found.study]
     assert sum(found.quick * found.seconds for found in measured_by_all) <= 385.0  # [s] on one core: 5 minutes on two
     assert sum(found.batches * found.seconds for found in measured_by_all) <= 5400.0
-
-
-def test_claims_can_be_listed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["list", "claims"]) == 0
-    printed = capsys.readouterr().out
-    assert "S05" in printed and "median range error" in printed and "league, staged" in printed

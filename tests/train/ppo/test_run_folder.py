@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo.checkpoints import as_tensors, from_tensors
 from soccer_env.train.ppo.reporting import loggers
 from soccer_env.train.ppo.reporting.loggers import Logs
@@ -166,11 +165,9 @@ def test_nothing_is_written_that_nobody_asked_for(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["tensorboard", "wandb"])
-def test_a_missing_package_is_one_line_and_no_folder(kind: str, tmp_path: Path, monkeypatch: Any, capsys: Any) -> None:
+def test_a_missing_package_is_one_line_and_no_folder(kind: str, tmp_path: Path, monkeypatch: Any, soccer: Any) -> None:
     monkeypatch.setattr(loggers, "find_spec", lambda name: None)
-    assert main(["train", "--log", f"csv,{kind}", "--out", str(tmp_path / "a")]) == 2
-    said = capsys.readouterr().err
+    said = soccer("train", "--log", f"csv,{kind}", "--out", tmp_path / "a", code=2)
     assert said == f'soccer: --log {kind} needs another package: pip install "soccer_env[{kind}]"\n'
     assert not (tmp_path / "a").exists()
-    assert main(["train", "--log", "tensorbord"]) == 2
-    assert "unknown log 'tensorbord', did you mean 'tensorboard'?" in capsys.readouterr().err
+    assert "unknown log 'tensorbord', did you mean 'tensorboard'?" in soccer("train", "--log", "tensorbord", code=2)

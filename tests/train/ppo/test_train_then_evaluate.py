@@ -6,8 +6,6 @@ from typing import Any
 
 import pytest
 
-from soccer_env.train.command.command_line import main
-
 pytest.importorskip("stable_baselines3")
 
 
@@ -27,51 +25,48 @@ def saved(folder: Path, **settings: Any) -> str:
     return str(folder / "mine.zip")
 
 
-def evaluated(home: str, *words: str) -> int:
-    return main(["evaluate", "--home", home, *AGAINST, *words])
+@pytest.fixture
+def evaluated(soccer: Any) -> Any:
+    words = ["evaluate", *AGAINST]
+    return lambda home, *more, code=0: " ".join(soccer(*words, "--home", home, *more, code=code).split())
 
 
-def test_what_was_trained_is_evaluated_with_either_flag_that_the_error_names(tmp_path: Path, capsys: Any) -> None:
+def test_what_was_trained_is_evaluated_with_either_flag_that_the_error_names(
+    tmp_path: Path, soccer: Any, evaluated: Any
+) -> None:
     short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --teacher-steps 0 --rollout 16 --batch 32"
     judged = "--evaluate-every 1000000 --evaluate-matches 2 --evaluate-minutes 0.05 --evaluate-against still"
     words = ["train", *short.split(), *judged.split(), "--teacher", "", "--no-mirror"]
-    assert main([*words, "--critic-first", "0", "--opponents", "still", "--out", str(tmp_path / "run")]) == 0
+    soccer(*words, "--critic-first", "0", "--opponents", "still", "--out", tmp_path / "run")
     last = str(tmp_path / "run/last.safetensors")
-    capsys.readouterr()
-    assert evaluated(last) == 2
-    said = capsys.readouterr().err
+    said = evaluated(last, code=2)
     assert f"{last!r} was trained with pose='percept', evaluations have 'particles' by default" in said
     flags = re.findall(r"--pose \w+", said)
     assert flags == ["--pose percept", "--pose particles"]
-    assert evaluated(last, *flags[0].split()) == 0
-    assert "was trained with" not in capsys.readouterr().out
-    assert evaluated(last, *flags[1].split()) == 0
-    assert "policy was trained with pose percept." in re.sub(r"\s+", " ", capsys.readouterr().out)
+    assert "was trained with" not in evaluated(last, *flags[0].split())
+    assert "policy was trained with pose percept." in evaluated(last, *flags[1].split())
 
 
-def test_what_was_trained_with_particles_is_evaluated_by_default_settings(tmp_path: Path) -> None:
+def test_what_was_trained_with_particles_is_evaluated_by_default_settings(tmp_path: Path, evaluated: Any) -> None:
     path = saved(tmp_path, observe="belief", action_repeat=8, pose="particles")
-    assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=particles") == 0
-    assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=percept") == 2
+    evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=particles")
+    evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=percept", code=2)
 
 
-def test_rows_of_the_truth_are_evaluated_with_the_flag_that_the_error_names(tmp_path: Path, capsys: Any) -> None:
+def test_rows_of_the_truth_are_evaluated_with_the_flag_that_the_error_names(tmp_path: Path, evaluated: Any) -> None:
     path = saved(tmp_path)  # by default a SoccerVecEnv shows the truth, robots of an evaluation use their sensors
-    assert evaluated(f"{path}:at_once=False") == 2
-    said = re.sub(r"\s+", " ", capsys.readouterr().err)
+    said = evaluated(f"{path}:at_once=False", code=2)
     flags = re.search(r"a command takes (--senses \w+)", said)
     assert flags is not None, said
-    assert evaluated(f"{path}:at_once=False", *flags[1].split()) == 0
+    evaluated(f"{path}:at_once=False", *flags[1].split())
 
 
-def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, capsys: Any) -> None:
+def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, evaluated: Any) -> None:
     path = saved(tmp_path, observe="belief", action_repeat=8)
-    assert evaluated(path) == 2
-    said = re.sub(r"\s+", " ", capsys.readouterr().err)
+    said = evaluated(path, code=2)
     assert "takes 93 inputs, 'truth' of 'legged-2001' has 73: give observe=belief" in said
-    assert evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False") == 0
-    assert evaluated(saved(tmp_path, state=True)) == 2
-    assert "with state=True?" in re.sub(r"\s+", " ", capsys.readouterr().err)
+    evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False")
+    assert "with state=True?" in evaluated(saved(tmp_path, state=True), code=2)
 
 
 def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of_2006(tmp_path: Path) -> None:
@@ -82,16 +77,10 @@ def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of
     train_plainly(settings)
     result = evaluate(
         EvaluateSettings(
-            league="middle-size-2006",
-            home=str(tmp_path / "run" / "last.safetensors"),
-            away="heinemann-2006",
-            matches=2,
-            minutes=0.1,
-            players=2,
-            seed=1,
-            pose="percept",  # as it was trained
-        )  # fmt: skip
-    )
+            league="middle-size-2006", home=str(tmp_path / "run" / "last.safetensors"), away="heinemann-2006",
+            matches=2, minutes=0.1, players=2, seed=1, pose="percept",  # as it was trained
+        )
+    )  # fmt: skip
     assert len(result.lines) == 2 and {line.goals_for >= 0 for line in result.lines} == {True}
     assert result.conditions.away == "heinemann-2006" and result.conditions.league == "middle-size-2006"
 
