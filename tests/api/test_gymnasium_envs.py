@@ -46,13 +46,8 @@ def test_every_id_can_be_made():
 
 
 def test_the_default_opponent_is_a_team_of_the_league():
-    pytest.importorskip("soccer_env.baselines.chaser")
     for name in ("soccer_env/Legged2001-2v2-v0", "soccer_env/MiddleSize2006-2v2-v0"):
-        env = gymnasium.make(name)
-        env.reset(seed=1)
-        for _ in range(20):
-            env.step(env.action_space.sample())
-        assert [squad.team.name for squad in env.unwrapped.match.squads] == ["chaser", "chaser"]
+        assert [squad.team.name for squad in gymnasium.make(name).unwrapped.match.squads] == ["chaser", "chaser"]
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -84,19 +79,6 @@ def test_the_learner_and_the_teams_can_be_chosen():
     names = {name: squad.team.name for squad in env.match.squads for name in np.array(env.match.agents)[squad.players]}
     assert names == {"home_0": "random", "home_1": "random", "away_0": "still", "away_2": "random"}
     assert make_single_env(home=1, away=1, teammates=None).agent == "home_0"
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-def test_one_policy_fits_every_team_size(league):
-    sb3 = pytest.importorskip("stable_baselines3")
-    model = sb3.PPO("MlpPolicy", make_single_env(league, 1, 1), n_steps=8, batch_size=8, n_epochs=1, device="cpu")
-    model.learn(8)
-    for home, away in ((3, 5), (11, 11)):
-        env = make_single_env(league, home, away)
-        model.set_env(env)
-        model.learn(8)
-        action, _ = model.predict(env.reset(seed=0)[0])
-        assert action.shape == (4,)
 
 
 @pytest.mark.parametrize("name", ids.LEAGUES)
@@ -151,12 +133,3 @@ def test_a_process_that_has_imported_nothing_finds_an_id_by_its_module():
     words = "import gymnasium; print(gymnasium.make('soccer_env:soccer_env/Legged2001-1v1-v0').unwrapped.agent)"
     done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
     assert done.stdout.strip() == "home_0", done.stderr
-
-
-@pytest.mark.slow
-def test_a_learner_of_stable_baselines_logs_returns():
-    sb3 = pytest.importorskip("stable_baselines3")
-    env = gymnasium.make("soccer_env/Legged2001-1v1-v0")
-    model = sb3.PPO("MlpPolicy", env, n_steps=STEPS + 24, batch_size=512, n_epochs=1, device="cpu")
-    model.learn(STEPS + 24)
-    assert len(model.ep_info_buffer) == 1 and model.ep_info_buffer[0]["l"] == STEPS

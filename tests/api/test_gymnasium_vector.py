@@ -68,6 +68,7 @@ def test_the_vector_env_is_gymnasiums_own_vector_of_single_envs(league, mode, se
     many = make_vector_env(4, league, autoreset_mode=mode, **settings)
     each = SyncVectorEnv([lambda: make_single_env(league, **settings)] * 4, autoreset_mode=mode)
     assert many.observation_space == each.observation_space and many.action_space == each.action_space
+    assert many.metadata["autoreset_mode"] is each.metadata["autoreset_mode"] is mode
     mine, theirs = many.reset(seed=[3, 4, 5, 6]), each.reset(seed=[3, 4, 5, 6])
     assert np.array_equal(mine[0], theirs[0])
     same_infos(mine[1], theirs[1])
@@ -114,39 +115,6 @@ def test_seeds_of_the_vector_env_lead_to_its_matches():
     assert not np.array_equal(observations, envs.reset()[0])
 
 
-def test_the_last_observation_and_info_of_an_episode_are_kept_in_same_step_mode():
-    envs = make_vector_env(2, autoreset_mode="SameStep", max_cycles=5)
-    envs.reset(seed=[1, 2])
-    solo = make_single_env(max_cycles=5)
-    solo.reset(seed=2)
-    for _ in range(5):
-        observations, rewards, _, truncated, infos = envs.step(np.full((2, 4), 0.5, np.float32))
-        last, reward, _, _, info = solo.step(np.full(4, 0.5, np.float32))
-    assert truncated.all() and infos["_final_obs"].all() and infos["_final_info"].all()
-    assert np.array_equal(infos["final_obs"][1], last) and rewards[1] == reward
-    assert {name: values[1] for name, values in infos["final_info"].items() if name[0] != "_"} == info
-    assert all((values == 0.0).all() for name, values in infos.items() if name.startswith("reward_"))
-    assert not np.array_equal(observations[1], last)
-    assert np.array_equal(observations[1], solo.reset()[0])
-
-
-@pytest.mark.parametrize("agent", ["home_1", "away_0"])
-def test_nested_infos_of_an_episode_that_ended_have_its_maps_in_either_mode(agent):
-    given = {"infos": "nested", "max_cycles": 9, "agent": agent, "scene": ROLLING}
-    following, same = (
-        make_vector_env(2, autoreset_mode="NextStep", **given),
-        make_vector_env(2, autoreset_mode="SameStep", **given),
-    )
-    following.reset(seed=[1, 2]), same.reset(seed=[1, 2])
-    for step in range(9):
-        infos, others = (envs.step(np.full((2, 4), 0.5, np.float32))[4] for envs in (following, same))
-        assert ("maps" in infos) == (step == 8)
-    maps, expected = infos["maps"], others["final_info"]["maps"]
-    assert infos["_maps"].all() and maps.keys() == expected.keys() >= {"heat_ball", "passes_for", "shots_against"}
-    assert all(np.array_equal(maps[name], values) for name, values in expected.items())
-    assert np.sum(maps["heat_ball"][0]) > 0
-
-
 def test_what_the_vector_env_returns_is_the_callers_to_change():
     envs, witness = make_vector_env(max_cycles=6), make_vector_env(max_cycles=6)
     envs.reset(seed=1), witness.reset(seed=1)
@@ -160,18 +128,6 @@ def test_what_the_vector_env_returns_is_the_callers_to_change():
         same_infos(mine[4], theirs[4])
         for value in theirs[4].values():
             value[:] = 1
-
-
-@pytest.mark.parametrize("mode", MODES)
-def test_gymnasiums_vector_wrappers_work(mode):
-    envs = gymnasium.wrappers.vector.RecordEpisodeStatistics(make_vector_env(3, autoreset_mode=mode, max_cycles=7))
-    envs.reset(seed=1)
-    lengths = []
-    for _ in range(30):
-        *_, infos = envs.step(envs.action_space.sample())
-        if "episode" in infos:
-            lengths += infos["episode"]["l"][infos["_episode"]].tolist()
-    assert lengths and set(lengths) == {7}
 
 
 def test_every_match_of_the_vector_env_has_its_frame():

@@ -7,7 +7,6 @@ import pytest
 from gymnasium.utils.env_checker import data_equivalence
 
 from soccer_env import Rewards, soccer_v0
-from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from soccer_env.api.infos import EVENT_NAMES, OWN_NAMES
 from soccer_env.api.report import PHASES
 from soccer_env.statistics.figures import flatten_statistics
@@ -70,9 +69,8 @@ def test_full_ones_hold_the_statistics_of_the_episode_so_far(name):
         assert infos["home_0"]["statistics_played"] == pytest.approx(cycle * env.match.league.dt)
         for agent, team in (("home_0", HOME), ("away_0", AWAY)):
             found = {key: value for key, value in infos[agent].items() if key.startswith("statistics_")}
-            assert found == {
-                f"statistics_{k}": value for k, value in flatten_statistics(env.match.statistics[0], team).items()
-            }
+            told = flatten_statistics(env.match.statistics[0], team)
+            assert found == {f"statistics_{name}": value for name, value in told.items()}
 
 
 def test_a_foul_of_ones_own_and_one_of_the_match_have_names_of_their_own():
@@ -119,25 +117,3 @@ def test_infos_that_are_left_out_are_empty_and_each_kind_is_copied() -> None:
     assert found == [{"home_0": {}, "away_0": {}}] * 3
     for kind in ("flat", "full", "nested", "none"):
         assert pickle.loads(pickle.dumps(soccer_v0.parallel_env(home=1, away=1, infos=kind))).info_kind == kind
-
-
-@pytest.mark.parametrize("agent", ["home_0", "away_0"])
-def test_the_vector_env_gives_them_of_the_matches_that_ended(agent):
-    given = {
-        "home": 1, "away": 1, "senses": "ideal", "teammates": None, "agent": agent, "max_cycles": CYCLES,
-        "infos": "nested",
-    }  # fmt: skip
-    opponents = {"opponents": "chaser"} if agent == "home_0" else {"opponents": None, "controllers": {"home": "chaser"}}
-    for mode in ("NextStep", "SameStep"):
-        env = SoccerVectorEnv(2, autoreset_mode=mode, **given, **opponents)
-        env.reset(seed=1)
-        for cycle in range(1, CYCLES + 1):
-            *_, infos = env.step(np.zeros((2, 4)))
-            assert "statistics" not in infos or cycle == CYCLES
-        last = infos["statistics"] if mode == "NextStep" else infos["final_info"]["statistics"]
-        record = env.match.statistics if mode == "NextStep" else env.match.final["statistics"]
-        assert last["played"] == pytest.approx(CYCLES * env.match.league.dt)
-        side = HOME if agent == "home_0" else AWAY
-        assert last["possession_for"] == pytest.approx(record["possession"][:, side])
-        assert last["_played"].all()
-        env.close()

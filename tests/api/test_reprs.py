@@ -96,9 +96,8 @@ def test_an_env_is_written_as_the_call_that_makes_it():
     assert repr(soccer_v0.raw_env(home=1, away=1)) == "TurnSoccer(league='legged-2001', home=1, away=1)"
     solo = gymnasium.make("soccer_env/Legged2001-1v1-v0").unwrapped
     assert repr(solo) == "SoloSoccer(league='legged-2001', home=1, away=1, max_cycles=1000)"
-    assert repr(make_vector_env(3)).startswith(
-        "SoccerVectorEnv(league='legged-2001', home=2, away=2, opponents='random'"
-    )
+    shown = "SoccerVectorEnv(league='legged-2001', home=2, away=2, opponents='random'"
+    assert repr(make_vector_env(3)).startswith(shown)
 
 
 @pytest.mark.parametrize("maker", [soccer_v0.parallel_env, soccer_v0.raw_env, make_single_env, make_vector_env])

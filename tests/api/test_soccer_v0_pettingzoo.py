@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import data_equivalence
 from pettingzoo.utils import BaseParallelWrapper, aec_to_parallel
-from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, ClipOutOfBoundsWrapper
 
 from soccer_env import soccer_v0
 from tests.scenes.staged_envs import GAMES, play
@@ -37,14 +36,6 @@ def test_pettingzoo_accepts_every_kind_of_action(league, actions):
     api_test(soccer_v0.env(league=league, home=1, away=2, actions=actions, max_cycles=30), num_cycles=100)
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-def test_pettingzoo_can_render_it(league):
-    pytest.importorskip("pygame")
-    from pettingzoo.test import render_test
-
-    render_test(lambda render_mode: soccer_v0.env(league=league, home=2, away=2, render_mode=render_mode))
-
-
 def test_pettingzoo_wrappers_change_nothing():
     plain = soccer_v0.parallel_env(max_cycles=30)
     wrapped = BaseParallelWrapper(soccer_v0.parallel_env(max_cycles=30))
@@ -58,32 +49,11 @@ def test_pettingzoo_wrappers_change_nothing():
     assert plain.agents == wrapped.agents == there_and_back.agents == []
 
 
-def test_wrappers_that_look_at_actions_work():
-    clipped = ClipOutOfBoundsWrapper(soccer_v0.env(home=1, away=1))
-    clipped.reset(seed=0)
-    clipped.step(np.zeros(4, np.float32))
-    checked = AssertOutOfBoundsWrapper(soccer_v0.env(home=1, away=1, actions="discrete"))
-    checked.reset(seed=0)
-    with pytest.raises(AssertionError):
-        checked.step(99)
-    checked.step(3)
-
-
-@pytest.mark.parametrize(("home", "away"), [(1, 1), (3, 5), (11, 11)])
-def test_torchrl_reads_the_same_layout(home, away):
-    pytest.importorskip("torchrl")
-    from torchrl.envs import PettingZooWrapper
-
-    env = PettingZooWrapper(soccer_v0.parallel_env(home=home, away=away))
-    rollout = env.rollout(3)
-    assert rollout["next", "home", "info", "phase"].shape == (3, home)
-    assert rollout["home", "observation"].shape == (3, home, len(env.unwrapped.match.observation_names))
-    assert rollout["away", "action"].shape == (3, away, 4)
-
-
 @pytest.mark.parametrize("league", LEAGUES)
 def test_frames_show_the_match_and_leave_it_alone(league):
     pytest.importorskip("pygame")
+    from pettingzoo.test import render_test
+
     env, witness = (soccer_v0.parallel_env(league=league, render_mode=mode) for mode in ("rgb_array", None))
     env.reset(seed=1), witness.reset(seed=1)
     frames = []
@@ -95,6 +65,7 @@ def test_frames_show_the_match_and_leave_it_alone(league):
     env.close()
     env.close()
     assert np.array_equal(env.render(), frames[-1])
+    render_test(lambda render_mode: soccer_v0.env(league=league, home=2, away=2, render_mode=render_mode))
 
 
 def test_a_window_is_shown_at_every_step_and_closes_twice():

@@ -20,15 +20,21 @@ from soccer_env.replay import Recorder, Replay
 from soccer_env.replay.checks import MOST_ROBOTS
 from soccer_env.train.command.command_line import main
 from tests.fuzz.replays import oddly
+from tests.scenes.staging import play
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    match = Match(home=1, away=1, seed=1)
+    recorder = Recorder(match)
+    play(match, steps=3)
+    return recorder.stop().write(tmp_path_factory.mktemp("sound") / "a.replay").read_bytes()
 
 
 @pytest.fixture
-def recorded(tmp_path: Path) -> Path:
-    match = Match(home=1, away=1, seed=1)
-    recorder = Recorder(match)
-    for _ in range(3):
-        match.step(np.zeros((1, 2, 4)))
-    return recorder.stop().write(tmp_path / "a.replay")
+def recorded(tmp_path: Path, sound: bytes) -> Path:
+    (tmp_path / "a.replay").write_bytes(sound)
+    return tmp_path / "a.replay"
 
 
 def parts_of(content: bytes) -> dict[str, Any]:
@@ -129,15 +135,6 @@ def test_a_ball_that_would_pass_through_the_boards_is_refused() -> None:
 
 FILES = 240  # damaged, a third of them in each way
 DTYPES = ["u1", "i1", "i8", "f4", "f8", "c16", "S3", "U2", "M8[s]", "?", [("a", "f8"), ("b", "i4")]]
-
-
-@pytest.fixture(scope="module")
-def sound(tmp_path_factory: pytest.TempPathFactory) -> bytes:
-    match = Match(home=1, away=1, seed=1)
-    recorder = Recorder(match)
-    for _ in range(2):
-        match.step(np.zeros((1, 2, 4)))
-    return recorder.stop().write(tmp_path_factory.mktemp("sound") / "a.replay").read_bytes()
 
 
 def damaged_bytes(content: bytes, draw: random.Random) -> bytes:

@@ -9,24 +9,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Rewards
-from soccer_env.types import MAX_TEAM
-from tests.scenes.staging import LEAGUES
+from tests.scenes.staging import LEAGUES, play
 
 
 def draw(match: Match, rng: np.random.Generator) -> np.ndarray:
     return rng.uniform(-1.0, 1.0, (match.count, len(match.agents), match.settings.actions.size))
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize(("home", "away"), [(1, 1), (1, 11), (3, 5), (11, 11)])
-def test_any_team_sizes_play(league: str, home: int, away: int) -> None:
-    match = Match(league, home=home, away=away, seed=1)
-    rng = np.random.default_rng(0)
-    for _ in range(100):
-        observations, rewards, _, _ = match.step(draw(match, rng))
-    assert observations.shape == (1, home + away, len(match.observation_names))
-    assert rewards.shape == (1, home + away)
-    assert match.agents[0] == "home_0" and match.agents[-1] == f"away_{away - 1}" and MAX_TEAM == 11
 
 
 def test_number_0_keeps_goal_when_a_team_has_two() -> None:
@@ -71,32 +58,6 @@ def test_decide_lets_teams_decide_and_leaves_learners_their_commands() -> None:
     same.step(actions)
     same.decide()
     assert match.state_hash() == same.state_hash()
-
-
-def test_next_step_pays_nothing_for_the_step_that_restarts() -> None:
-    match = Match(home=1, away=1, seed=1, max_cycles=3, autoreset="next_step")
-    actions = np.ones((1, 2, 4))
-    for _ in range(3):
-        _, rewards, _, truncated = match.step(actions)
-    assert truncated[0] and rewards.any()
-    observations, rewards, terminated, truncated = match.step(actions)
-    assert not rewards.any() and not terminated[0] and not truncated[0] and match.matches["step"][0] == 0
-    assert match.matches["episode"][0] == 1
-    fresh = Match(home=1, away=1, seed=1)
-    fresh.reset()
-    np.testing.assert_array_equal(observations, fresh.observations)
-
-
-def test_same_step_keeps_the_last_observation() -> None:
-    off = Match(home=1, away=1, seed=1, max_cycles=3)
-    same = Match(home=1, away=1, seed=1, max_cycles=3, autoreset="same_step")
-    actions = np.ones((1, 2, 4))
-    for _ in range(3):
-        last, off_rewards, _, _ = off.step(actions)
-        _, same_rewards, _, truncated = same.step(actions)
-    assert truncated[0] and same.ended.tolist() == [0]
-    np.testing.assert_array_equal(same.final["observations"], last)
-    np.testing.assert_array_equal(off_rewards, same_rewards)
 
 
 def test_action_repeat_adds_up_what_single_steps_pay() -> None:
@@ -169,8 +130,7 @@ SHAPES = {"M": 3, "R": 4, "(M,)": (3,), "(M, R)": (3, 4), "(R,)": (4,)}
 @pytest.fixture(scope="module")
 def match() -> Match:
     made = Match(home=2, away=2, matches=3, seed=1, autoreset="same_step", max_cycles=2, observe="belief")
-    for _ in range(2):
-        made.step(np.zeros((3, 4, 4)))
+    play(made, steps=2)
     return made
 
 

@@ -11,16 +11,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.types import AWAY, HOME, Phase
-from tests.scenes.staging import (
-    MIDDLE,
-    each_league,
-    league_without_calls,
-    put_ball,
-    scatter,
-    set_phase,
-    stand,
-    steps_in,
-)
+from tests.scenes import staging
+from tests.scenes.staging import MIDDLE, each_league, put_ball, scatter, set_phase, stand, steps_in
 from tests.scenes.symmetry import (
     HALF_TURN,
     MIRROR,
@@ -39,7 +31,7 @@ SIZE = 3  # robots a side
 
 def whole_steps(name, image, change_actions, tolerance, seed, **settings):
     """Play a match and its image until the first contact; return how many match steps were compared."""
-    league = league_without_calls(name)
+    league = staging.league_without_calls(name)
     settings |= {"home": SIZE, "away": SIZE, "matches": 40, "seed": seed, "actions": "full"}
     one, other = Match(league, **settings), Match(league, **settings)
     rng = np.random.default_rng(seed)
@@ -96,7 +88,9 @@ def test_a_mirrored_scrum_stays_a_mirror_while_robots_push_and_hold_each_other(n
     Sums in another order differ in the last digit, and a throng of wheels multiplies that: after 5 s a few of its
     matches show it.
     """
-    one, other = (Match(league_without_calls(name), home=SIZE, away=SIZE, matches=40, seed=12) for _ in range(2))
+    one, other = (
+        Match(staging.league_without_calls(name), home=SIZE, away=SIZE, matches=40, seed=12) for _ in range(2)
+    )
     set_phase(one, Phase.PLAY)
     scatter(one, np.random.default_rng(12), 0.5)
     one.rebuild()

@@ -6,16 +6,8 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.guards.ranges import (
-    ANY,
-    FLAG,
-    NUMBER,
-    ROW_OR_NONE,
-    SIGN,
-    first_out_of_range,
-    number_places,
-    ranged_record,
-)
+from soccer_env.guards import ranges
+from soccer_env.guards.ranges import ANY, FLAG, NUMBER, SIGN, first_out_of_range, number_places, ranged_record
 from soccer_env.match import saving
 from soccer_env.match.saving.saves import saved_arrays
 from soccer_env.teams import registry
@@ -74,7 +66,7 @@ def test_equal_records_have_equal_ranges_and_those_of_a_replay_have_some() -> No
     assert [first_out_of_range(np.array([0, flag], np.uint8).view(bool), 2) for flag in (1, 2)] == ["", "a flag"]
 
 
-INNER = ranged_record([("sign", "i2", SIGN), ("row", "i1", ROW_OR_NONE)])
+INNER = ranged_record([("sign", "i2", SIGN), ("row", "i1", ranges.ROW_OR_NONE)])
 OUTER = ranged_record(
     [("flag", "i1", FLAG), ("inner", INNER, (2,)), ("speeds", "f4", NUMBER, (3,)), ("bits", "u8", ANY)]
 )

@@ -238,7 +238,6 @@ def test_observations_are_symmetric(name):
         seen.append(np.zeros_like(match.observations))
         observe_slice(image.matches, image.balls, image.robots, seen[-1], constants, 0, 100)
     single = np.finfo(np.float32).eps  # the last bit of a float32
-    symmetry.assert_close(
-        seen[1], symmetry.mirrored_observations(seen[0], match.observation_entries), symmetry.MIRROR + single, "mirror"
-    )
+    image = symmetry.mirrored_observations(seen[0], match.observation_entries)
+    symmetry.assert_close(seen[1], image, symmetry.MIRROR + single, "mirror")
     symmetry.assert_close(seen[2], symmetry.swapped_rows(seen[0]), symmetry.HALF_TURN + 2.0 * single, "half-turn")
