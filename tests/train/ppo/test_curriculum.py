@@ -96,7 +96,6 @@ def test_a_past_self_begins_as_strong_as_the_learner_and_even_with_it() -> None:
 
 
 def test_ratings_order_the_strong_above_the_weak() -> None:
-    """The learner beats `still`, is even with `random` and is beaten by `chaser`, in random order."""
     rng, made = np.random.default_rng(1), curriculum()
     chances = {"still": 0.95, "random": 0.5, "chaser": 0.05}
     for _ in range(300):

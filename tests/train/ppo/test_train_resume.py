@@ -17,6 +17,7 @@ import pytest
 import torch
 
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES, read_checkpoint
+from tests.agents.staged_zips import Canary
 from tests.train.ppo.staged_training import ROLLOUT, copy_of, outcome, records, tiny_settings, train_plainly, whole_run
 
 ROOT = Path(__file__).parents[3]
@@ -207,16 +208,6 @@ def test_a_damaged_run_is_refused_by_file_and_nothing_is_lost(run: Path, damage:
     assert set(before) == {path.name for path in run.iterdir()}
 
 
-class Canary:
-    """Pickled, this makes a file as it is read."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (os.mkdir, (str(self.path),))
-
-
 @pytest.mark.parametrize("write", [torch_bytes, lambda value: pickle.dumps(value, 2)])
 def test_a_checkpoint_never_runs_code(run: Path, tmp_path: Path, write: Callable[[Any], bytes]) -> None:
     canary = tmp_path / "canary"
@@ -257,7 +248,6 @@ def test_a_torn_last_line_of_a_log_is_dropped(run: Path) -> None:
 
 @pytest.mark.parametrize("write", [2, 15, 23])
 def test_a_full_disk_leaves_the_last_good_checkpoint(tmp_path: Path, whole: Path, monkeypatch: Any, write: int) -> None:
-    """The disk fills up at that many writes; with room again the run ends as if nothing had been."""
     writes, sync = itertools.count(1), os.fsync
 
     def full(handle: int) -> None:

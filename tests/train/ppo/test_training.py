@@ -90,7 +90,6 @@ def test_matches_teacher_and_evaluations_are_played_by_the_rules_asked_for(tmp_p
     ],
 )
 def test_other_kinds_of_runs_go_on_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: dict[str, Any]) -> None:
-    """Cut by an error in the middle of the third rollout, a run ends as one that was not."""
     train_plainly(tiny_settings(tmp_path / "whole", steps=4 * ROLLOUT, **change))
     show, shown = ProgressBoard.show, itertools.count(1)
 
@@ -211,9 +210,8 @@ def evaluation(step: int, *differences: float) -> dict[str, Any]:
 
 def test_a_learning_curve_is_a_picture() -> None:
     evaluations = [evaluation(n * 10**6, n, n - 2.0) for n in range(3)]
-    one, three, again = (
-        learning_curve(found, tiny_settings(Path("x"))) for found in (evaluations[:1], evaluations, evaluations)
-    )
+    asked = evaluations[:1], evaluations, evaluations
+    one, three, again = (learning_curve(found, tiny_settings(Path("x"))) for found in asked)
     assert one.startswith(b"\x89PNG") and three.startswith(b"\x89PNG") and one != three == again
 
 

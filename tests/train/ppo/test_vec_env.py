@@ -35,9 +35,8 @@ def test_shapes_types_and_bounds_are_those_of_the_spaces(observe: str, actions: 
         assert rewards.dtype == np.float32 and dones.dtype == bool and np.isfinite(rewards).all()
         assert isinstance(infos, list) and len(infos) == 8
         for info, done in zip(infos, dones, strict=True):
-            assert set(info) == (
-                {"terminal_observation", "TimeLimit.truncated", "episode", "opponent"} if done else set()
-            )
+            at_end = {"terminal_observation", "TimeLimit.truncated", "episode", "opponent"}
+            assert set(info) == (at_end if done else set())
             assert not done or info["terminal_observation"] in env.observation_space
     assert sum(dones.sum() for _, _, dones, _ in history) == 8, "each row ended once"
 
@@ -51,15 +50,6 @@ def test_what_rows_share_can_be_asked_for_and_what_they_have_not_is_said() -> No
         env.set_attr("speed", 1)
     with pytest.raises(AttributeError, match="have no method 'render' of their own"):
         env.env_method("render")
-
-
-def test_ppo_learns_on_it() -> None:
-    env = rows(action_repeat=8, minutes=0.1, seed=1)
-    model = sb3.PPO("MlpPolicy", env, n_steps=16, batch_size=32, n_epochs=1, seed=1, device="cpu")
-    before = [parameter.detach().clone() for parameter in model.policy.parameters()]
-    model.learn(2 * 16 * 8)
-    assert model.num_timesteps == 256 and len(model.ep_info_buffer) == len(env.results) * 2 > 0
-    assert any((one != other).any() for one, other in zip(before, model.policy.parameters(), strict=True))
 
 
 @pytest.mark.parametrize("repeat", [1, 8])
