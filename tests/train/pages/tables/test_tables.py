@@ -22,9 +22,7 @@ def test_every_page_shows_what_was_measured(page: str) -> None:
 def test_every_table_stands_in_its_page_and_in_no_other() -> None:
     assert set(tables.PAGES) == {"headlines", *tables.MEASURE} == {"headlines", *tables.SHOW}
     for name, page in tables.PAGES.items():
-        holders = [
-            other for other in set(tables.PAGES.values()) if f"<!-- table: {name} -->" in tables.page_text(other)
-        ]
+        holders = [one for one in set(tables.PAGES.values()) if f"<!-- table: {name} -->" in tables.page_text(one)]
         assert holders == [page]
 
 

@@ -39,9 +39,8 @@ def test_a_table_has_a_row_a_drill_and_a_column_a_team() -> None:
     text = drills_table({"seed": 1, "rows": [*rows, other]})
     assert "| legged-2001 [%] | `still` | `chaser` |\n|---|---|---|\n| `facing-wall` | 0 | 97 |\n\n" in text
     assert "| middle-size-2006 [%] | `chaser` |\n|---|---|\n| `empty-goal` | 97 |\n\n" in text
-    assert text.endswith(
-        "100 runs each by sensors, seed 1; 95 % intervals (Wilson) are at most 5 points to either side."
-    )
+    end = "100 runs each by sensors, seed 1; 95 % intervals (Wilson) are at most 5 points to either side."
+    assert text.endswith(end)
 
 
 def test_a_drill_that_a_team_did_not_play_is_a_dash() -> None:

@@ -1,4 +1,4 @@
-"""The README of sacks-2001 is what the stored results and the settings say; what was not measured is shown so."""
+"""The READMEs of the papers' teams show the stored results and the settings; what was not measured is shown so."""
 
 import dataclasses
 import json
@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.teams import make_team
 from soccer_env.train.pages.tables import heinemann
 from soccer_env.train.pages.tables.paper_page import PaperPage, bound_in_signs, claims_table
 from soccer_env.train.pages.tables.sacks import PAGE
+from soccer_env.train.pages.tables.teams import heinemann_rows, heinemann_table
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
@@ -23,17 +25,23 @@ def rows_of(text: str) -> dict[str, list[str]]:
     return {cells[0].strip(): [cell.strip() for cell in cells] for cells in lines}
 
 
-def test_the_readme_of_the_team_shows_what_was_measured() -> None:
-    readme = (PAGE.folder / "README.md").read_text(encoding="utf-8")
-    assert PAGE.with_tables(readme, PAGE.stored()) == readme
+PAGES = pytest.mark.parametrize("page", [PAGE, heinemann.PAGE])
 
 
-def test_every_claim_of_the_paper_has_a_row_and_what_was_not_measured_says_so() -> None:
-    rows = rows_of(claims_table({}, PAGE.claims))
-    assert [name for name in rows if name in PAGE.claims] == list(PAGE.claims)
-    assert all(rows[name][3] == "not measured" for name in PAGE.claims)
-    assert set(PAGE.claims) <= set(all_claims())
-    assert all(all_claims()[name].statement == rows[name][1] for name in PAGE.claims)
+@PAGES
+def test_the_readme_of_the_team_shows_what_was_measured(page: PaperPage) -> None:
+    readme = (page.folder / "README.md").read_text(encoding="utf-8")
+    assert page.with_tables(readme, page.stored()) == readme
+
+
+@PAGES
+def test_every_claim_of_the_paper_has_a_row_and_what_was_not_measured_says_so(page: PaperPage) -> None:
+    rows = rows_of(claims_table({}, page.claims))
+    assert [name for name in rows if name in page.claims] == list(page.claims)
+    assert all(rows[name][3] == "not measured" for name in page.claims)
+    assert set(page.claims) <= set(all_claims())
+    assert all(all_claims()[name].statement == rows[name][1] for name in page.claims)
+    assert page is PAGE or set(page.claims) == {f"H{n:02}" for n in range(1, 29)} - {"H25"}, "which nothing can measure"
 
 
 def test_a_row_shows_the_number_that_decides_with_what_it_is_and_its_bound() -> None:
@@ -70,14 +78,11 @@ def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path) -> None
     written = (tmp_path / "README.md").read_text()
     row = rows_of(written)["S15"]
     assert row[3] == f"{result.verdict} (quick)" and row[2].startswith(f"{result.estimate:.1f}")
-    assert (
-        "72 claims: 1 " in (tmp_path / "README.md").read_text()
-        and "71 not measured" in (tmp_path / "README.md").read_text()
-    )
+    assert all(said in written for said in ("72 claims: 1 ", "71 not measured", "player_gain"))
     assert list(json.loads((tmp_path / "claims.json").read_text())) == ["S15"]
     with pytest.raises(ValueError, match="holds no"):
         PAGE.take(empty_run(tmp_path))
-    assert page.main(["nonsense"]) == 2
+    assert page.main(["nonsense"]) == heinemann.main(["nonsense"]) == 2
 
 
 def empty_run(path: Path) -> Path:
@@ -87,3 +92,20 @@ def empty_run(path: Path) -> Path:
     (found / "settings.json").write_text(json.dumps({"conditions": {}, "made_with": {}, "about": {}}))
     (found / "claims.jsonl").write_text("")
     return found
+
+
+def test_the_papers_figure_is_drawn_from_our_own_runs_the_same_each_time() -> None:
+    drawn = heinemann.draw_paths()
+    assert drawn.startswith(b"\x89PNG") and drawn == heinemann.draw_paths()
+
+
+def test_the_teams_of_2006_play_each_other_the_chaser_and_themselves_without_a_part() -> None:
+    rows = list(heinemann_rows())
+    assert all(make_team(name) for row in rows for name in (row.home, row.away))
+    asked = {(row.home, row.away, row.players) for row in rows}
+    assert {("heinemann-2006", "chaser", 3), ("heinemann-2006", "chaser", 5)} <= asked
+    assert {("heinemann-2006", away, 5) for away in ("weigel-2001", "heinemann-2006:keeper=passive")} <= asked
+    spread = {"mean": 0.5, "low": 0.4, "high": 0.6}
+    row = {"home": "a", "away": "b", "players": 5, "matches": 2, "minutes": 4.0, "points": spread, "goals": [1, 0],
+           "goal_difference": spread, "settings_hash": "f", "command": "play", "passes": [1.25, 1.0]}  # fmt: skip
+    assert "| `a` | b | 5v5 | 2 | 1.25 : 1.00 | 50.0 % (40.0 to 60.0) |" in heinemann_table({"rows": [row]})
