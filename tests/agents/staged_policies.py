@@ -47,6 +47,12 @@ def random_attention_policy(
     return replace(plain, kind="attention", attention=attention, weights=(first, *plain.weights[1:]))
 
 
+SMALL_ATTENTION = random_attention_policy(
+    3, width=2, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32)),
+    inputs=("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x"),
+)  # fmt: skip
+
+
 def team_from_disk(policy: Policy, folder: Path) -> LearnedTeam:
     """Return the team of a policy, by way of a file."""
     file = folder / "lively.safetensors"

@@ -28,7 +28,7 @@ from tests.agents.staged_files import (
     with_tensor,
     without_key,
 )
-from tests.agents.staged_policies import random_attention_policy
+from tests.agents.staged_policies import SMALL_ATTENTION
 from tests.agents.staged_zips import Canary
 
 
@@ -37,17 +37,17 @@ def numbers(*values: float) -> bytes:
     return np.array(values, "<f4").tobytes() + BODY[4 * len(values) :]
 
 
+def with_metadata(metadata: Any) -> bytes:
+    return pack_safetensors(HEADER | {"__metadata__": metadata})
+
+
 def test_the_corpus_starts_from_a_good_file() -> None:
     assert dump(parse(GOOD, WHERE)) == GOOD
     assert dump(parse(pack_safetensors(HEADER), WHERE)) == GOOD
     assert dump(parse(with_table(TABLE), WHERE)) == GOOD
 
 
-SLOTTED = ("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x")
-ATTENTIVE = dump(
-    random_attention_policy(3, width=2, inputs=SLOTTED, weights=(np.ones((3, 5), "f4"), np.ones((4, 3), "f4")))
-)
-both_kinds = pytest.mark.parametrize("good", [GOOD, ATTENTIVE], ids=["slots", "attention"])
+both_kinds = pytest.mark.parametrize("good", [GOOD, dump(SMALL_ATTENTION)], ids=["slots", "attention"])
 
 
 @both_kinds
@@ -104,6 +104,7 @@ def test_any_json_in_a_tensor_is_refused(key: str, value: Any) -> None:
 SHIFTED = {name: dict(entry) for name, entry in HEADER.items() if name != "__metadata__"}
 
 
+OPEN = json.dumps(HEADER).encode()[:-1]  # to be closed
 DEEP = "[" * 100_000 + "]" * 100_000
 
 
@@ -119,21 +120,12 @@ CORPUS = {
     "header is a list": (pack_safetensors(b"[1]"), "must be a JSON object"),
     "header is nothing": (pack_safetensors(b"null"), "must be a JSON object"),
     "deep header": (pack_safetensors(f'{{"a":{DEEP}}}'.encode()), "nested too deeply|unexpected|metadata"),
-    "two names alike": (
-        pack_safetensors(json.dumps(HEADER).encode()[:-1] + b',"layer0.bias":{}}'),
-        "'layer0.bias' twice",
-    ),
-    "two metadata": (
-        pack_safetensors(json.dumps(HEADER).encode()[:-1] + b',"__metadata__":{}}'),
-        "'__metadata__' twice",
-    ),
+    "two names alike": (pack_safetensors(OPEN + b',"layer0.bias":{}}'), "'layer0.bias' twice"),
+    "two metadata": (pack_safetensors(OPEN + b',"__metadata__":{}}'), "'__metadata__' twice"),
     "no metadata": (pack_safetensors(without_key(HEADER, "__metadata__")), "is no policy file"),
-    "more metadata": (
-        pack_safetensors({**HEADER, "__metadata__": {**HEADER["__metadata__"], "format": "pt"}}),
-        "nothing else",
-    ),
-    "metadata of numbers": (pack_safetensors({**HEADER, "__metadata__": {KEY: 1}}), "is no policy file"),
-    "metadata is a list": (pack_safetensors({**HEADER, "__metadata__": [KEY]}), "is no policy file"),
+    "more metadata": (with_metadata(HEADER["__metadata__"] | {"format": "pt"}), "nothing else"),
+    "metadata of numbers": (with_metadata({KEY: 1}), "is no policy file"),
+    "metadata is a list": (with_metadata([KEY]), "is no policy file"),
     "table is no JSON": (with_table("{"), "is not JSON"),
     "table is code": (with_table("__import__('os').abort()"), "is not JSON"),
     "table is a list": (with_table([]), "must be a JSON object"),
@@ -147,10 +139,7 @@ CORPUS = {
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000, 1)), "number of 100000 digits"),
     "huge size": (pack_safetensors(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
     "other version": (with_fields(version=6), r"is of format version 6; this soccer_env \(0\.1\.0\) reads versions 1 "),
-    "a later maker": (
-        with_fields(version=6, made={"soccer_env": "9\n[red]"}),
-        r"6, made by soccer_env 9 \[red\]; this",
-    ),
+    "a later maker": (with_fields(version=6, made={"soccer_env": "9\n[red]"}), r"made by soccer_env 9 \[red\]; this"),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),
     "no version": (with_table(without_key(TABLE, "version")), "is of format version None"),
@@ -178,7 +167,7 @@ CORPUS = {
     "int32": (with_tensor("layer0.bias", dtype="I32"), "must be of dtype 'F32', got 'I32'"),
     "dtype is a list": (with_tensor("layer0.bias", dtype=["F32"]), "must be of dtype"),
     "no dtype": (
-        pack_safetensors({**HEADER, "layer0.bias": without_key(HEADER["layer0.bias"], "dtype")}),
+        pack_safetensors(HEADER | {"layer0.bias": without_key(HEADER["layer0.bias"], "dtype")}),
         "nothing else",
     ),
     "field of a tensor": (with_tensor("layer0.bias", code="x"), "nothing else"),
@@ -200,14 +189,11 @@ CORPUS = {
     "offsets are texts": (with_tensor("layer0.bias", data_offsets=["0", "12"]), "Error"),
     "missing tensor": (pack_safetensors(without_key(HEADER, "layer0.bias")), "lacks the tensor|has a tensor"),
     "missing layer": (
-        pack_safetensors(without_key(without_key(HEADER, "layer0.bias"), "layer0.weight")),
+        pack_safetensors({n: x for n, x in HEADER.items() if "layer0" not in n}),
         "lacks the tensor 'layer0",
     ),
     "extra tensor": (pack_safetensors({**HEADER, "extra": HEADER["layer0.bias"]}), "has a tensor 'extra'"),
-    "extra layers": (
-        pack_safetensors({**HEADER, **{f"layer{n}.bias": SHIFTED["layer0.bias"] for n in range(40)}}),
-        "tensor",
-    ),
+    "extra layers": (pack_safetensors(HEADER | {f"layer{n}.bias": SHIFTED["layer0.bias"] for n in range(9)}), "tensor"),
     "no tensors": (pack_safetensors({"__metadata__": HEADER["__metadata__"]}, b""), "1 to 8 layers, got 0"),
 }
 
@@ -227,12 +213,8 @@ def test_a_pickle_with_another_name_is_not_run(tmp_path: Path) -> None:
     for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
         content = pickle.dumps(Canary(tmp_path / "canary"), protocol)
         path = tmp_path / f"{protocol}.safetensors"
-        inside = (
-            pack_safetensors(content),
-            pack_safetensors(HEADER, content + BODY),
-            with_table(content.decode("latin-1")),
-        )
-        for disguise in (content, *inside):
+        inside = [pack_safetensors(content), pack_safetensors(HEADER, content + BODY)]
+        for disguise in (content, *inside, with_table(content.decode("latin-1"))):
             path.write_bytes(disguise)
             with pytest.raises(ValueError, match=str(path)):
                 load(path)

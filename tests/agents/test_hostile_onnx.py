@@ -211,7 +211,6 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 
 
 def test_an_evaluation_goes_on_only_as_the_same_file(tmp_path: Path) -> None:
-    """Other weights under the same name are another team."""
     path = exported(random_policy(8), tmp_path / "mine.onnx")
     team = f"{path}:action_repeat=8"
     settings = EvaluateSettings(home=team, away="still", players=1, matches=2, minutes=0.05, out=tmp_path / "run")

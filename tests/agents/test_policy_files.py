@@ -15,6 +15,7 @@ from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, loa
 from soccer_env.leagues import LEAGUES, Slots, find_league
 from soccer_env.observations import entry_names
 from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
+from tests.agents.staged_policies import random_attention_policy
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
@@ -35,14 +36,18 @@ def ones(*shape: int) -> np.ndarray:
     return np.ones(shape, np.float32)
 
 
-def test_a_file_gives_back_the_policy(tmp_path: Path) -> None:
-    whole = policy(5, 3, actions="full", mirror=True)
+@pytest.mark.parametrize("kind", ["slots", "attention"])
+def test_a_file_gives_back_the_policy(tmp_path: Path, kind: str) -> None:
+    settings: dict[str, Any] = {"actions": "full", "mirror": True}
+    whole = policy(5, 3, **settings) if kind == "slots" else random_attention_policy(16, 8, width=12, **settings)
     (tmp_path / "a.safetensors").write_bytes(dump(whole))
     read = load(tmp_path / "a.safetensors")
     for field in FIELDS.keys() - {"weights", "biases"}:
         assert getattr(read, field) == getattr(whole, field)
-    for own, other in zip(whole.weights + whole.biases, read.weights + read.biases):
-        assert own.tobytes() == other.tobytes() and own.shape == other.shape
+    assert len(read.attention) == (6 if kind == "attention" else 0)
+    for name in ("weights", "biases", "attention"):
+        for own, other in zip(getattr(whole, name), getattr(read, name), strict=True):
+            assert own.tobytes() == other.tobytes() and own.shape == other.shape
 
 
 @settings(max_examples=40)
@@ -191,9 +196,8 @@ def test_a_file_of_version_1_takes_family_and_rate_from_our_league_and_one_of_2_
     assert (read.family, read.control_rate) == ("middle-size", 50)
     assert_content_refused(with_fields(version=1), "unknown key 'family' for version 1")
     for league in ("icy", ["legged-2001"], None):
-        assert_content_refused(
-            with_table({**first, "league": league}), "is of version 1, which says nothing of leagues of one's own"
-        )
+        said = "is of version 1, which says nothing of leagues of one's own"
+        assert_content_refused(with_table({**first, "league": league}), said)
     assert parse(with_table({**without_key(TABLE, "rules"), "version": 2}), WHERE).rules == {}
     assert_content_refused(with_fields(version=2), "unknown key 'rules' for version 2")
 

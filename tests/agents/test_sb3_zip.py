@@ -16,20 +16,10 @@ from soccer_env.agents import convert_sb3
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.leagues import find_league
+from tests.agents import staged_zips
 from tests.agents.staged_files import without_key
 from tests.agents.staged_policies import decide
-from tests.agents.staged_zips import (
-    INPUTS,
-    Noise,
-    assert_zip_refused,
-    data_of,
-    plain_zip,
-    pth_of,
-    read,
-    rewrite_zip,
-    save_zip,
-    state_of,
-)
+from tests.agents.staged_zips import INPUTS, Noise, assert_zip_refused, data_of, pth_of, read, rewrite_zip, save_zip
 
 torch = pytest.importorskip("torch")
 sb3 = pytest.importorskip("stable_baselines3")
@@ -125,7 +115,7 @@ def test_what_vec_normalize_did_is_done_again(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return plain_zip(tmp_path_factory.mktemp("real"))
+    return staged_zips.plain_zip(tmp_path_factory.mktemp("real"))
 
 
 @pytest.mark.parametrize(
@@ -171,9 +161,8 @@ def test_other_policies_are_refused(tmp_path: Path) -> None:
 
 def test_other_widths_and_wrong_arguments_are_refused(plain: Path, tmp_path: Path) -> None:
     assert_zip_refused(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 93", observe="belief")
-    assert_zip_refused(
-        plain, f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101", league="middle-size-2006"
-    )
+    said = f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101"
+    assert_zip_refused(plain, said, league="middle-size-2006")
     for changes in ({"league": "none"}, {"observe": "all"}, {"activation": "gelu"}, {"action_repeat": 0}, {"name": ""}):
         with pytest.raises(ValueError, match=f"{next(iter(changes))}"):
             read(plain, **changes)
@@ -213,10 +202,7 @@ def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:
         "lacking": (without_key(state, "action_net.bias"), "action_net must have a weight and a bias"),
         "no log_std": (without_key(state, "log_std"), "is not of the kind that its net"),
         "other": ({**state, "q_net.0.weight": bias}, "parameter 'q_net.0.weight': only MlpPolicy"),
-        "gap": (
-            {**state, "mlp_extractor.policy_net.5.weight": bias},
-            "layers of mlp_extractor.policy_net must be 0, 2,",
-        ),
+        "gap": ({**state, "mlp_extractor.policy_net.5.weight": bias}, "of mlp_extractor.policy_net must be 0, 2,"),
         "shape": ({**state, "action_net.bias": bias[None]}, "a weight of two axes and a bias"),
         "broadcast": ({**state, "action_net.bias": huge}, "a weight of two axes and a bias"),
         "list": ([bias], "pickle has EMPTY_LIST"),
@@ -229,7 +215,7 @@ def wrong_states(state: dict[str, Any]) -> dict[str, tuple[Any, str]]:
 
 
 def test_wrong_parameters_are_refused(plain: Path, tmp_path: Path) -> None:
-    for table, reason in wrong_states(state_of(plain)).values():
+    for table, reason in wrong_states(staged_zips.state_of(plain)).values():
         assert_zip_refused(rewrite_zip(plain, tmp_path / "a.zip", policy_pth=pth_of(table)), reason)
 
 

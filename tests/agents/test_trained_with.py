@@ -42,9 +42,7 @@ def test_another_word_is_refused() -> None:
 
 
 def test_what_a_run_left_says_it_for_files_that_are_older() -> None:
-    assert training_senses(load(BUNDLED)) == {"senses": "", "pose": "particles"}, (
-        "a tenth of its matches had ideal senses"
-    )
+    assert training_senses(load(BUNDLED)) == {"senses": "", "pose": "particles"}, "some matches had ideal senses"
     settings = json.dumps({"senses": "sensors", "ideal_share": 0.0, "pose": "percept"})
     assert training_senses(random_policy(made={"settings": settings})) == {"senses": "sensors", "pose": "percept"}
     for nonsense in ("", "[" * 100_000, "[]", '{"pose": 7, "senses": ["x"]}', '{"ideal_share": "much"}'):
@@ -58,9 +56,8 @@ def test_what_differs_is_told_of_every_policy_of_a_team() -> None:
     team = team_from_policy(policy)
     assert training_differences(team, "sensors", "percept") == []
     assert [one[1:] for one in training_differences(team, "sensors", "particles")] == [("pose", "percept", "particles")]
-    assert [one.setting for one in training_differences(team, "ideal", "particles")] == ["senses"], (
-        "no robot has to find itself"
-    )
+    found = training_differences(team, "ideal", "particles")
+    assert [one.setting for one in found] == ["senses"], "no robot has to find itself"
     both = Lineup(["chaser", team])
     assert [one.policy for one in training_differences(both, "sensors", "particles")] == [policy]
     for known in ("learned", "chaser"):

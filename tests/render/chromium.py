@@ -11,6 +11,8 @@ import time
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = (
     "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--no-sandbox", "--disable-gpu",
@@ -29,13 +31,17 @@ def find_chromium() -> str | None:
     return next(filter(None, map(shutil.which, (os.environ.get("CHROMIUM", ""), *NAMES))), None)
 
 
+CHROMIUM = find_chromium()
+needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on the PATH, nor in CHROMIUM")
+
+
 class Chromium:
     """A browser with one page; `errors` gathers what its console complained of, `requests` what it asked for."""
 
-    def __init__(self, program: str, profile: Path, width: int = 1280, height: int = 800, phone: bool = False) -> None:
+    def __init__(self, profile: Path, width: int = 1280, height: int = 800, phone: bool = False) -> None:
         theirs, self._out = os.pipe()
         self._in, answers = os.pipe()
-        command = [sys.executable, "-c", START, str(theirs), str(answers), program, *FLAGS]
+        command = [sys.executable, "-c", START, str(theirs), str(answers), str(CHROMIUM), *FLAGS]
         command += [f"--user-data-dir={profile}", "about:blank"]
         silent = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         self._process = subprocess.Popen(command, pass_fds=(theirs, answers), **silent)

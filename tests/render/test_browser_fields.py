@@ -15,10 +15,8 @@ from soccer_env.render.overlays.shapes import ArrowGrid
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.shows.browser.collect import collect_page_data
 from soccer_env.shows.browser.fields import APART, DIRECTIONS, LEVELS, encode_forces
-from tests.render.chromium import Chromium, find_chromium
+from tests.render.chromium import Chromium, needs_chromium
 
-CHROMIUM = find_chromium()
-needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on the PATH, nor in CHROMIUM")
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
 
@@ -37,10 +35,9 @@ def replay(request: pytest.FixtureRequest) -> Replay:
 
 @pytest.fixture(scope="module")
 def browser(replay: Replay, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chromium]:
-    assert CHROMIUM is not None
     folder = tmp_path_factory.mktemp("page")
     shows.html(replay, folder / "a.html", field=True, robot="home_1")
-    with Chromium(CHROMIUM, folder / "profile") as chromium:
+    with Chromium(folder / "profile") as chromium:
         chromium.open(folder / "a.html")
         yield chromium
 
@@ -63,7 +60,6 @@ def drawn(replay: Replay, rows: tuple[int, ...], steps: list[int]) -> dict[tuple
 @needs_chromium
 def test_a_page_draws_the_arrows_of_the_pictures(browser: Chromium, replay: Replay) -> None:
     notes = replay.notes()
-    assert notes is not None
     steps, compared = notes.steps.tolist(), 0
     for row, every in ((0, APART), (1, 1)):  # home_1 was asked for: it has a frame at every note
         for (_, step), truth in drawn(replay, (row,), steps[::every][::2]).items():
@@ -109,8 +105,7 @@ def test_a_page_shows_the_frame_that_is_nearest(browser: Chromium) -> None:
 @pytest.mark.parametrize(("home", "thinks"), [("chaser", True), ("sacks-2001", False)])
 def test_a_page_without_fields_hides_the_switch(home: str, thinks: bool, tmp_path: Path) -> None:
     shows.html(recorded("legged-2001", home, 2, thinks), tmp_path / "a.html", field=True, robot="home_1")
-    assert CHROMIUM is not None
-    with Chromium(CHROMIUM, tmp_path / "profile") as browser:
+    with Chromium(tmp_path / "profile") as browser:
         browser.open(tmp_path / "a.html")
         assert browser.run("document.getElementById('field').offsetParent") is None
         assert browser.run("document.getElementById('path').offsetParent !== null")

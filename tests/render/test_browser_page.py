@@ -13,11 +13,9 @@ from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.shows.browser.page import script_json, write_page
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.evaluate.recording import shown_memory_fields
-from tests.render.chromium import Chromium, find_chromium
+from tests.render.chromium import Chromium, needs_chromium
 
-CHROMIUM = find_chromium()
 EVIL = "</script><script>window.evil = 1</script><img src=x onerror='window.evil = 1'>"
-needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on the PATH, nor in CHROMIUM")
 
 
 def recorded(league: str = "legged-2001", home: str = "sacks-2001", thinks: bool = True) -> Replay:
@@ -40,8 +38,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> tuple[Replay, Path]:
 
 @pytest.fixture(scope="module")
 def browser(page: tuple[Replay, Path], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chromium]:
-    assert CHROMIUM is not None
-    with Chromium(CHROMIUM, tmp_path_factory.mktemp("profile")) as chromium:
+    with Chromium(tmp_path_factory.mktemp("profile")) as chromium:
         chromium.open(page[1])
         yield chromium
 
@@ -108,7 +105,6 @@ def test_each_overlay_draws_something_and_has_a_button_and_a_key(browser: Chromi
 @needs_chromium
 def test_a_page_knows_the_blobs_and_ways_that_were_noted(browser: Chromium, page: tuple[Replay, Path]) -> None:
     notes = page[0].notes()
-    assert notes is not None
     row = int(np.flatnonzero(notes.steps <= 150)[-1])
     found = browser.run("window.player.recording.thought(1, 150).more")
     thought = NoteReader.of(notes).thought(notes.numbers[row], 1)
@@ -157,8 +153,7 @@ def test_a_tap_picks_the_robot_that_stands_there(browser: Chromium) -> None:
 @needs_chromium
 def test_a_page_without_thoughts_works_on_a_phone(tmp_path: Path) -> None:
     path = shows.html(recorded("middle-size-2006", "heinemann-2006", thinks=False), tmp_path / "a.html")
-    assert CHROMIUM is not None
-    with Chromium(CHROMIUM, tmp_path / "profile", 390, 844, phone=True) as phone:
+    with Chromium(tmp_path / "profile", 390, 844, phone=True) as phone:
         phone.open(path)
         phone.run("window.player.pick(0)")
         assert phone.run("document.documentElement.scrollWidth") == 390  # nothing sticks out

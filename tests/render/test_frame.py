@@ -32,9 +32,8 @@ def test_the_ball_is_orange_where_the_record_says(league, place):
     column, row = picture.pixel(*place)
     assert coloured_pixels(frame, colours.BALL)[int(row), int(column)]
     radius = picture.league.ball.radius
-    assert centre_of(picture, coloured_pixels(frame, colours.BALL), *place, 2 * radius) == pytest.approx(
-        place, abs=0.2 * radius
-    )
+    orange = coloured_pixels(frame, colours.BALL)
+    assert centre_of(picture, orange, *place, 2 * radius) == pytest.approx(place, abs=0.2 * radius)
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -58,9 +57,7 @@ def test_paws_or_guide_lie_ahead_of_the_trunk(league, heading):
     match, ball, robots = make_records(1, 0)
     robots["x"], robots["y"], robots["heading"], ball["x"] = 0.5, 0.5, heading, -1.0
     frame = picture.draw(match, ball, robots)
-    arms = (
-        coloured_pixels(frame, colours.PAW, 8) if league == "legged-2001" else coloured_pixels(frame, colours.STEEL, 8)
-    )
+    arms = coloured_pixels(frame, colours.PAW if league == "legged-2001" else colours.STEEL, 8)
     reach = picture.league.body.reach
     trunk = centre_of(picture, coloured_pixels(frame, colours.TEAMS[0]), 0.5, 0.5, reach)
     front = centre_of(picture, arms, 0.5, 0.5, 1.05 * reach)
@@ -105,9 +102,8 @@ def test_a_mirrored_pose_gives_a_mirrored_picture(league):
     for side in (1.0, -1.0):
         robots["x"], robots["y"], robots["heading"], robots["pan"] = x, side * y, side * 0.6, side * 0.4
         frame = picture.draw(match, ball, robots)
-        trunk = coloured_pixels(frame, colours.TEAMS[0]) | coloured_pixels(
-            frame, colours.WHITE, 60
-        )  # with its number, which is not mirrored
+        trunk = coloured_pixels(frame, colours.TEAMS[0])
+        trunk |= coloured_pixels(frame, colours.WHITE, 60)  # with its number, which is not mirrored
         points = points_around(picture, trunk, x, side * y, reach) * (1.0, side)
         shapes.append({tuple(point) for point in np.round(points * picture.view.scale).astype(int).tolist()})
     assert len(shapes[0] & shapes[1]) > 0.85 * len(shapes[0] | shapes[1]) > 100
@@ -132,10 +128,8 @@ def test_goals_keep_their_colours_when_teams_change_ends():
     for direction in (1.0, -1.0):
         match["home_direction"] = direction
         frame = picture.draw(match, ball, robots)
-        assert (
-            coloured_pixels(frame, colours.GOALS[0])[left[1], left[0]]
-            and coloured_pixels(frame, colours.GOALS[1])[right[1], right[0]]
-        )
+        for colour, (column, row) in zip(colours.GOALS, (left, right), strict=True):
+            assert coloured_pixels(frame, colour)[row, column]
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -175,9 +169,8 @@ def test_a_goalkeeper_wears_yellow():
         robots["y"][1::2] += 0.5
         frame = picture.draw(match, ball, robots)
         for robot in robots:
-            yellow = points_around(
-                picture, coloured_pixels(frame, colours.KEEPER), robot["x"], robot["y"], picture.league.body.reach
-            )
+            shown, reach = coloured_pixels(frame, colours.KEEPER), picture.league.body.reach
+            yellow = points_around(picture, shown, robot["x"], robot["y"], reach)
             assert (len(yellow) > 50) == bool(robot["keeper"])
 
 
@@ -186,9 +179,8 @@ def test_a_robot_that_is_off_stands_grey_beside_the_field():
     match, ball, robots = make_records()
     robots[1]["active"], robots[1]["penalty"], robots[1]["has_ball"] = 0, 12.0, 1
     frame = picture.draw(match, ball, robots)
-    assert not len(
-        points_around(picture, coloured_pixels(frame, colours.TEAMS[0]), robots[1]["x"], robots[1]["y"], 0.15)
-    )
+    red = coloured_pixels(frame, colours.TEAMS[0])
+    assert not len(points_around(picture, red, robots[1]["x"], robots[1]["y"], 0.15))
     corner = frame[-int(picture.view.margin) :, : picture.width // 4]
     assert coloured_pixels(corner, colours.GREY).any() and coloured_pixels(corner, colours.TEAMS_LIGHT[0]).any()
 

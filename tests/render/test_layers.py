@@ -165,7 +165,6 @@ def test_notes_of_older_versions_still_read() -> None:
 
 def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
     notes = played("middle-size-2006")[1].notes()
-    assert notes is not None
     early, late = notes.numbers[3].copy(), notes.numbers[4].copy()
     early[0, :3], late[0, :3] = (1000, 0, 3100), (1200, -100, -3100)
     early[1, :2], late[1, :2] = (0, 0), (3000, 0)

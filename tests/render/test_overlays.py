@@ -27,15 +27,11 @@ def test_overlays_show_at_their_places_under_or_over_the_robots():
     beneath = Points([(1.96, 2.0)], pink, radius=5.0, under=True)
     assert not coloured_pixels(picture.draw(match, ball, robots, overlays=[beneath]), pink).any()
     path = Polyline([(0.0, -1.0), (4.0, -1.0)], pink)
-    assert len(
-        points_around(
-            picture, coloured_pixels(picture.draw(match, ball, robots, overlays=[path]), pink), 3.0, -1.0, 0.1
-        )
-    )
+    frame = picture.draw(match, ball, robots, overlays=[path])
+    assert len(points_around(picture, coloured_pixels(frame, pink), 3.0, -1.0, 0.1))
     arrow = Arrows([(0.0, 3.0)], [(1.0, 0.0)], pink, width=3.0)
-    tip = points_around(
-        picture, coloured_pixels(picture.draw(match, ball, robots, overlays=[arrow]), pink), 0.5, 3.0, 1.0
-    )
+    frame = picture.draw(match, ball, robots, overlays=[arrow])
+    tip = points_around(picture, coloured_pixels(frame, pink), 0.5, 3.0, 1.0)
     assert tip[:, 0].max() == pytest.approx(1.0, abs=0.03)
     assert np.ptp(tip[tip[:, 0] > 0.85, 1]) > 2 * np.ptp(tip[tip[:, 0] < 0.5, 1])
 

@@ -13,12 +13,10 @@ from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.shows.browser.events import BallPlay, EventCollector
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.evaluate.recording import shown_memory_fields
-from tests.render.chromium import Chromium, find_chromium
+from tests.render.chromium import Chromium, needs_chromium
 from tests.scenes.staging import LEGGED, MIDDLE, each_league, stand
 from tests.statistics.staged_play import CASES, Scene
 
-CHROMIUM = find_chromium()
-needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on the PATH, nor in CHROMIUM")
 TEAMS = ("reds", "blues")
 COLOURS = ("red", "blue")
 each_case = pytest.mark.parametrize(("team", "half"), CASES)
@@ -180,8 +178,8 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
     replay = with_a_goal()
     shows.html(replay, tmp_path / "a.html", belief=True)
     notes = replay.notes()
-    assert notes is not None and CHROMIUM is not None
-    with Chromium(CHROMIUM, tmp_path / "profile") as browser:
+    assert notes is not None
+    with Chromium(tmp_path / "profile") as browser:
         browser.open(tmp_path / "a.html")
         (event,) = browser.run("player.recording.events.filter((event) => event[1] === 'goal')")
         words = browser.run("document.querySelector('#events .goal').innerText").replace("\u00a0", " ")
@@ -219,8 +217,7 @@ def test_a_page_says_who_scored_and_what_the_scorer_believed(tmp_path: Path) -> 
 @needs_chromium
 def test_a_page_without_thoughts_says_so_of_the_scorer(tmp_path: Path) -> None:
     shows.html(with_a_goal(thinks=False), tmp_path / "a.html")
-    assert CHROMIUM is not None
-    with Chromium(CHROMIUM, tmp_path / "profile") as browser:
+    with Chromium(tmp_path / "profile") as browser:
         browser.open(tmp_path / "a.html")
         words = browser.run("document.querySelector('#events .goal').innerText")
         assert " scores for " in words and "not in this replay" in words and browser.errors == []

@@ -1,12 +1,11 @@
 """Mechanisms of the papers that live in leagues and drive; each test fails when the mechanism is switched off."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
+from tests.scenes.staging import place, steady
 
 
 def run(match: Match, command: tuple[float, ...], steps: int) -> None:
@@ -18,7 +17,6 @@ def run(match: Match, command: tuple[float, ...], steps: int) -> None:
 
 
 def test_ms56_the_legged_preset_is_what_the_paper_says() -> None:
-    """MS56: 2 x 3 m, three players a side with a goalkeeper, ERS-210."""
     league = find_league("legged-2001")
     assert (league.pitch.length, league.pitch.width, league.team_size) == (3.0, 2.0, 3)
     assert league.drive.forward == 0.12 and league.drive.gait_steps / league.control_rate == 0.5
@@ -26,7 +24,6 @@ def test_ms56_the_legged_preset_is_what_the_paper_says() -> None:
 
 
 def test_mh23_the_middle_size_preset_has_room_for_six_robots() -> None:
-    """MH23: a team of six with a goalkeeper on 12 x 8 m."""
     match = Match("middle-size-2006", home=6, away=6, seed=0)
     assert (match.league.pitch.length, match.league.pitch.width) == (12.0, 8.0)
     assert match.robots["keeper"].sum() == 2 and len(match.agents) == 12
@@ -35,34 +32,19 @@ def test_mh23_the_middle_size_preset_has_room_for_six_robots() -> None:
 def test_mh01_the_omnidirectional_base_reaches_its_top_speed_in_every_direction() -> None:
     """MH01: 2.6 m/s in any direction; the old base 1.6 m/s and never sideways."""
     for angle in (0.0, 1.0, np.pi / 2, 2.5):
-        match = Match(no_slip("middle-size-2006"), home=1, away=1, seed=0)
-        place(match)
+        match = Match(steady("middle-size-2006"), home=1, away=1, seed=0)
+        place(match, (-5.5, -3.5), {0: (-1.0, -0.5), 1: (5.0, 3.0)})
         run(match, (np.cos(angle), np.sin(angle), 0.0, 0.0), 45)
         assert np.hypot(match.robots["vx"], match.robots["vy"])[0, 0] == pytest.approx(2.6, rel=1e-6)
-    match = Match(no_slip("middle-size-2006-differential"), home=1, away=1, seed=0)
-    place(match)
+    match = Match(steady("middle-size-2006-differential"), home=1, away=1, seed=0)
+    place(match, (-5.5, -3.5), {0: (-1.0, -0.5), 1: (5.0, 3.0)})
     run(match, (0.0, 1.0, 0.0, 0.0), 45)
     assert np.hypot(match.robots["vx"], match.robots["vy"])[0, 0] == 0.0
     run(match, (1.0, 0.0, 0.0, 0.0), 60)
     assert np.hypot(match.robots["vx"], match.robots["vy"])[0, 0] == pytest.approx(1.6, rel=1e-6)
 
 
-def no_slip(name: str) -> object:
-    """Return a league without slip."""
-    league = find_league(name)
-    return replace(league, drive=replace(league.drive, slip=0.0))
-
-
-def place(match: Match) -> None:
-    """Put robot 0 where it has room in every direction, the ball and the other robot far away."""
-    match.robots["x"][:, 0], match.robots["y"][:, 0], match.robots["heading"][:, 0] = -1.0, -0.5, 0.0
-    match.robots["x"][:, 1], match.robots["y"][:, 1] = 5.0, 3.0
-    match.balls["x"], match.balls["y"] = -5.5, -3.5
-    match.rebuild()
-
-
 def test_mh03_the_control_cycle_takes_20_ms() -> None:
-    """MH03: a global cycle of 20 ms."""
     match = Match("middle-size-2006", seed=0)
     run(match, (0.0,) * 4, 50)
     assert match.matches["clock"][0] == pytest.approx(1.0)
@@ -71,9 +53,7 @@ def test_mh03_the_control_cycle_takes_20_ms() -> None:
 @pytest.mark.parametrize("strength", [0.1, 0.4, 1.0])
 def test_mh04_the_kicker_shoots_as_hard_as_it_is_told(strength: float) -> None:
     """MH04: 0 to 10 m/s in proportion to the strength; the goalkeeper has none."""
-    league = find_league("middle-size-2006")
-    alike = replace(league, kicker=replace(league.kicker, spread=0.0, speed_spread=0.0, miss=0.0))
-    match = Match(alike, home=2, away=1, matches=2, seed=0, rules="simple")
+    match = Match(steady("middle-size-2006"), home=2, away=1, matches=2, seed=0, rules="simple")
     for row in (0, 1):
         match.robots["x"][row], match.robots["y"][row] = [-3.0, -3.0, 4.0], [2.0, -2.0, 3.0]
         match.robots["heading"][row] = 0.0

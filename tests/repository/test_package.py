@@ -96,7 +96,7 @@ def test_every_package_is_listed() -> None:
     assert sorted(listed) == sorted(with_init), "[tool.setuptools] packages in pyproject.toml differs from the folders"
 
 
-def test_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
+def test_wheel_holds_the_package_and_its_pages_but_no_pictures_and_nothing_else(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     assert {name for name in names if name.endswith(".py")} == installed()
     assert {"soccer_env/py.typed", "soccer_env/REFERENCES.md"} <= names
@@ -105,10 +105,6 @@ def test_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     assert {name.split("/")[0].split("-")[0] for name in names} == {"soccer_env"}
     (entry_points,) = (name for name in names if name.endswith(".dist-info/entry_points.txt"))
     assert "soccer = soccer_env.train.command.command_line:main" in zipfile.ZipFile(wheel).read(entry_points).decode()
-
-
-def test_wheel_holds_the_pages_but_no_pictures(wheel: Path) -> None:
-    names = set(zipfile.ZipFile(wheel).namelist())
     folders = (
         "", "perception/", "baselines/", "baselines/heinemann_2006/", "baselines/sacks_2001/",
         "baselines/weigel_2001/", "agents/policies/", "train/",
