@@ -33,8 +33,4 @@ def test_angles_wrap_into_one_turn_whose_end_is_pi() -> None:
 
 
 def test_a_value_moves_towards_its_goal_by_one_step_and_never_beyond() -> None:
-    assert (
-        step_toward(0.0, 1.0, 0.25) == 0.25
-        and step_toward(0.9, 1.0, 0.25) == 1.0
-        and step_toward(1.0, -1.0, 0.5) == 0.5
-    )
+    assert [step_toward(0.0, 1.0, 0.25), step_toward(0.9, 1.0, 0.25), step_toward(1.0, -1.0, 0.5)] == [0.25, 1.0, 0.5]

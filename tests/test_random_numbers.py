@@ -62,7 +62,6 @@ def test_all_streams_of_all_owners_differ() -> None:
 
 
 def test_no_two_robots_share_noise_nor_do_matches_or_episodes() -> None:
-    """Robots of one number in both teams, matches of a batch, episodes of a match, the match itself: all draw apart."""
     match, states = Match(home=3, away=3, matches=3, seed=9), []
     for _ in range(2):
         states += [match.robots["noise"].ravel().copy(), match.matches["noise"].ravel().copy()]
@@ -77,7 +76,6 @@ def test_no_two_robots_share_noise_nor_do_matches_or_episodes() -> None:
     ids=["home_0 and away_0", "home_0 and home_1", "home_1 and away_0", "home_0 of two matches"],
 )
 def test_streams_of_two_robots_are_unrelated(one: tuple[int, int], other: tuple[int, int]) -> None:
-    """Neither the same draws, nor the same a few draws later, nor correlated ones."""
     noise = Match(home=3, away=3, matches=2, seed=9).robots["noise"]
     first, second = (np.array([draw_uniform(noise[m, r], 0) for _ in range(4000)]) for m, r in (one, other))
     assert not set(first) & set(second)

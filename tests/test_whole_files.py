@@ -3,15 +3,14 @@
 import os
 import threading
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from soccer_env.guards.whole_files import atomic_file, atomic_folder, write_atomically
 
 
-def test_a_file_is_replaced_whole_and_a_failed_write_leaves_the_old_one(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_file_is_replaced_whole_and_a_failed_write_leaves_the_old_one(tmp_path: Path, monkeypatch: Any) -> None:
     path = tmp_path / "result.json"
     write_atomically(path, "older")
     write_atomically(path, b"old")
@@ -27,9 +26,7 @@ def test_a_file_is_replaced_whole_and_a_failed_write_leaves_the_old_one(
     assert os.listdir(tmp_path) == ["result.json"]
 
 
-def test_a_folder_is_replaced_whole_and_one_that_fails_leaves_the_old_one(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_folder_is_replaced_whole_and_one_that_fails_leaves_the_old_one(tmp_path: Path, monkeypatch: Any) -> None:
     path = tmp_path / "match.cdf"
     for content in ("older", "old"):
         with atomic_folder(path) as aside:
@@ -52,7 +49,7 @@ def test_a_folder_is_replaced_whole_and_one_that_fails_leaves_the_old_one(
     assert os.listdir(tmp_path) == ["match.cdf"]
 
 
-def test_the_file_written_aside_follows_no_link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_file_written_aside_follows_no_link(tmp_path: Path, monkeypatch: Any) -> None:
     """Somebody who guesses its name could have a file of the user's written over."""
     mine, path = tmp_path / "mine", tmp_path / "result.json"
     mine.write_text("mine")

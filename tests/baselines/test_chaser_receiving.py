@@ -9,15 +9,8 @@ from math import cos, sin
 import numpy as np
 import pytest
 
-from soccer_env.baselines.chaser.attacking import (
-    GIVE_TIME,
-    MEET,
-    MET,
-    PASSED,
-    ball_comes_to_me,
-    limit_closing_speed,
-    run_into_ball,
-)
+from soccer_env.baselines.chaser import attacking
+from soccer_env.baselines.chaser.attacking import GIVE_TIME, MEET, MET, PASSED, ball_comes_to_me, run_into_ball
 from soccer_env.baselines.chaser.team import MEMORY, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -136,7 +129,7 @@ def test_a_ball_that_is_passed_is_approached_only_as_fast_as_the_gap_lets_brake(
     sight["touch"], sight["cosine"], sight["ball_vx"] = 0.29, 1.0, rolls
     sight["distance"] = sight["ball_x"] = 0.29 + PASSED + gap
     command["forward"], command["left"] = 1.0, 0.5
-    limit_closing_speed(command, sight, K, PLAY)
+    attacking.limit_closing_speed(command, sight, K, PLAY)
     most = min(gap / PLAY["settle"], np.sqrt(2.0 * BRAKE_SHARE * K["drive_acceleration"] * gap))
     assert command["forward"] * K["drive_forward"] == pytest.approx(min(K["drive_forward"], rolls + most))
     assert command["left"] == pytest.approx(0.5), "past the ball it is as fast as before"

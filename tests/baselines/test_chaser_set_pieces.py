@@ -9,16 +9,9 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.match.staging import begin_scene, put_ball
 from soccer_env.records.beliefs import BELIEF
+from soccer_env.skills import set_pieces
 from soccer_env.skills.moves import KEPT_OFF, brake_before_robots
-from soccer_env.skills.set_pieces import (
-    KEPT,
-    PASSES_BY,
-    kick_strength_for,
-    move_out_of_area,
-    note_set_piece,
-    should_block_opponent,
-    waypoint_round_ball,
-)
+from soccer_env.skills.set_pieces import KEPT, PASSES_BY, note_set_piece, should_block_opponent, waypoint_round_ball
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import Foul, Phase
 from tests.scenes.staging import LEAGUES, MIDDLE, endless, place
@@ -30,7 +23,7 @@ K = constants_of(LEAGUE)[0]
 @pytest.mark.parametrize(("far", "arrival"), [(1.0, 0.0), (2.0, 0.8), (4.0, 3.0)])
 def test_a_kick_of_that_strength_rolls_past_the_distance_at_the_speed(far, arrival):
     match = Match(endless(MIDDLE), home=1, away=1, seed=1)
-    speed = kick_strength_for(K, far, arrival) * LEAGUE.kicker.fastest
+    speed = set_pieces.kick_strength_for(K, far, arrival) * LEAGUE.kicker.fastest
     match.matches["phase"] = Phase.PLAY
     place(match, ball=(0.0, 0.0, speed, 0.0, False), robots={0: (-50.0, 0.0), 1: (50.0, 0.0)})
     slide = (speed**2 - (0.6 * speed) ** 2) / (2.0 * LEAGUE.ball.sliding)  # [m] on which it slides
@@ -81,7 +74,7 @@ def test_it_forgets_in_time_and_at_once_at_a_penalty_kick_and_a_mate_that_comes_
 
 @pytest.mark.parametrize(("x", "y", "place"), [(-5.0, 1.0, -4.21), (-4.0, 1.0, -4.0), (-5.0, 3.0, -5.0)])
 def test_supporters_stay_out_of_their_own_penalty_area(x, y, place):
-    found_x, found_y = move_out_of_area(np.zeros(1, SIGHT)[0], K, x, y, 0.0)
+    found_x, found_y = set_pieces.move_out_of_area(np.zeros(1, SIGHT)[0], K, x, y, 0.0)
     assert found_x == pytest.approx(place, abs=0.01) and found_y == y
 
 
@@ -214,12 +207,8 @@ def test_its_middle_size_keeper_saves_shots() -> None:
 
 
 @pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 5.0), ("middle-size-2006", 2.0)])
-def test_it_beats_random_players(league: str, minutes: float) -> None:
+def test_it_beats_random_players_and_without_strength_loses_to_itself(league: str, minutes: float) -> None:
     assert points(score(league, "chaser", "random", 20, minutes)) >= 0.95
-
-
-@pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 5.0), ("middle-size-2006", 2.0)])
-def test_without_strength_it_loses_to_itself(league: str, minutes: float) -> None:
     placement = find_league(league).evaluation_placement
     assert points(score(league, "chaser@0", "chaser", 20, minutes, 1, placement)) < 0.4
 

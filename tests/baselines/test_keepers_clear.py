@@ -113,7 +113,6 @@ def test_sacks_keeper_clears_only_where_its_setting_says_so() -> None:
 
 
 def test_mh04_the_middle_size_keeper_clears_a_resting_ball_by_driving_into_it() -> None:
-    """MH04: it has no kicker. The ball ends beyond its penalty area, and no goal falls."""
     match = keeper_at_goal(MIDDLE, "chaser")
     rng, pitch = np.random.default_rng(3), match.league.pitch
     put(match, 0, -pitch.length / 2 + 0.35, 0.0, 0.0)
@@ -238,7 +237,6 @@ def test_the_shortest_way_out_of_the_area_goes_through_its_front() -> None:
 
 
 def test_an_attacker_before_a_goalkeeper_in_its_area_is_whistled_less_than_one_that_shoves() -> None:
-    """Ball and goalkeeper right before it: it goes step by step, and shoots; nobody sees contacts."""
     match = staged("chaser")
     place(match, ball=(1.1, 0.0), robots={3: (1.25, 0.0, np.pi), 1: (0.95, 0.0, 0.0)})
     assert ever(match, 6.0, lambda: match.robot_events["foul"][:, 1] == Foul.KEEPER_PUSHING) < 0.5

@@ -24,9 +24,8 @@ class Searcher:
     """A robot at a pose that has lost the ball, and what it remembers."""
 
     def __init__(self, x: float, y: float = 0.0, heading: float = 0.0, keeper: int = 0) -> None:
-        self.belief, self.sight, self.memory, self.command = (
-            np.zeros(1, dtype) for dtype in (BELIEF, SIGHT, MEMORY, COMMAND)
-        )
+        dtypes = (BELIEF, SIGHT, MEMORY, COMMAND)
+        self.belief, self.sight, self.memory, self.command = (np.zeros(1, dtype) for dtype in dtypes)
         self.belief["ball"]["confidence"] = 50.0
         self.belief["situation"]["keeper"] = keeper
         self.sight["pace"], self.sight["elapsed"] = 1.0, K["dt"]
@@ -41,9 +40,8 @@ class Searcher:
         """Return the command of a step in which the ball is remembered at a bearing [rad]."""
         self.sight["bearing"] = bearing
         self.command[:] = np.zeros((), COMMAND)
-        search_for_ball(
-            self.belief[0], self.command[0], self.sight[0], self.memory[0], K, team().settings[int(K["drive_kind"])]
-        )
+        play = team().settings[int(K["drive_kind"])]
+        search_for_ball(self.belief[0], self.command[0], self.sight[0], self.memory[0], K, play)
         return self.command[0]
 
 

@@ -45,9 +45,8 @@ def from_parquet(_: Replay, found: MatchRecording, folder: Path) -> Told:
     from pyarrow import parquet
 
     path = write_tables([match_tables(found)], folder / "x.parquet")["tracking"]
-    return frames_from_table(
-        parquet.read_table(path).to_pylist(), len(found.players), lambda x: NAN if x is None else float(x)
-    )
+    rows = parquet.read_table(path).to_pylist()
+    return frames_from_table(rows, len(found.players), lambda x: NAN if x is None else float(x))
 
 
 def frames_from_table(rows: list[dict[str, Any]], robots: int, number: Any) -> Told:

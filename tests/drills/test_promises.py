@@ -164,9 +164,7 @@ def test_lost_ball_behind_a_robot_that_saw_it_ahead(senses: str) -> None:
         assert seen.mean() > 0.9 and (told[seen] < -0.99).all()
 
 
-def test_ball_at_board_lies_within_reach_of_the_board_and_ball_in_corner_within_25_cm_of_one_beside_aways_goal() -> (
-    None
-):
+def test_ball_at_board_lies_within_reach_of_it_and_ball_in_corner_within_25_cm_of_one_beside_aways_goal() -> None:
     match = drill("ball-at-board")
     gap = match.league.pitch.width / 2 - match.league.ball.radius - np.abs(match.balls["y"])
     assert (gap > -1e-9).all() and (gap < AT_BOARD).all() and gap.min() < 0.2 * AT_BOARD

@@ -26,11 +26,7 @@ def may_begin(name, scene, home, away):
     return True
 
 
-STARTS = [
-    (name, scene, home, away)
-    for name, scene, (home, away) in product(LEAGUES, SCENES, SIZES)
-    if may_begin(name, scene, home, away)
-]
+STARTS = [(*one, *size) for *one, size in product(LEAGUES, SCENES, SIZES) if may_begin(*one, *size)]
 
 
 @pytest.mark.parametrize(("name", "scene", "home", "away"), STARTS)

@@ -164,9 +164,8 @@ def alone() -> Case:
 
 def vector(mode: str) -> Callable[[], Case]:
     def make() -> Case:
-        env = SoccerVectorEnv(
-            num_envs=3, home=1, away=1, senses="ideal", opponents="chaser", max_cycles=4, autoreset_mode=mode
-        )
+        given: dict[str, Any] = {"senses": "ideal", "opponents": "chaser", "max_cycles": 4, "autoreset_mode": mode}
+        env = SoccerVectorEnv(num_envs=3, home=1, away=1, **given)
         env.reset(seed=1)
         return Case(env, lambda: [env.match], [lambda n: env.step(np.random.default_rng(n).uniform(-1.0, 1.0, (3, 4)))])
 

@@ -78,8 +78,7 @@ FORK = """
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="Windows does not fork")
 def test_a_match_with_two_threads_steps_on_in_a_forked_process_as_in_its_parent() -> None:
-    done = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", textwrap.dedent(FORK)], capture_output=True, text=True, timeout=120
-    )
+    command = [sys.executable, "-W", "ignore", "-c", textwrap.dedent(FORK)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
     hashes = done.stdout.split()
     assert len(hashes) == 2 and len(set(hashes)) == 1, done.stderr

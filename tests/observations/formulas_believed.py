@@ -6,19 +6,8 @@ import numpy as np
 
 from soccer_env import Match
 from soccer_env.types import Phase
-from tests.observations.formulas import (
-    Numbers,
-    ball_of,
-    body_of,
-    clipped,
-    diagonal_of,
-    facing,
-    goals_of,
-    own_of,
-    parts,
-    point,
-    soft,
-)
+from tests.observations import formulas
+from tests.observations.formulas import Numbers, body_of, clipped, diagonal_of, facing, own_of, parts, point, soft
 
 # Beliefs
 
@@ -31,8 +20,9 @@ def belief_of(match: Match, m: int, r: int) -> Numbers:
     raw = ball["distance"] * np.exp(1j * ball["bearing"])
     told = {
         **own_of(match, point(own), own["heading"], point(own, "forward", "left"), own["turn"]),
-        **body_of(match, m, r), **situation_of(match, situation), **goals_of(match, point(own), own["heading"]),
-        **ball_of(match, point(ball), point(ball, "vx", "vy")),
+        **body_of(match, m, r), **situation_of(match, situation),
+        **formulas.goals_of(match, point(own), own["heading"]),
+        **formulas.ball_of(match, point(ball), point(ball, "vx", "vy")),
         "own_confidence": own["confidence"] / 100.0, "has_ball": float(ball["held"]),
         "upright": -1.0 if me["fallen"] > 0.0 else 1.0, "active": 2.0 * situation["active"] - 1.0,
         "keeper": 2.0 * situation["keeper"] - 1.0,

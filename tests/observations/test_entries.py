@@ -13,17 +13,9 @@ from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM
 from soccer_env.observations.reflection import observation_signs
 from soccer_env.observations.scales import scale_in_numbers
 from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
+from tests.scenes import symmetry
 from tests.scenes.staging import LEAGUES
-from tests.scenes.symmetry import (
-    MIRROR,
-    Records,
-    assert_close,
-    mirrored,
-    mirrored_beliefs,
-    mirrored_observations,
-    mirrored_percepts,
-    mirrored_tracks,
-)
+from tests.scenes.symmetry import MIRROR, Records, assert_close, mirrored, mirrored_observations, mirrored_tracks
 
 
 @pytest.mark.parametrize(("frame", "axis", "mirror", "half_turn"), [
@@ -77,7 +69,7 @@ def test_mirrored_beliefs_are_observed_with_the_signs_that_the_entries_say(leagu
     match = played(league, "belief")
     before, entries = match.observations.copy(), match.observation_entries
     match.robots[:] = mirrored(Records.of(match)).robots
-    match.beliefs[:], match.tracks[:] = mirrored_beliefs(match.beliefs), mirrored_tracks(match.tracks)
+    match.beliefs[:], match.tracks[:] = symmetry.mirrored_beliefs(match.beliefs), mirrored_tracks(match.tracks)
     match.batch.observe_anew(0, 8)
     assert_close(match.observations, mirrored_observations(before, entries), MIRROR + np.finfo("f4").eps, "mirror")
     unsigned = before * (observation_signs(entries) < 0.0)
@@ -89,7 +81,7 @@ def test_mirrored_percepts_are_observed_with_signs_or_in_other_places(league: st
     match = played(league, "percepts")
     before, entries = match.observations.copy(), match.observation_entries
     match.robots[:] = mirrored(Records.of(match)).robots
-    match.percepts[:] = mirrored_percepts(match.percepts, getattr(match.league.sensors, "lines", 0))
+    match.percepts[:] = symmetry.mirrored_percepts(match.percepts, getattr(match.league.sensors, "lines", 0))
     match.batch.observe_anew(0, 8)
     signed = [index for index, entry in enumerate(entries) if entry.mirror is not None]
     turned = mirrored_observations(before[..., signed], [entries[index] for index in signed])

@@ -88,7 +88,6 @@ def counted(records, events, robot_events, before, k, statistics):
 
 @each_league
 def test_a_mirrored_match_has_the_same_statistics_and_a_turned_one_those_of_the_other_team(name):
-    """Records and events of every step of a match are turned before they are counted, both halves."""
     match = driving(name, seed=2, matches=1, minutes=1.0)
     rows, k = match.robots.shape[1], match.batch.constants[0]
     found = {what: np.full(1, FRESH) for what in ("as it is", "mirrored", "turned")}

@@ -226,7 +226,6 @@ def through_the_challenge(team: str, **more: Any) -> tuple[float, float]:
 
 
 def test_mh24_it_dribbles_the_ball_round_still_obstacles_and_touches_hardly_any() -> None:
-    """So it does with a ball that has no colour."""
     past, clear = through_the_challenge("heinemann-2006:dribbles_round=True", senses="ideal")
     _, by_the_widest_way = through_the_challenge("heinemann-2006", senses="ideal")
     assert past > 0.7 and clear > 0.9 and clear > by_the_widest_way + 0.3

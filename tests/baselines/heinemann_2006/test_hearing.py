@@ -8,16 +8,9 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
+from soccer_env.baselines.heinemann_2006 import playing
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
-from soccer_env.baselines.heinemann_2006.playing import (
-    DETOUR,
-    LEAST_RADIUS,
-    PATIENCE,
-    STAYS,
-    drive_round_ball,
-    hear,
-    note_standing,
-)
+from soccer_env.baselines.heinemann_2006.playing import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, hear, note_standing
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import SITUATION
@@ -100,7 +93,6 @@ def deaf(delay: float) -> Match:
 
 
 def test_mh05_with_the_radio_dead_for_half_a_minute_the_team_still_plays() -> None:
-    """And so does one that hears of restarts ten seconds late."""
     match, attackers = deaf(0.06), []
     still, longest, touched = np.zeros((4, 10)), 0.0, np.zeros(4)
     for _ in range(1500):
@@ -201,7 +193,7 @@ def test_who_stands_away_from_its_place_goes_round_the_ball_after_a_while_and_al
     for _ in range(steps + 3):
         note_standing(told, memory, sight)
     assert memory["detour"] > 0.0 and memory["detour_side"] == 1.0
-    drive_round_ball(command, memory, K, play, scratch)
+    playing.drive_round_ball(command, memory, K, play, scratch)
     plan = scratch["plan"][0]
     assert plan["target"]["x"] == pytest.approx(0.6 * LEAST_RADIUS)
     assert plan["target"]["y"] == pytest.approx(-0.8 * LEAST_RADIUS)

@@ -37,17 +37,11 @@ def drawn(rng: np.random.Generator, reach: float = FIELD) -> tuple[np.ndarray, n
     return draw_beliefs(rng, shape, reach), draw_tracks(rng, shape, SLOTS, reach)
 
 
-def team_of(name: str, **settings: Any) -> CompiledTeam:
-    team = make_team(name, **settings)
-    assert isinstance(team, CompiledTeam)
-    return team
-
-
 def test_switches_are_named_and_checked_and_the_legged_league_is_refused() -> None:
-    team = team_of("heinemann-2006:planner=static,keeper=passive,velocity=False")
+    team = make_team("heinemann-2006:planner=static,keeper=passive,velocity=False")
     row = team.settings[1]
     assert (row["planner"], row["keeper"], row["velocity"], row["ways"]["time_variant"][0]) == (1, 1, 0, 0)
-    assert team_of("weigel-2001").settings.tobytes() == team_of("heinemann-2006:planner=static").settings.tobytes()
+    assert make_team("weigel-2001").settings.tobytes() == make_team("heinemann-2006:planner=static").settings.tobytes()
     for message, name in (
         ("HeinemannSettings.keeper must be one of active, passive, got 'brave'", "heinemann-2006:keeper=brave"),
         ("'keper' in HeinemannSettings, did you mean 'keeper'", "heinemann-2006:keper=passive"),
@@ -71,7 +65,7 @@ def test_the_same_seed_is_the_same_match_to_the_last_bit_alone_or_beside_others(
 
 @pytest.mark.parametrize("settings", [{}, {"keeper": "passive", "stance": "line"}, {"planner": "static"}])
 def test_it_plays_the_mirrored_scene_in_the_mirror(settings: dict[str, Any]) -> None:
-    team, rng = team_of("heinemann-2006", **settings), np.random.default_rng(4)
+    team, rng = make_team("heinemann-2006", **settings), np.random.default_rng(4)
     memory, image = (np.zeros((MATCHES, PLAYERS), team.memory_dtype) for _ in range(2))
     roles = set()
     for _ in range(8):
@@ -88,7 +82,7 @@ def test_it_plays_the_mirrored_scene_in_the_mirror(settings: dict[str, Any]) -> 
 
 @pytest.mark.parametrize("strength", [0.0, 1.0])
 def test_commands_are_finite_whatever_is_believed(strength: float) -> None:
-    team, rng = team_of("heinemann-2006", strength=strength), np.random.default_rng(5)
+    team, rng = make_team("heinemann-2006", strength=strength), np.random.default_rng(5)
     memory = np.zeros((MATCHES, PLAYERS), team.memory_dtype)
     for step in range(40):
         beliefs, tracks = drawn(rng, 10.0 ** rng.integers(-12, 9))
@@ -101,7 +95,7 @@ def test_commands_are_finite_whatever_is_believed(strength: float) -> None:
 
 @pytest.mark.parametrize(("cycle", "steps"), [(0.02, 1), (0.04, 2), (0.1, 5)])
 def test_mh03_it_decides_anew_every_20_ms_or_once_in_a_longer_cycle(cycle: float, steps: int) -> None:
-    team, rng = team_of("heinemann-2006", cycle=cycle), np.random.default_rng(6)
+    team, rng = make_team("heinemann-2006", cycle=cycle), np.random.default_rng(6)
     memory, last, anew = np.zeros((MATCHES, PLAYERS), team.memory_dtype), None, []
     for _ in range(11):
         commands = commands_of(team, *drawn(rng), memory)

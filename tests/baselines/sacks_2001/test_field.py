@@ -6,16 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from soccer_env.baselines.sacks_2001 import steering
 from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, MEMORY
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.baselines.sacks_2001.steering import (
-    choose_dribble_direction,
-    force_of_players,
-    limited,
-    off_ahead,
-    step_speed,
-)
+from soccer_env.baselines.sacks_2001.steering import choose_dribble_direction, force_of_players, off_ahead, step_speed
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
@@ -44,7 +39,7 @@ def scene(*places: tuple[float, float], heading: float = 0.0) -> tuple[np.ndarra
 
 def off_goal(pull: tuple[float, float], push: tuple[float, float], side: float = 0.0, **changes: Any) -> float:
     """Return what `limited` makes of two forces [degrees off the goal]."""
-    return float(np.degrees(limited(*pull, *push, side, play_of(**changes))))
+    return float(np.degrees(steering.limited(*pull, *push, side, play_of(**changes))))
 
 
 def test_ms38_the_theorys_forces_are_khatibs() -> None:

@@ -146,20 +146,13 @@ def decide(team: CompiledTeam, beliefs: np.ndarray, tracks: np.ndarray, memory: 
     return team.act(View(LEAGUE, beliefs, tracks), memory, rng)
 
 
-def team_of(name: str, **settings: Any) -> CompiledTeam:
-    """Return a team with its kernel."""
-    team = make_team(name, **settings)
-    assert isinstance(team, CompiledTeam)
-    return team
-
-
 @pytest.mark.parametrize(("name", "settings"), [
     ("sacks-2001", {}), ("sacks-2001-future", {}), ("sacks-2001", {"avoidance": False, "avoid_chasing": True}),
     ("sacks-2001", {"decisive": True}), ("sacks-2001", {"patience": 3}), ("sacks-2001", {"clamp": False}),
     ("sacks-2001", {"exponent": 3, "goal_force": "proportional", "cosine_factor": False}),
 ])  # fmt: skip
 def test_the_team_plays_the_mirrored_scene_in_the_mirror(name: str, settings: dict[str, Any]) -> None:
-    team, rng = team_of(name, **settings), np.random.default_rng(4)
+    team, rng = make_team(name, **settings), np.random.default_rng(4)
     memory, image = (np.zeros((MATCHES, PLAYERS), team.memory_dtype) for _ in range(2))
     chosen = set()
     for _ in range(SCENES):
@@ -181,7 +174,7 @@ def test_the_team_plays_the_mirrored_scene_in_the_mirror(name: str, settings: di
 def test_commands_are_finite_whatever_is_believed(name: str) -> None:
     rng = np.random.default_rng(5)
     for strength in (0.0, 1.0):
-        team = team_of(name, strength=strength)
+        team = make_team(name, strength=strength)
         memory = np.zeros((MATCHES, PLAYERS), team.memory_dtype)
         for step in range(120):
             reach = 10.0 ** rng.integers(-12, 9)

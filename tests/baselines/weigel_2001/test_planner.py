@@ -43,19 +43,17 @@ def test_bad_input_is_named(act: str, asked: dict[str, Any], complaint: str) -> 
         ask(**{"robot": HERE, "target": THERE, **asked})
 
 
-def test_bad_settings_are_named() -> None:
-    with pytest.raises(ValueError, match="PlannerSettings.form must be one of scalar, vector, got 'khatib'"):
-        Planner(form="khatib")
-    with pytest.raises(ValueError, match="PlannerSettings.repulsion must be one of inverse, khatib, got 'scalar'"):
-        Planner(repulsion="scalar")
-    with pytest.raises(ValueError, match="cell must be so large that 12 x 8 m and a margin of 1 m are at most 32768"):
-        Planner(cell=0.05)
-    with pytest.raises(ValueError, match="floor must be less than reach 0.2, got 0.5"):
-        Planner(floor=0.5, reach=0.2)
-    with pytest.raises(ValueError, match="unknown name 'gian' in PlannerSettings, did you mean 'gain'"):
-        Planner(gian=0.2)
-    with pytest.raises(ValueError, match="settings must be a PlannerSettings, got 3"):
-        Planner(3)  # type: ignore[arg-type]
+@pytest.mark.parametrize(("given", "settings", "complaint"), [
+    ((), {"form": "khatib"}, "PlannerSettings.form must be one of scalar, vector, got 'khatib'"),
+    ((), {"repulsion": "scalar"}, "PlannerSettings.repulsion must be one of inverse, khatib, got 'scalar'"),
+    ((), {"cell": 0.05}, "cell must be so large that 12 x 8 m and a margin of 1 m are at most 32768"),
+    ((), {"floor": 0.5, "reach": 0.2}, "floor must be less than reach 0.2, got 0.5"),
+    ((), {"gian": 0.2}, "unknown name 'gian' in PlannerSettings, did you mean 'gain'"),
+    ((3,), {}, "settings must be a PlannerSettings, got 3"),
+])  # fmt: skip
+def test_bad_settings_are_named(given: tuple[Any, ...], settings: dict[str, Any], complaint: str) -> None:
+    with pytest.raises(ValueError, match=complaint):
+        Planner(*given, **settings)
     with pytest.raises(ValueError, match=r"seconds must be 0.02 to 1000, got -1"):
         Planner().travel(HERE, THERE, seconds=-1)
 
@@ -132,11 +130,8 @@ def test_mh18_plans_and_travels_are_drawn(scene: Any) -> None:
 
 
 def test_the_planner_knows_neither_team_nor_match() -> None:
-    """It stands on the ground floor alone: what compiles, what checks, and itself."""
     allowed = ("baselines.weigel_2001.planner.", "guards.checking", "compiled", "geometry", "leagues.options")
     for file in sorted(Path(planner_room.__file__).parent.glob("*.py")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("soccer_env"):
-                assert (node.module or "").removeprefix("soccer_env.").startswith(allowed), (
-                    f"{file.name}: {node.module}"
-                )
+                assert (node.module or "").removeprefix("soccer_env.").startswith(allowed), f"{file.name}: {node}"

@@ -36,7 +36,6 @@ def test_without_obstacles_a_way_along_an_axis_or_a_diagonal_is_straight(form: s
 
 
 def test_without_obstacles_the_driven_path_is_straight_in_every_direction_though_the_cells_way_is_octile() -> None:
-    """40 by 10 cells take ten diagonal steps and thirty along the axis."""
     plan = Planner().plan((-2.0, -0.5), (2.0, 0.5))
     steps = np.abs(np.diff(plan.cells, axis=0))
     assert sorted(steps.sum(axis=1).tolist()) == [1] * 30 + [2] * 10
@@ -82,7 +81,6 @@ def test_mh15_time_is_counted_back_from_t_by_a_step_for_each_cell() -> None:
 
 
 def test_mh15_the_way_avoids_where_an_obstacle_will_be_and_not_where_it_is() -> None:
-    """It crosses the middle of the way when the robot does; and is in the middle of it now, but gone by then."""
     comes = Scene((-2.6, 0.0), (2.6, 0.0), [(0.0, -1.5, 0.0, 1.5)])
     moving, still = plan_of(comes), plan_of(comes, time_variant=False)
     assert still.clearance() < 0.0 and moving.clearance() > 0.3

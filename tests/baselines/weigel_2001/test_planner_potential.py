@@ -70,9 +70,8 @@ def test_mh09_nobody_repels_from_beyond_the_reach_and_khatibs_force_is_that_over
 def test_mh09_below_the_floor_the_force_goes_on_growing_evenly() -> None:
     play = play_of()
     alone = potential(0.0, 0.0, 0.0, GOAL, NOBODY, play)
-    sizes = [
-        potential(0.0, 0.0, 0.0, GOAL, others((BOTH + gap, 0.0, 0.0, 0.0)), play) - alone for gap in (0.05, 0.0, -0.2)
-    ]
+    near = (others((BOTH + gap, 0.0, 0.0, 0.0)) for gap in (0.05, 0.0, -0.2))
+    sizes = [potential(0.0, 0.0, 0.0, GOAL, one, play) - alone for one in near]
     assert sizes == pytest.approx([inverse(0.05), 2.0 * inverse(0.05), 6.0 * inverse(0.05)])
 
 
@@ -159,7 +158,6 @@ def test_mh18_weigels_planner_nearly_meets_the_obstacle_and_drives_away_and_the_
 
 
 def test_mh25_an_obstacle_at_5_metres_a_second_is_planned_for_where_it_will_be() -> None:
-    """It is in the way now and gone by then; or far off now and in the way by then."""
     goes = Scene((-2.6, 0.0), (2.6, 0.0), [(0.0, 0.1, 0.0, 5.0)])
     assert np.abs(Planner().plan(*goes).path[:, 1]).max() < 0.05
     assert np.abs(Planner(time_variant=False).plan(*goes).path[:, 1]).max() > 0.5

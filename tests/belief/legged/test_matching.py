@@ -7,13 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.legged import matching
-from soccer_env.belief.legged.matching import (
-    angle_between,
-    inverse_power,
-    likeliest_slot,
-    match_likelihood,
-    track_uncertainty,
-)
+from soccer_env.belief.legged.matching import angle_between, inverse_power, match_likelihood, track_uncertainty
 from soccer_env.belief.legged.players import age_tracks, remember_player
 from soccer_env.compiled import compiled
 from soccer_env.leagues.constants import constants_of
@@ -42,7 +36,7 @@ def memory(*players: tuple[float, float, float] | None) -> np.ndarray:
 
 def slot_for(tracks: np.ndarray, x: float, y: float, **changes: Any) -> int:
     """Return the slot that a player seen at x, y [m] replaces."""
-    return int(likeliest_slot(tracks, 0, len(tracks), x, y, settings(**changes)))
+    return int(matching.likeliest_slot(tracks, 0, len(tracks), x, y, settings(**changes)))
 
 
 @pytest.mark.parametrize("power", [0.0, 1.0, 2.0, 2.5, 3.0])
@@ -95,9 +89,8 @@ def test_ms31_the_angle_counts_more_than_the_range() -> None:
 
 def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree_and_angles_are_taken_the_short_way() -> None:
     track = memory((1.0, 0.0, 0.0))[0]
-    assert match_likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(
-        0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
-    )
+    least = 0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
+    assert match_likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(least)
     own_place = memory((0.0, 0.0, 0.0))[0]
     assert match_likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
     assert angle_between(3.0, -3.0) == pytest.approx(2 * pi - 6.0)
@@ -125,7 +118,7 @@ def watch_one(tracks, views, duplicated, k, w):
         for frame in range(views.shape[1]):
             age_tracks(tracks[n], tracks.shape[1], k[0], w[0])
             x, y = views[n, frame, 0], views[n, frame, 1]
-            remember_player(tracks[n], likeliest_slot(tracks[n], 0, tracks.shape[1], x, y, w[0]), x, y, 0)
+            remember_player(tracks[n], matching.likeliest_slot(tracks[n], 0, tracks.shape[1], x, y, w[0]), x, y, 0)
             near = 0
             for slot in range(tracks.shape[1]):
                 aside, away = tracks[n, slot].y, tracks[n, slot].x - 1.0

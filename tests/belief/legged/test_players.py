@@ -22,19 +22,8 @@ from soccer_env.belief.legged.surface import surface_distance
 from soccer_env.belief.odometry import move_point
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_y
 from soccer_env.records.percepts import BLOB, BLOBS
-from tests.belief.legged.staged_players import (
-    AHEAD,
-    FACTORS,
-    LEAGUE,
-    LEFT,
-    RIGHT,
-    STICKER_HEIGHT,
-    Blob,
-    Onlooker,
-    full_blob,
-    near,
-    places,
-)
+from tests.belief.legged import staged_players
+from tests.belief.legged.staged_players import AHEAD, LEFT, RIGHT, STICKER_HEIGHT, Onlooker, full_blob, near, places
 
 FOCAL = focal_y(Onlooker().sensors[0])
 
@@ -81,7 +70,7 @@ def test_several_players_in_one_view_take_several_slots_and_more_than_slots_drop
     assert sorted(robot.opponents["distance"]) == sorted(reference(robot, blob)[1] for blob in (blobs[3], blobs[1]))
 
 
-def reference(robot: Onlooker, blob: Blob) -> tuple[float, float]:
+def reference(robot: Onlooker, blob: staged_players.Blob) -> tuple[float, float]:
     """Return bearing and distance [rad, m] of the player of a blob, by head angles, pixel and the front table."""
     left, right, high, low, _ = blob
     bearing, _ = direction_of_pixel(0.5 * (left + right), 0.5 * (high + low), robot.pan, robot.tilt, robot.sensors[0])
@@ -122,7 +111,7 @@ def test_ms33_ranges_come_from_the_height_table_of_a_view(view: str, mode: str) 
     for height, width in ((4, 4), (4, 12), (9, 3)):
         robot = Onlooker(player_view=view, player_blob=mode)
         robot.look([full_blob(0.0, 0.0, height, width)])
-        assert away(robot) == pytest.approx(FACTORS[table] * FOCAL * STICKER_HEIGHT / height)
+        assert away(robot) == pytest.approx(staged_players.FACTORS[table] * FOCAL * STICKER_HEIGHT / height)
 
 
 def test_ms34_the_range_does_not_jump_when_head_stickers_vanish() -> None:
@@ -185,7 +174,7 @@ def test_ms35_the_reading_is_the_distance_to_the_surface(reading: float) -> None
     assert surface_distance(track["x"], track["y"], robot.constants[0]) == pytest.approx(reading, abs=1e-3)
 
 
-def picture(*blobs: Blob) -> np.ndarray:
+def picture(*blobs: staged_players.Blob) -> np.ndarray:
     """Return the blobs of one colour."""
     found = np.zeros(BLOBS, BLOB)
     for i, blob in enumerate(blobs):
@@ -200,15 +189,14 @@ def players(blobs: np.ndarray, grouping: float = 3.0) -> list[int]:
 
 def box(blobs: np.ndarray, i: int, **settings: str) -> tuple[int, ...]:
     """Return left, right, high, low of the box that stands for a player."""
-    return tuple(box_of_player(blobs, i, LEAGUE.memory.changed(settings).record()[0]))
+    return tuple(box_of_player(blobs, i, staged_players.LEAGUE.memory.changed(settings).record()[0]))
 
 
 def test_ms29_blobs_nearer_than_three_sizes_of_the_larger_are_one_player() -> None:
     """MS29: the gap has to be less than 3 x 10 px; factor 0 makes a player of every blob, 1 misses what 3 joins."""
     large = full_blob(0.0, 0.0, 10)
-    assert (
-        players(picture(large, full_blob(29.0, 0.0, 4))) == players(picture(large, full_blob(0.0, -29.0, 4))) == [0, 0]
-    )
+    for aside in ((29.0, 0.0), (0.0, -29.0)):
+        assert players(picture(large, full_blob(*aside, 4))) == [0, 0]
     assert players(picture(large, full_blob(30.0, 0.0, 4))) == [0, 1]
     assert players(picture(large, full_blob(-18.0, 24.0, 4))) == [0, 1]  # 30 px along the diagonal
     blobs = picture(large, full_blob(18.0, 0.0, 4))

@@ -16,9 +16,8 @@ BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
 
 @BOTH
 def test_mh06_a_ball_that_rolls_by_is_tracked_with_its_velocity(name: str) -> None:
-    match, bare = (
-        thinking_matches(40, memory={"filter": kind}, ball=(2.0, -2.0, -0.5, 3.0)) for kind in (name, "none")
-    )
+    ball = (2.0, -2.0, -0.5, 3.0)
+    match, bare = (thinking_matches(40, memory={"filter": kind}, ball=ball) for kind in (name, "none"))
     for one in (match, bare):
         play(one, 0.5)
     error, velocity = ball_errors(match)
@@ -121,9 +120,8 @@ def test_a_ball_that_is_not_seen_is_carried_by_the_odometry_and_fades() -> None:
 @pytest.mark.parametrize("compensated", [True, False])
 def test_delay_is_made_good_by_comparing_with_the_state_at_the_exposure(compensated: bool) -> None:
     """Three frames late, a robot that turns at 3 rad/s sees everything 10 degrees off, a ball at 3 m/s 18 cm."""
-    match = thinking_matches(
-        20, sensors={"camera_delay": 3}, memory={"delay_compensation": compensated}, ball=(2.5, -2.0, 0.0, 3.0)
-    )
+    given = {"sensors": {"camera_delay": 3}, "memory": {"delay_compensation": compensated}}
+    match = thinking_matches(20, **given, ball=(2.5, -2.0, 0.0, 3.0))
     play(match, 0.6, robot_actions(match, 0, turn=0.5))
     place = ball_errors(match)[0]
     assert np.median(place) < 0.06 if compensated else np.median(place) > 0.2

@@ -5,17 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from soccer_env.belief.omni import tracking
 from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
-from soccer_env.belief.omni.tracking import (
-    DELAYS,
-    FILTER,
-    MOTION,
-    correct_track,
-    place_of_sighting,
-    predict,
-    reading_sd,
-    start,
-)
+from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, correct_track, predict, reading_sd, start
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -60,7 +52,7 @@ def follow(readings, motions, thing, filter, late, agility, slowing, constants, 
 
 @compiled
 def move_reading(sighting, motions, frame, frames):
-    return place_of_sighting(sighting[0], motions, frame, frames)
+    return tracking.place_of_sighting(sighting[0], motions, frame, frames)
 
 
 @compiled

@@ -64,9 +64,8 @@ def test_ms08_head_angles_and_pixel_give_the_bearing() -> None:
         if blob["area"] == 0 or 44 in (blob["left"], -blob["right"]) or 36 in (blob["high"], -blob["low"]):
             continue
         u, v = 0.5 * (int(blob["left"]) + int(blob["right"])), 0.5 * (int(blob["high"]) + int(blob["low"]))
-        low, bearing, high = (
-            direction_of_pixel(u + off, v, robot["pan"], robot["tilt"], s)[0] for off in (-1.5, 0, 1.5)
-        )
+        pan, tilt = robot["pan"], robot["tilt"]
+        low, bearing, high = (direction_of_pixel(u + off, v, pan, tilt, s)[0] for off in (-1.5, 0, 1.5))
         ahead, left, _ = camera_place(robot["pan"], robot["tilt"], s)
         x, y = scene.balls["x"][m] - robot["x"], scene.balls["y"][m] - robot["y"]
         cosine, sine = np.cos(robot["heading"]), np.sin(robot["heading"])

@@ -58,9 +58,8 @@ def slope_in_image(distance: float, height: float, eccentricity: float) -> float
 @pytest.mark.parametrize("height", [0.5, 0.75])
 def test_mh02_every_ray_is_reflected_into_the_pixel_that_the_curve_names(eccentricity: float, height: float) -> None:
     """MH02: through the inner focus, off the hyperboloid, into the outer focus, to a pixel."""
-    mirror = mirror_parameters(
-        SENSORS.changed({"mirror_eccentricity": eccentricity, "camera_height": height}).record().view(np.recarray)[0]
-    )
+    changed = SENSORS.changed({"mirror_eccentricity": eccentricity, "camera_height": height})
+    mirror = mirror_parameters(changed.record().view(np.recarray)[0])
     edge = slope_in_image(S.mirror_edge, height, eccentricity)
     for distance in (0.3, 0.75, 2.0, 5.0, 9.0):
         pixel = 0.5 * S.image * slope_in_image(distance, height, eccentricity) / edge

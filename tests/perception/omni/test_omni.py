@@ -7,16 +7,8 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_parameters
-from tests.perception.omni.staged_omni import (
-    NOW,
-    SHARP,
-    SURE,
-    angle_difference,
-    bearings_all_round,
-    gather,
-    look,
-    watching_matches,
-)
+from tests.perception.omni import staged_omni
+from tests.perception.omni.staged_omni import NOW, SHARP, SURE, angle_difference, gather, look, watching_matches
 from tests.scenes.staging import MIDDLE, play, put, put_ball, scatter, set_phase
 
 LEAGUE = find_league(MIDDLE)
@@ -26,7 +18,7 @@ DISC, BALL = LEAGUE.body.disc_radius, LEAGUE.ball.radius
 
 def ball_around(match: Any, distance: Any) -> np.ndarray:
     """Put the ball of match m at bearing m of a full circle; return the bearings."""
-    bearings = bearings_all_round(match.count)
+    bearings = staged_omni.bearings_all_round(match.count)
     put_ball(match, distance * np.cos(bearings), distance * np.sin(bearings))
     return bearings
 

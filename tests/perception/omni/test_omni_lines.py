@@ -85,9 +85,8 @@ def test_lines_are_missed_and_misjudged_like_all_things_and_none_is_seen_through
     seen = found > 0.0
     assert seen.mean() == pytest.approx(1.0 - S.line_miss, abs=0.02)
     error = found[seen] - 2.0
-    assert error.std() == pytest.approx(
-        np.sqrt(S.pixel_noise**2 + 1 / 12) * metres_per_pixel(mirror_parameters(S), 2.0)[0], rel=0.1
-    )
+    pixels = np.sqrt(S.pixel_noise**2 + 1 / 12)
+    assert error.std() == pytest.approx(pixels * metres_per_pixel(mirror_parameters(S), 2.0)[0], rel=0.1)
     assert abs(error.mean()) < 0.2 * error.std()
     match = watching_matches(sensors={**SURE, **SHARP})
     put(match, 0, 2.0, 2.0, 0.0)

@@ -73,9 +73,8 @@ def test_all_matches_of_claims_are_made_in_one_place() -> None:
 
 def test_drills_run_under_their_own_rules_and_where_opponents_play_under_those_of_play() -> None:
     assert start_drill(BATCH, "dribble-past-one", {}, 1, PAPER).league.rules.name == PATIENT
-    assert (
-        stage_drill(BATCH, "facing-wall", TEAM, matches=1).league.rules.name == SCENES["facing-wall"].rules == PATIENT
-    )
+    wall = stage_drill(BATCH, "facing-wall", TEAM, matches=1)
+    assert wall.league.rules.name == SCENES["facing-wall"].rules == PATIENT
     simple = Batch("S31", 0, 0, rules=("simple",))
     match = start_drill(simple, or_shoot.SCENE, {}, 1, 0.0, opponents="chaser", rules=simple.play_rules)
     assert match.league.rules.name == "simple"

@@ -6,22 +6,14 @@ import numpy as np
 import pytest
 
 from soccer_env.optics import head_camera as optics
-from soccer_env.train.papers import staging
+from soccer_env.train.papers import staging, true_sight
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.ball.occlusion import APART, CLEAR, draw_scene, hides_part_of_ball
 from soccer_env.train.papers.claims.ball.velocity import true_radial, walk_to_ball
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
-from soccer_env.train.papers.true_sight import (
-    ball_angle,
-    ball_in_sight,
-    blind_cameras,
-    camera_of,
-    follow_ball,
-    restore_cameras,
-    stare_at_ball,
-)
+from soccer_env.train.papers.true_sight import ball_angle, camera_of, follow_ball, restore_cameras, stare_at_ball
 from soccer_env.train.papers.verdicts import Samples
 
 BATCH = Batch("test", 0, 0)
@@ -34,8 +26,7 @@ def test_a_ball_put_ahead_is_there() -> None:
     staging.begin_scene(match)
     distance, bearing = staging.distance_to_ball(match)
     assert distance == pytest.approx(0.4) and bearing == pytest.approx(0.3)
-    for _ in staging.play(match, 1.0):
-        pass
+    list(staging.play(match, 1.0))
     assert staging.distance_to_ball(match)[0] == pytest.approx(0.4)
     assert (match.robots["active"][:, 1] == 0).all()
 
@@ -74,7 +65,7 @@ def test_a_staring_head_has_the_ball_on_its_axis() -> None:
     actions = staging.standing_actions(match)
     for _ in staging.play(match, 1.0, actions):
         stare_at_ball(match, actions)
-    distance, angle = ball_in_sight(match)
+    distance, angle = true_sight.ball_in_sight(match)
     assert angle.max() < np.radians(0.5)
     assert (ball_angle(match, distance) > angle).all()
 
@@ -85,10 +76,9 @@ def test_blind_robots_see_no_ball_until_they_may() -> None:
     staging.put_ball(match, 1.5, 0.0)
     staging.begin_scene(match)
     ages = []
-    for switch in (restore_cameras, blind_cameras, restore_cameras):
+    for switch in (restore_cameras, true_sight.blind_cameras, restore_cameras):
         switch(match)
-        for _ in staging.play(match, 1.0):
-            pass
+        list(staging.play(match, 1.0))
         ages.append(match.beliefs["ball"]["age"][:, 0].max())
     assert ages[0] < 0.2 and ages[2] < 0.2
     assert ages[1] > 0.9

@@ -75,7 +75,6 @@ def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
 
 
 def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
-    """Who walks into a standing robot is stopped by it; who walks by itself is not, nor who stands alone."""
     match = stage(BATCH, matches=3, senses="ideal")
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)

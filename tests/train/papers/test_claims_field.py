@@ -45,9 +45,8 @@ def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
 def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
     assert pytest.approx(0.444, abs=1e-3) == points.UNIT
     for exponent in field_forces.EXPONENTS:
-        assert field_forces.matched_gain(exponent) * (1.0 / points.UNIT - 1.0) / points.UNIT ** (
-            exponent - 1
-        ) == pytest.approx(1.0)
+        force = (1.0 / points.UNIT - 1.0) / points.UNIT ** (exponent - 1)
+        assert field_forces.matched_gain(exponent) * force == pytest.approx(1.0)
     samples = field_forces.compare_exponents(BATCH)
     assert np.nanmin(samples["onset"]) > points.TOUCH and np.nanmax(samples["onset"]) < 1.0
 
@@ -71,9 +70,8 @@ def runs_of(x: list[float], off: list[float], touches: list[int], goal: list[int
     column = np.array(x)[:, None]
     none, flags = np.zeros_like(column), np.array(touches, bool)[:, None]
     scored = np.zeros_like(flags) if goal is None else np.array(goal, bool)[:, None]
-    return RobotRuns(
-        DribbleRecord(column, none, none, ~flags, ~flags, flags, none, none, scored), np.array(off)[:, None]
-    )
+    way = DribbleRecord(column, none, none, ~flags, ~flags, flags, none, none, scored)
+    return RobotRuns(way, np.array(off)[:, None])
 
 
 def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
@@ -128,7 +126,6 @@ def test_trouble_is_a_stall_or_a_retreat() -> None:
 
 
 def test_ms54_points_go_as_the_teams_own_forces_say() -> None:
-    """Straight on where nobody is; past somebody each step is that of forces and limit, and it keeps clear of him."""
     alone = PointWorld().run([[-1.0, 0.5]], players([[0.0, -0.9]]))
     assert alone.arrived[0] and alone.deviation[0] < 1e-9
     runs = PointWorld().run([[-1.0, 0.0]], players([[0.0, 0.05]]))

@@ -27,16 +27,14 @@ def test_who_is_carried_is_told_nothing_and_is_elsewhere() -> None:
     put(match, 0, 0.0, 0.0)
     put(match, 1, 2.0, 2.0)
     begin_scene(match)
-    for _ in play(match, 2.0):
-        pass
+    list(play(match, 2.0))
     before = match.beliefs["own"][:, 0].copy()
     own_pose.carry_away(match, BATCH.rng(3))
     assert (np.hypot(match.robots["x"][:, 0], match.robots["y"][:, 0]) > own_pose.CARRIED).all()
     place, _ = own_pose.pose_errors(match)
     assert (place > 1.5).all()
     assert (match.beliefs["own"][:, 0] == before).all()
-    for _ in play(match, 0.02):
-        pass
+    list(play(match, 0.02))
     assert (own_pose.pose_errors(match)[0] > 0.5).any()  # it has not been told
 
 
@@ -44,8 +42,7 @@ def test_a_robot_that_stands_still_finds_out_where_it_is() -> None:
     match = stage(BATCH, MIDDLE, matches=8, pose="particles", senses={"home": "sensors", "away": "ideal"})
     put(match, 0, np.linspace(-4.0, 4.0, 8), np.linspace(-2.0, 2.0, 8), np.linspace(-3.0, 3.0, 8))
     begin_scene(match)
-    for _ in play(match, 3.0):
-        pass
+    list(play(match, 3.0))
     place, heading = own_pose.pose_errors(match)
     assert np.median(place) < 0.15 and np.median(heading) < 0.1
 
@@ -74,14 +71,12 @@ def counts(found: dict[str, list[float]]) -> dict[str, np.ndarray]:
 
 
 def test_shares_and_errors_go_by_the_light() -> None:
-    samples = counts(
-        {"constant": [0.9] * 6, "adaptive": [0.9, 0.9, 0.81, 0.9, 0.9, 0.9], "fixed": [0.9, 0.5] + [0.0] * 4}
-    )
+    adaptive = [0.9, 0.9, 0.81, 0.9, 0.9, 0.9]
+    samples = counts({"constant": [0.9] * 6, "adaptive": adaptive, "fixed": [0.9, 0.5] + [0.0] * 4})
     assert middle_size.seen_shares_by_light(samples, "fixed")[:2] == pytest.approx([0.9, 0.5])
     assert middle_size.range_errors_by_light(samples, "fixed") == pytest.approx(0.1)
-    assert middle_size.relative_to_constant_light(
-        samples, "adaptive", middle_size.seen_shares_by_light
-    ).min() == pytest.approx(0.9)
+    found = middle_size.relative_to_constant_light(samples, "adaptive", middle_size.seen_shares_by_light)
+    assert found.min() == pytest.approx(0.9)
     assert middle_size.seen_in_changed_light(samples, "fixed") == 0.0
 
 
@@ -150,9 +145,8 @@ def test_first_heading_and_sharpest_turn_of_a_straight_way_are_none() -> None:
 
 def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths_are_the_same() -> None:
     assert timing.measure_plan_times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
-    assert (
-        plans.plans_equal_paths(BATCH)["same"].all() and not plans.plans_equal_paths(BATCH, still=False)["same"].all()
-    )
+    assert plans.plans_equal_paths(BATCH)["same"].all()
+    assert not plans.plans_equal_paths(BATCH, still=False)["same"].all()
 
 
 def test_the_open_angle_in_closed_form() -> None:
@@ -175,10 +169,8 @@ def test_goals_and_benefits_are_counted() -> None:
     speed = np.array([5.0, 5.0, 9.0, 9.0])
     samples = {"speed": speed, "passive": np.array([1.0, 1, 1, 1]), "active": np.array([0.0, 0, 1, 0])}
     assert saves.conceded_share(samples, "active") == 25.0 and saves.conceded_share_slow(samples, "passive") == 100.0
-    assert (
-        saves.conceded_ratio(samples, saves.conceded_share) == 0.25
-        and saves.conceded_ratio(samples, saves.conceded_share_slow) == 0.0
-    )
+    assert saves.conceded_ratio(samples, saves.conceded_share) == 0.25
+    assert saves.conceded_ratio(samples, saves.conceded_share_slow) == 0.0
     noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
     assert saves.prevented_goals(noisy, "fit", "own") == 75.0
 

@@ -70,8 +70,7 @@ def test_the_head_turns_where_it_is_asked_to() -> None:
     begin_scene(match)
     actions = standing_actions(match)
     turn_head(match, actions, 0, np.array([0.8, -0.8]), -0.4)
-    for _ in play(match, 1.0, actions):
-        pass
+    list(play(match, 1.0, actions))
     assert match.robots["pan"][:, 0] == pytest.approx([0.8, -0.8])
     assert match.robots["tilt"][:, 0] == pytest.approx(-0.4)
 
@@ -125,8 +124,7 @@ def test_blobs_belong_to_who_stands_there() -> None:
     begin_scene(match)
     actions = standing_actions(match)
     turn_head(match, actions, 0, 0.0, -0.1)
-    for _ in play(match, 1.0, actions):
-        pass
+    list(play(match, 1.0, actions))
     mine, (bearing, _) = blob_owners(match, [1, 2]), blob_directions(match)
     assert (mine[bearing > 0.1] == 0).all() and (mine[bearing < -0.1] == 1).all()
     assert (mine[np.isnan(bearing)] == -1).all()

@@ -18,11 +18,9 @@ BATCH = Batch("test", 0, 0)
 
 def test_a_held_robot_goes_nowhere_can_turn_and_notices() -> None:
     match = runs.set_up_walk(BATCH, 8, 0.4, 0.6)
-    for _ in play(match, 1.0):
-        pass
-    assert (distance_from_camera(match, *distance_to_ball(match)) < 0.55).all() and (
-        memory_of(match)["behaviour"] == APPROACH
-    ).all()
+    list(play(match, 1.0))
+    assert (distance_from_camera(match, *distance_to_ball(match)) < 0.55).all()
+    assert (memory_of(match)["behaviour"] == APPROACH).all()
     runs.immobilise_robots(match)
     x, y = match.robots["x"][:, 0].copy(), match.robots["y"][:, 0].copy()
     noticed = np.zeros(8, bool)
@@ -39,8 +37,7 @@ def test_one_in_the_way_that_is_anchored_stays_and_overlaps_with_the_straight_wa
     aside = np.abs(-np.sin(robot["heading"]) * x + np.cos(robot["heading"]) * y)
     assert (aside <= runs.ABREAST + 1e-9).all() and (aside >= runs.ABREAST - runs.OVERLAP - 1e-9).all()
     assert np.abs(distance_to_ball(match)[1]).max() < 1e-9
-    for _ in play(match, 6.0):
-        pass
+    list(play(match, 6.0))
     moved = np.hypot(match.robots["x"][:, 1] - other["x"], match.robots["y"][:, 1] - other["y"])
     assert (moved[match.matches["score"].sum(axis=1) == 0] < 1e-3).all()
     assert match.robot_events["collision"][:, 0].any()
@@ -50,16 +47,14 @@ def test_without_an_anchor_a_standing_robot_gives_way_by_millimetres() -> None:
     match = runs.set_up_blocked_path(BATCH, 16, recovery=False)
     match.rebuild()  # bodies as the league has them
     other = match.robots[:, 1].copy()
-    for _ in play(match, 8.0):
-        pass
+    list(play(match, 8.0))
     moved = np.hypot(match.robots["x"][:, 1] - other["x"], match.robots["y"][:, 1] - other["y"])
     assert 0.0015 < moved.max() < 0.01
 
 
 def test_a_recovery_that_is_begun_for_it_goes_as_the_team_goes() -> None:
     match = runs.set_up_walk(BATCH, 8, 0.6, 0.9, back_steps=2)
-    for _ in play(match, 1.0):
-        pass
+    list(play(match, 1.0))
     runs.begin_recovery(match)
     assert (memory_of(match)["behaviour"] == BACK).all() and (memory_of(match)["tries"] == 1).all()
     seen = set()

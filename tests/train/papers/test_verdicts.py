@@ -32,9 +32,8 @@ def test_the_whole_interval_decides(bounds: dict[str, float], low: float, high: 
 
 
 def test_a_reported_number_decides_nothing_and_an_exact_one_has_no_width() -> None:
-    found = verdicts.judge_criterion(
-        verdicts.reported("median", lambda samples: float(np.median(samples["x"]))), {"x": DRAWS}
-    )
+    median = verdicts.reported("median", lambda samples: float(np.median(samples["x"])))
+    found = verdicts.judge_criterion(median, {"x": DRAWS})
     assert found.verdict == CONTEXT and found.low < found.estimate < found.high
     found = verdicts.judge_criterion(verdicts.exact("", lambda samples: 3.0, unit="cm", at_most=3.0), {})
     assert (found.low, found.high, found.verdict) == (3.0, 3.0, REPRODUCED)
@@ -84,9 +83,8 @@ def test_a_counted_share_of_single_trials_is_wilsons(wins: int) -> None:
     share, low, high = clustered_share(hits, trials)
     assert (share, low, high) == pytest.approx(wilson_interval(wins, 40), abs=1e-12)
     assert (low, high) == pytest.approx((expected.low, expected.high), abs=1e-12)
-    found = verdicts.judge_criterion(
-        verdicts.counted("", "hits", "trials", at_most=50.0), {"hits": hits, "trials": trials}
-    )
+    half = verdicts.counted("", "hits", "trials", at_most=50.0)
+    found = verdicts.judge_criterion(half, {"hits": hits, "trials": trials})
     assert found.high == pytest.approx(100.0 * expected.high)
 
 
@@ -121,7 +119,5 @@ def test_a_criterion_says_in_words_where_it_has_to_lie() -> None:
     assert verdicts.measured("", value, above=0.0, below=0.125).asked == "above 0 and below 0.125"
     assert verdicts.counted("", "hits", "trials", at_most=5.0).asked == "at most 5"
     assert verdicts.reported("", value).asked == ""
-    assert (
-        verdicts.judge_criterion(verdicts.exact("", value, at_least=35.0, at_most=55.0), {}).asked
-        == "at least 35 and at most 55"
-    )
+    both = verdicts.exact("", value, at_least=35.0, at_most=55.0)
+    assert verdicts.judge_criterion(both, {}).asked == "at least 35 and at most 55"

@@ -149,19 +149,12 @@ def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
 def test_two_matches_are_shown_in_one_process(monkeypatch: MonkeyPatch) -> None:
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     other = Window("other")
-    other.show(
-        Picture("middle-size-2006", 320).draw(*Tape(play_live(Match("middle-size-2006", home=1, away=1))).shot[:3])
-    )
+    shot = Tape(play_live(Match("middle-size-2006", home=1, away=1))).shot
+    other.show(Picture("middle-size-2006", 320).draw(*shot[:3]))
     match = played(4)
     tape = Tape(play_live(match))
-    show(
-        PlaybackControls(tape, 16.0, 100.0),
-        cast_of(match, None),
-        Closeup("legged-2001", 320),
-        Window(),
-        ("a", "b"),
-        stays=False,
-    )
+    controls, picture = PlaybackControls(tape, 16.0, 100.0), Closeup("legged-2001", 320)
+    show(controls, cast_of(match, None), picture, Window(), ("a", "b"), stays=False)
     assert other.is_open and tape.ended
     other.close()
     pygame.quit()
