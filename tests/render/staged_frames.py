@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env import types
+from soccer_env.render import Picture
 
 
 def make_records(home: int = 2, away: int = 2) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -21,6 +22,11 @@ def make_records(home: int = 2, away: int = 2) -> tuple[np.ndarray, np.ndarray, 
         robot["x"], robot["y"] = 0.7 * side, -0.6 + 0.4 * robot["number"]
         robot["heading"] = pi if robot["team"] else 0.0
     return match, ball, robots
+
+
+def stage_picture(league: str, home: int = 2, away: int = 2, **size: int) -> tuple[Any, np.ndarray, np.ndarray, Any]:
+    """Return a picture of a league, and the records of `make_records` to draw."""
+    return Picture(league, **size), *make_records(home, away)
 
 
 def coloured_pixels(frame: np.ndarray, colour: Any, tolerance: int = 24) -> np.ndarray:

@@ -8,7 +8,7 @@ import pytest
 pytest.importorskip("pygame")
 
 from soccer_env.render import Picture, colours
-from tests.render.staged_frames import centre_of, coloured_pixels, make_records, points_around
+from tests.render.staged_frames import centre_of, coloured_pixels, make_records, points_around, stage_picture
 from tests.scenes.staging import LEAGUES
 
 
@@ -25,8 +25,7 @@ def test_a_frame_is_8_bit_rgb_of_the_picture_s_size(league, width):
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("place", ((0.0, 0.0), (1.2, 0.8), (-1.2, -0.8), (0.4, -0.9)))
 def test_the_ball_is_orange_where_the_record_says(league, place):
-    picture = Picture(league)
-    match, ball, robots = make_records(1, 1)
+    picture, match, ball, robots = stage_picture(league, 1, 1)
     ball["x"], ball["y"] = place
     frame = picture.draw(match, ball, robots)
     column, row = picture.pixel(*place)
@@ -39,8 +38,7 @@ def test_the_ball_is_orange_where_the_record_says(league, place):
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("width", (480, 960))
 def test_robots_show_their_team_s_colour_at_their_places(league, width):
-    picture = Picture(league, width)
-    match, ball, robots = make_records(3, 3)
+    picture, match, ball, robots = stage_picture(league, 3, 3, width=width)
     frame = picture.draw(match, ball, robots)
     for robot in robots:
         place, reach = (robot["x"], robot["y"]), picture.league.body.reach
@@ -53,8 +51,7 @@ def test_robots_show_their_team_s_colour_at_their_places(league, width):
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("heading", (0.0, 0.8, pi / 2, 2.5, -2.0))
 def test_paws_or_guide_lie_ahead_of_the_trunk(league, heading):
-    picture = Picture(league)
-    match, ball, robots = make_records(1, 0)
+    picture, match, ball, robots = stage_picture(league, 1, 0)
     robots["x"], robots["y"], robots["heading"], ball["x"] = 0.5, 0.5, heading, -1.0
     frame = picture.draw(match, ball, robots)
     arms = coloured_pixels(frame, colours.PAW if league == "legged-2001" else colours.STEEL, 8)
@@ -67,8 +64,7 @@ def test_paws_or_guide_lie_ahead_of_the_trunk(league, heading):
 
 
 def test_a_head_turned_left_is_seen_on_the_left():
-    picture = Picture("legged-2001")
-    match, ball, robots = make_records(1, 0)
+    picture, match, ball, robots = stage_picture("legged-2001", 1, 0)
     ball["x"] = 1.0
     sides = []
     for pan in (-1.5, 0.0, 1.5):
@@ -81,8 +77,7 @@ def test_a_head_turned_left_is_seen_on_the_left():
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_the_empty_pitch_is_symmetric(league):
-    picture = Picture(league)
-    match, ball, robots = make_records(0, 0)
+    picture, match, ball, robots = stage_picture(league, 0, 0)
     ball["x"] = 1e6
     field = picture.league.pitch
     left, top = picture.pixel(-0.45 * field.length, field.width / 2)
@@ -94,8 +89,7 @@ def test_the_empty_pitch_is_symmetric(league):
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_mirrored_pose_gives_a_mirrored_picture(league):
-    picture = Picture(league)
-    match, ball, robots = make_records(1, 0)
+    picture, match, ball, robots = stage_picture(league, 1, 0)
     x, y, reach = 0.22 * picture.league.pitch.length, 0.3 * picture.league.pitch.width, picture.league.body.reach
     ball["x"] = -1.0
     shapes = []
@@ -111,8 +105,7 @@ def test_a_mirrored_pose_gives_a_mirrored_picture(league):
 
 @pytest.mark.parametrize("width", range(240, 960, 60))
 def test_the_score_is_written_whole_in_small_pictures(width):
-    picture = Picture("legged-2001", width)
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture("legged-2001", width=width)
     headers = []
     for goals in (0, 1):
         match["score"][1] = goals
@@ -122,8 +115,7 @@ def test_the_score_is_written_whole_in_small_pictures(width):
 
 
 def test_goals_keep_their_colours_when_teams_change_ends():
-    picture = Picture("legged-2001")
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture("legged-2001")
     left, right = (tuple(round(n) for n in picture.pixel(side * 1.815, 0.0)) for side in (-1, 1))
     for direction in (1.0, -1.0):
         match["home_direction"] = direction
@@ -134,8 +126,7 @@ def test_goals_keep_their_colours_when_teams_change_ends():
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_the_direction_of_attack_changes_ends_with_the_teams(league):
-    picture = Picture(league)
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture(league)
     strip = slice(picture.header_height, picture.header_height + int(picture.view.margin))
     for direction, left, right in ((1.0, 0, 1), (-1.0, 1, 0)):
         match["home_direction"] = direction
@@ -148,8 +139,7 @@ def test_the_direction_of_attack_changes_ends_with_the_teams(league):
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_ring_marks_the_robot_that_has_the_ball(league):
-    picture = Picture(league)
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture(league)
     ball["x"] = -0.2
     robots[3]["has_ball"] = 1
     frame = picture.draw(match, ball, robots)
@@ -163,8 +153,7 @@ def test_a_ring_marks_the_robot_that_has_the_ball(league):
 
 def test_a_goalkeeper_wears_yellow():
     for league in LEAGUES:
-        picture = Picture(league)
-        match, ball, robots = make_records()
+        picture, match, ball, robots = stage_picture(league)
         robots[0]["keeper"] = robots[2]["keeper"] = 1
         robots["y"][1::2] += 0.5
         frame = picture.draw(match, ball, robots)
@@ -175,8 +164,7 @@ def test_a_goalkeeper_wears_yellow():
 
 
 def test_a_robot_that_is_off_stands_grey_beside_the_field():
-    picture = Picture("legged-2001")
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture("legged-2001")
     robots[1]["active"], robots[1]["penalty"], robots[1]["has_ball"] = 0, 12.0, 1
     frame = picture.draw(match, ball, robots)
     red = coloured_pixels(frame, colours.TEAMS[0])
@@ -186,8 +174,7 @@ def test_a_robot_that_is_off_stands_grey_beside_the_field():
 
 
 def test_a_fallen_robot_is_marked():
-    picture = Picture("legged-2001")
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture("legged-2001")
     robots[0]["fallen"] = 2.0
     frame = picture.draw(match, ball, robots)
     for row, robot in enumerate(robots):
@@ -196,8 +183,7 @@ def test_a_fallen_robot_is_marked():
 
 
 def test_a_fast_ball_leaves_a_trail_behind_it():
-    picture = Picture("middle-size-2006")
-    match, ball, robots = make_records(0, 0)
+    picture, match, ball, robots = stage_picture("middle-size-2006", 0, 0)
     ball["x"], ball["y"] = 1.0, 2.0
     still = picture.draw(match, ball, robots)
     ball["vx"] = 4.0
@@ -216,8 +202,7 @@ def test_eleven_against_eleven_and_a_robot_far_outside_are_drawn(league):
 
 
 def test_the_feet_of_boards_reach_into_the_pitch_but_not_into_the_mouth_of_a_goal():
-    picture = Picture("legged-2001", 960)
-    match, ball, robots = make_records(1, 1)
+    picture, match, ball, robots = stage_picture("legged-2001", 1, 1, width=960)
     feet, pitch = coloured_pixels(picture.draw(match, ball, robots), colours.BOARD_FOOT, 4), picture.league.pitch
     ahead, aside, half = pitch.length / 2, pitch.width / 2, 0.5 * pitch.board_foot
 
@@ -231,8 +216,7 @@ def test_the_feet_of_boards_reach_into_the_pitch_but_not_into_the_mouth_of_a_goa
 
 
 def test_a_leg_is_drawn_where_it_is_in_its_stroke():
-    picture = Picture("legged-2001", 960)
-    match, ball, robots = make_records(1, 0)
+    picture, match, ball, robots = stage_picture("legged-2001", 1, 0, width=960)
     match["handedness"], ball["x"] = 1.0, -1.0
     robots["x"] = robots["y"] = 0.5
     robots["walk"]["forward"] = 0.12

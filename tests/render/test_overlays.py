@@ -12,12 +12,11 @@ from soccer_env.leagues import find_league
 from soccer_env.render import Area, Arrows, Label, Picture, Points, Polyline, colours
 from soccer_env.render.captions import PHASES, clock_words, goal_team, half_words, phase_words, possession_words
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
-from tests.render.staged_frames import centre_of, coloured_pixels, make_records, points_around
+from tests.render.staged_frames import centre_of, coloured_pixels, make_records, points_around, stage_picture
 
 
 def test_overlays_show_at_their_places_under_or_over_the_robots():
-    picture = Picture("middle-size-2006")
-    match, ball, robots = make_records(1, 0)
+    picture, match, ball, robots = stage_picture("middle-size-2006", 1, 0)
     robots["x"], robots["y"], ball["x"] = 2.0, 2.0, -3.0
     pink = (250, 20, 220)
     dots = Points([(2.0, 2.0), (-2.0, 2.0)], pink, radius=5.0)
@@ -52,8 +51,7 @@ def test_bad_overlays_name_the_value_and_leave_no_trace():
 
 
 def test_an_area_tints_the_ground_it_covers_and_a_label_writes_beside_its_point():
-    picture = Picture("middle-size-2006")
-    match, ball, robots = make_records(1, 0)
+    picture, match, ball, robots = stage_picture("middle-size-2006", 1, 0)
     robots["x"], robots["y"], ball["x"] = 5.0, -3.0, -5.0
     plain = picture.draw(match, ball, robots)
     pink = (250, 20, 220)

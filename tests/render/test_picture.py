@@ -16,7 +16,7 @@ import pytest
 from soccer_env import types
 from soccer_env.leagues import find_league
 from soccer_env.render import Picture, Window, check_display, contact_sheet, png_of_frame, save_png
-from tests.render.staged_frames import make_records
+from tests.render.staged_frames import make_records, stage_picture
 from tests.scenes.staging import LEAGUES
 
 PIXEL = np.zeros((1, 1, 3), np.uint8)
@@ -65,8 +65,7 @@ def test_a_bad_width_is_a_value_error_that_names_it(width):
 
 
 def test_a_pose_that_is_not_finite_is_a_value_error_that_names_it():
-    picture = Picture("legged-2001", 480)
-    match, ball, robots = make_records()
+    picture, match, ball, robots = stage_picture("legged-2001", width=480)
     robots[2]["heading"] = np.nan
     with pytest.raises(ValueError, match="robot 2 has heading = nan"):
         picture.draw(match, ball, robots)
