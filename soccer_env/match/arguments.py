@@ -1,4 +1,4 @@
-"""The settings of a match, each declared once: signatures, checks, help and errors of all APIs are made from them.
+"""The settings of a match, each declared once: signatures, checks, help and errors of all APIs are generated from them.
 
     MatchSettings      how a match is played
       MatchSetup       and which teams play
@@ -65,7 +65,7 @@ def declare_setting(
 
 @dataclass(frozen=True, kw_only=True)
 class MatchSettings(CheckedFields):
-    """How a match is played."""
+    """How a match is played: the settings that do not name teams."""
 
     TITLED = False
 
@@ -127,7 +127,7 @@ class MatchSettings(CheckedFields):
 
 @dataclass(frozen=True, kw_only=True)
 class MatchSetup(MatchSettings):
-    """How a match is played, and by which teams."""
+    """How a match is played, and which teams play the robots."""
 
     opponents: Any = declare_setting(None, "the team that plays away; learners then play home robots only")
     teammates: Any = declare_setting(None, "the team that plays all home robots but the last")
@@ -136,7 +136,7 @@ class MatchSetup(MatchSettings):
 
 @dataclass(frozen=True, kw_only=True)
 class MatchArguments(MatchSetup):
-    """The arguments of Match."""
+    """The arguments of the constructor of `Match`."""
 
     league: str | League = field(
         default="legged-2001", metadata=MatchSettings.__dataclass_fields__["league"].metadata, kw_only=False
@@ -155,7 +155,7 @@ class MatchArguments(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class EnvArguments(MatchSetup):
-    """The arguments of a PettingZoo env."""
+    """The arguments of a PettingZoo environment."""
 
     render_mode: Literal["rgb_array", "human"] | None = declare_setting(
         None, '"rgb_array" for frames, "human" for a window'
@@ -166,7 +166,7 @@ class EnvArguments(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class LearnerSetup(MatchSetup):
-    """How a match of one learner is played, and by which teams."""
+    """The settings and teams of a match with a single learner."""
 
     opponents: Any = declare_setting("chaser", "the team that plays away")
     teammates: Any = declare_setting("chaser", "the team that plays the other home robots")
@@ -179,14 +179,14 @@ class LearnerSetup(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class SoloArguments(LearnerSetup):
-    """The arguments of a Gymnasium Env."""
+    """The arguments of a Gymnasium `Env`, in which one learner plays one match."""
 
     overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
 
 
 @dataclass(frozen=True, kw_only=True)
 class VectorArguments(LearnerSetup):
-    """The arguments of a Gymnasium VectorEnv."""
+    """The arguments of a Gymnasium `VectorEnv`, in which one learner plays many matches at once."""
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
     max_episode_steps: int | None = declare_setting(
@@ -203,7 +203,7 @@ REPLAYED = tuple(item.name for item in fields(MatchSettings) if item.metadata["r
 
 
 def select_fields(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
-    """Return the arguments that are also fields of the class `kind`, as a dict by name."""
+    """Select the arguments that are fields of the dataclass `kind`; return them as a dict by name."""
     return {item.name: getattr(arguments, item.name) for item in fields(kind)}
 
 
@@ -211,7 +211,7 @@ def select_fields(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[s
 
 
 def takes_fields_of(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
-    """Return a decorator: callers pass the fields of `kind`, the function gets a `kind`; TypeError for other names."""
+    """Return a decorator: callers pass the fields of `kind` by name, the decorated function gets a `kind` object."""
 
     def decorate(function: Callable[[A], T]) -> Callable[P, T]:
         @functools.wraps(function)
@@ -227,7 +227,7 @@ def takes_fields_of(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callab
 def init_takes_fields_of(
     kind: Callable[P, A],
 ) -> Callable[[Callable[[Any, A], None]], Callable[Concatenate[Any, P], None]]:
-    """Return a decorator for an `__init__` that takes one `kind`; the decorator works as that of `takes_fields_of`."""
+    """Return a decorator like `takes_fields_of`, for an `__init__` that takes one object of class `kind`."""
 
     def decorate(function: Callable[[Any, A], None]) -> Callable[Concatenate[Any, P], None]:
         @functools.wraps(function)
@@ -241,13 +241,13 @@ def init_takes_fields_of(
 
 
 def gather_arguments(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
-    """Collect the positional and named arguments of a call in an instance of `kind`."""
+    """Collect the positional and named arguments of a call into an instance of the dataclass `kind`."""
     check_names("setting", named, [item.name for item in fields(kind)], TypeError)
     return kind(*values, **named)
 
 
 def document_signature(call: Any, kind: Any, *first: inspect.Parameter) -> None:
-    """Give a function the signature of `kind`, and a line of help for each field."""
+    """Give a function the signature of the dataclass `kind`, and a line of help for each field."""
     parameters = inspect.signature(kind).parameters.values()
     returned = call.__annotations__.get("return")
     call.__signature__ = inspect.Signature([*first, *parameters], return_annotation=returned)
@@ -256,7 +256,7 @@ def document_signature(call: Any, kind: Any, *first: inspect.Parameter) -> None:
 
 
 def setting_help(item: Field[Any]) -> list[str]:
-    """Return the lines of help of one setting."""
+    """Return the help text of one setting, as lines."""
     text = f"{item.name} = {item.default!r}: {item.metadata['text']}."
     return textwrap.wrap(text, 100, subsequent_indent="    ")
 
@@ -265,12 +265,12 @@ def setting_help(item: Field[Any]) -> list[str]:
 
 
 def reduce_by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return the value of `__reduce__` for an object that `make(**settings)` builds."""
+    """Return the value of `__reduce__` that pickles an object as the call `make(**settings)`."""
     return rebuild_from_settings, (version(), make, settings)
 
 
 def rebuild_from_settings(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
-    """Rebuild a pickled object; if this version cannot, ValueError names the version that pickled the object."""
+    """Rebuild a pickled object; on failure ValueError names the package version that pickled the object."""
     try:
         return make(**settings)
     except (TypeError, ValueError) as error:

@@ -1,4 +1,4 @@
-"""Match: M matches side by side, reset and step, without dicts.
+"""Match: M matches side by side, with `reset` and `step` on arrays instead of dicts.
 
     decide -> act -> sense -> tell -> believe -> observe
               drive, physics, referee, restart, rewards
@@ -22,7 +22,7 @@ from soccer_env.match.saving import Branching, guard_match_methods
 from soccer_env.match.senses import sensing_sides
 from soccer_env.match.settings import make_settings
 from soccer_env.match.squads import TeamArrays, assign_teams, choose_teams, make_squads, run_compiled, run_python
-from soccer_env.match.user_code import UserObservations, UserTerms
+from soccer_env.match.user_code import UserObservations, UserRewardTerms
 from soccer_env.match.views import Views
 from soccer_env.observations import layout
 from soccer_env.observations.own import index_arrays
@@ -71,7 +71,7 @@ class Match(Views, Branching):
         self.agents = self.settings.agents
         self.state_names = [entry.name for entry in self.state_entries()]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
-        self.seen, self._own_terms = UserObservations(self.settings, self.count), UserTerms(self.settings.rewards)
+        self.seen, self._own_terms = UserObservations(self.settings, self.count), UserRewardTerms(self.settings.rewards)
         entries = {group.side: layout(self.league, group.observe) for group in self.seen.groups}
         names = {side: [entry.name for entry in side_entries] for side, side_entries in entries.items()}
         self.observation_entries: Any = entries if self.seen.by_side else entries[""]
@@ -91,7 +91,7 @@ class Match(Views, Branching):
         self.batch.build_spaces([0])  # changes nothing, but compiles the kernels that later resets need
 
     def _make_arrays(self, backend: Backend | None) -> None:
-        """Make the arrays and set them as attributes; a user's own observations have arrays of their own."""
+        """Allocate the arrays and set them as attributes of the Match."""
         observed = 0 if self.seen.own else len(self.observation_names)
         self.batch = batch = MatchBatch(self.settings, self.count, len(self.agents), observed, backend)
         self.matches, self.balls, self.robots = batch.matches, batch.balls, batch.robots
@@ -102,7 +102,7 @@ class Match(Views, Branching):
         self.observations: Any = self.seen.arrays if self.seen.own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:
-        """Make the squads of the teams that play robots, with memories, and the senses of the sides with sensors."""
+        """Make a squad for each team, with its memory, and the sensors of the sides that need them."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads if squad.reads_beliefs for r in squad.players], np.int64)
@@ -200,7 +200,7 @@ class Match(Views, Branching):
         return self._no_actions
 
     def _control_step(self, numbers: np.ndarray) -> None:
-        """Run one control step: users' Python for all matches before and after, compiled slices of matches between."""
+        """Run one control step: users' Python before, compiled slices of matches, users' Python after."""
         self._own_terms.begin(self)
         self._decide_in_python()
         if self.recorder is not None:  # the recorder notes all commands before any robot moves
@@ -217,7 +217,7 @@ class Match(Views, Branching):
             self.recorder.note_state(self)
 
     def _step_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
-        """Run one control step of a slice of matches, block by block."""
+        """Run one control step of a slice of matches, a block of matches at a time."""
         batch = self.batch
         for start in range(first, last, BLOCK):
             stop = min(start + BLOCK, last)
@@ -230,12 +230,12 @@ class Match(Views, Branching):
             batch.observe(start, stop)  # observations of the learners
 
     def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
-        """Fill the commands of a slice: learners' actions, and compiled teams."""
+        """Write the commands of a slice of matches: learners' actions, and decisions of compiled teams."""
         write_learner_commands(self.robots, numbers, first, last, self.learns)
         self._decide_compiled(first, last)
 
     def _decide_compiled(self, first: int, last: int) -> None:
-        """Fill the commands of the compiled teams in a slice."""
+        """Write the commands of the compiled teams in a slice of matches."""
         if len(self._readers):
             self.batch.read(self._readers, first, last)
         for squad in self.squads:
@@ -252,7 +252,7 @@ class Match(Views, Branching):
         return commands
 
     def _decide_in_python(self) -> None:
-        """Let teams without a kernel decide, in all matches at once."""
+        """Let teams written in plain Python decide, in all matches at once."""
         for squad in self.squads:
             if not squad.compiled:
                 self.batch.read(squad.players, 0, self.count)
@@ -260,20 +260,20 @@ class Match(Views, Branching):
                     run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
 
     def _observe_own(self) -> None:
-        """Fill the observations that users' own code makes."""
+        """Fill the observations that the user's own code computes."""
         if self.seen.own:
             self.seen.fill(self)
 
     # Starting again
 
     def _restart_next_step(self, ended: np.ndarray) -> None:
-        """Begin new episodes in the matches that had ended before this step; this step gives them no reward."""
+        """Begin new episodes in the matches that ended before this step; their reward in this step is 0."""
         self._begin(ended, self.matches["episode"] + 1)
         self.rewards[ended] = 0.0
         self.terms[ended] = 0.0
 
     def _restart_same_step(self) -> Transition:
-        """Begin new episodes where one ended; set `ended` to their rows, and `final` to the last records and state."""
+        """Begin new episodes in matches that just ended; set `ended` to their rows, `final` to their last state."""
         if not self._has_ended():
             self.ended = NOBODY
             return self.observations, self.rewards, self.terminated, self.truncated
@@ -286,7 +286,7 @@ class Match(Views, Branching):
         return self.observations, self.rewards, terminated, truncated
 
     def _has_ended(self) -> bool:
-        """Tell whether any episode has ended."""
+        """Tell whether the episode of any match has ended."""
         return bool(np.count_nonzero(self.terminated) or np.count_nonzero(self.truncated))
 
     def close(self) -> None:

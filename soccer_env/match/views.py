@@ -1,4 +1,4 @@
-"""The methods of `Match` that read and change nothing."""
+"""The methods of `Match` that read the match and change nothing."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -19,7 +19,7 @@ Match = Any  # soccer_env.match.match.Match, which stands above this file
 
 
 class Views:
-    """Beliefs, percepts, states, sizes and text of a Match."""
+    """Methods of `Match` that return beliefs, percepts, states, sizes and text."""
 
     if TYPE_CHECKING:
         settings: Settings
@@ -36,7 +36,7 @@ class Views:
 
     @property
     def tracks(self) -> np.ndarray:
-        """Return the beliefs about other players (M, R, slots); ValueError as for `beliefs`."""
+        """Return the tracks (M, R, slots): beliefs about other players; ValueError if no robot has senses."""
         return self.batch.read_all()[1]
 
     @property
@@ -72,13 +72,13 @@ class Views:
         return match_in_words(self)
 
     def _repr_png_(self) -> bytes | None:
-        """Return the picture of the first match that a notebook shows, or None if it cannot be drawn."""
+        """Return a picture of the first match, which a notebook shows, or None if it cannot be drawn."""
         drawn: bytes | None = import_module(PICTURES).match_png(self)
         return drawn
 
 
 def env_info(match: Match) -> dict[str, int | None]:
-    """Return the sizes that PyMARL asks for."""
+    """Return the sizes of observations, actions and states under PyMARL's names."""
     settings, learner = match.settings, int(np.argmax(match.learns))
     return {
         "state_shape": len(match.state_names),

@@ -1,4 +1,4 @@
-"""What robots perceive: percepts made from the truth, with the errors of real sensors.
+"""What robots perceive: percepts computed from the truth, with the errors of real sensors.
 
     body.py    What a robot feels of itself: odometry, accelerometer, kicker, and a pose if it is given one.
     ideal.py   senses="ideal": the truth in the fields of beliefs and tracks, as from a perfect sensor.

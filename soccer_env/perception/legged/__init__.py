@@ -1,4 +1,4 @@
-"""What legged robots perceive: blobs in the picture of a camera on a moving head, and an infrared ranger.
+"""What legged robots perceive: coloured blobs in the picture of the head camera, and an infrared range.
 
     blobs.py         From the pieces of a sketch to the blobs that the vision delivers: misses, merging, noise.
     bodies.py        The other robots in view of a camera: where they stand, and the boxes that hide things behind.

@@ -1,4 +1,4 @@
-"""What stands round the field of a legged robot: goals, landmarks, and patches in the ball's colour.
+"""The surroundings of a legged robot's field: goals, landmarks, and ball-coloured patches beyond the boards.
 
 Things are drawn as seen by the robot's own team, and each pair in an order that does not change in a mirror: so both
 teams, and a match and its mirror image, draw the same noise for the same thing.
@@ -20,7 +20,7 @@ PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # keeps the places of patches indepen
 
 @compiled
 def draw_goals(sketch, side, k, s):
-    """Draw the mouths of the own and the opponent's goal, as flat as a wall.
+    """Draw the mouths of both goals into a sketch, each as a flat wall.
 
     The mouth stands for the coloured walls behind it, so that a robot inside a goal hides it as well.
     """
@@ -39,7 +39,7 @@ def draw_goals(sketch, side, k, s):
 
 @compiled
 def draw_landmarks(sketch, side, k, s):
-    """Draw the six landmarks: coloured cylinders just outside the corners and the ends of the halfway line."""
+    """Draw the six landmarks into a sketch: coloured cylinders just outside the corners and the halfway line's ends."""
     half_length = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
     half_width = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
     middle, high = 0.5 * (s.landmark_low + s.landmark_high), 0.5 * (s.landmark_high - s.landmark_low)
@@ -61,7 +61,7 @@ def draw_landmarks(sketch, side, k, s):
 
 @compiled
 def face_camera(panel, ahead, left, half_width):
-    """Set a panel at a place, ahead and left of the camera, and turn it to face the camera."""
+    """Place a panel at ahead, left [m] of the camera, and turn it to face the camera."""
     distance = max(length(ahead, left), 1e-9)
     panel.ahead, panel.left = ahead, left
     panel.across, panel.aside = -left / distance * half_width, ahead / distance * half_width
@@ -69,7 +69,7 @@ def face_camera(panel, ahead, left, half_width):
 
 @compiled
 def keep_largest(sketch, index):
-    """Store the largest piece of a landmark under the landmark's index."""
+    """Store only the largest piece of a landmark, under the landmark's index."""
     for i in range(sketch.counts[LANDMARK]):
         if sketch.pieces[LANDMARK, i].area > sketch.landmarks[index].area:
             sketch.landmarks[index] = sketch.pieces[LANDMARK, i]
@@ -77,7 +77,7 @@ def keep_largest(sketch, index):
 
 @compiled
 def draw_patches(sketch, match, side, k, s):
-    """Draw the patches of the ball's colour that stand off the field in this match, behind the boards.
+    """Draw the ball-coloured patches that stand off the field in this match, behind the boards.
 
     Patches stand in opposite pairs, so that each team sees the same pattern from its own side.
     """
@@ -90,7 +90,7 @@ def draw_patches(sketch, match, side, k, s):
 
 @compiled
 def patch_place(bits, k, s):
-    """Return where a patch stands [m]: x, y on a rectangle round the boards, and its height."""
+    """Return the position of a patch [m]: x, y on a rectangle round the boards, and its height."""
     length_away = 0.5 * k.pitch_length + k.pitch_band_end + s.patch_away
     width_away = 0.5 * k.pitch_width + k.pitch_band_side + s.patch_away
     along = 2.0 * (length_away + width_away) * unit_fraction(bits)  # half round suffices: the other half is opposite
@@ -102,13 +102,13 @@ def patch_place(bits, k, s):
 
 @compiled
 def unit_fraction(bits):
-    """Return 64 mixed bits as a number in [0, 1)."""
+    """Convert 64 random bits to a number in [0, 1)."""
     return np.float64(bits >> np.uint64(11)) * TO_UNIT
 
 
 @compiled
 def draw_patch(sketch, x, y, height, k, s):
-    """Draw a patch; boards hide its part below the line of sight over the boards."""
+    """Draw a ball-coloured patch; the boards hide its part below the line of sight over the boards."""
     camera = sketch.camera
     panel = sketch.panel
     half = 0.5 * s.patch_size
@@ -126,7 +126,7 @@ def draw_patch(sketch, x, y, height, k, s):
 
 @compiled
 def share_to_boards(x, y, to_x, to_y, k):
-    """Return the share [1], inside the boards, of the line from a place on the field to a place outside."""
+    """Return the fraction [1] of a line from the field to a place outside that lies inside the boards."""
     share = 1.0
     half_length = 0.5 * k.pitch_length
     half_width = 0.5 * k.pitch_width
@@ -139,6 +139,6 @@ def share_to_boards(x, y, to_x, to_y, k):
 
 @compiled
 def share_to_line(start, end, line):
-    """Return the share [1] of the way from start to end that lies before a line at +-line, at least a thousandth."""
+    """Return the fraction [1] of the way from start to end that lies before a line at +-line, at least 0.001."""
     goal = line if end > 0.0 else -line
     return max((goal - start) / (end - start), 0.001) if end != start else 1.0

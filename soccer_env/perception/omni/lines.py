@@ -33,7 +33,7 @@ TABLES = np.dtype(
 
 @lru_cache(maxsize=8)
 def line_tables(league: League) -> np.ndarray:
-    """Return the tables of line distances of a league, a record TABLES (1,).  MH08"""
+    """Return the tables of distances to the nearest line for a league's pitch, a record TABLES (1,).  MH08"""
     pitch, table = league.pitch, np.zeros(1, TABLES)
     cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
     x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
