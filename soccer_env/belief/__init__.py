@@ -1,4 +1,4 @@
-"""What robots believe: percepts and memory in, beliefs and tracks out; the truth is out of reach here.
+"""Beliefs of robots, computed from percepts and memory, without access to the truth.
 
     believing.py   The loop over matches and robots in which robots update their beliefs and talk.
     legged/        What legged robots believe: ball, other players, obstacle and own pose, and where the head looks.

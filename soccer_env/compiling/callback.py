@@ -1,4 +1,4 @@
-"""Our functions that C calls: compiled like all kernels, and called by address.
+"""Compiled callbacks: functions of this package that C code calls by address.
 
 `@callback("void", "address", "float64")` compiles a function at its first use; C gets `function.address`. The function
 runs without the interpreter lock, and must not raise, since no caller could catch the error.

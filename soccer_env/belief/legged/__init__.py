@@ -1,4 +1,4 @@
-"""What legged robots believe: ball, other players, obstacle and own pose, and where the head looks.
+"""Beliefs of legged robots: ball, other players, obstacle and own pose, and the control of the head's gaze.
 
     ball.py        The ball that a legged robot believes in.
     ball_blob.py   From orange blobs in the picture to a place of the ball.

@@ -1,4 +1,4 @@
-"""The obstacle that a legged robot makes of a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
+"""The obstacle that a legged robot infers from a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
 
 The black head of a player that looks down hides its jersey: the player seems much farther than it is, or is not seen at
 all. A reading significantly closer than every player in memory, both from the camera to the surface of a body, reveals
@@ -26,7 +26,7 @@ from soccer_env.optics.head_camera import camera_place
 
 @compiled
 def believe_obstacle(percept, belief, tracks, k, s, w):
-    """Update the obstacle of a BELIEF from the percept of a frame; its tracks (slots,) are up to date already.  MS49
+    """Update the obstacle of a BELIEF from the percept of a frame, after the tracks (slots,) were updated.  MS49
 
     A robot that lies on its side or is sent off does not look.
     """
@@ -41,7 +41,7 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
 
 @compiled
 def beam_meets_player(percept, k, s, w):
-    """Tell whether the beam meets a near thing, higher than the carpet, the ball and the boards.  MS49"""
+    """Tell whether the beam meets a near object that is higher than the carpet, the ball and the boards.  MS49"""
     if not 0.0 < percept.infrared < w.player_infrared_far:
         return False
     tilt = np.float64(percept.tilt)

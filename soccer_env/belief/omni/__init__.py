@@ -1,4 +1,4 @@
-"""What middle-size robots believe: ball and players by filters, own pose by lines, reports by radio.
+"""Beliefs of middle-size robots: ball and players by filters, own pose by white lines, reports by radio.
 
     ball.py          The ball that a middle-size robot tracks: place and velocity.
     believe.py       The world model of a middle-size robot: ball, players, own pose, radio.
