@@ -272,7 +272,7 @@ def _announce_compiling() -> None:
 
 
 class CompileProgress:
-    """The progress of compiling in this process: compiled and expected functions."""
+    """The progress of compiling in this process: number of compiled functions, and times of messages."""
 
     functions = 0  # compiled versions of functions, without those from disk
     began = said = float("inf")  # [s] time of the announcement, and of the last line of progress

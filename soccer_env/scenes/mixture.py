@@ -15,7 +15,7 @@ CHOOSER = (1 << 20) + 2  # owner of its random-number stream; lower owners belon
 
 @dataclass(frozen=True, repr=False)
 class Mixture(Scene):
-    """Several scenes as one: the match's seed and the number of the episode choose one of them."""
+    """A scene that is drawn anew for each episode from several scenes, by the match's seed."""
 
     parts: tuple[Scene, ...] = ()  # the scenes
     shares: tuple[float, ...] = field(default=())  # relative frequencies of the parts
