@@ -1,4 +1,4 @@
-"""Zips of stable-baselines3: only their parameters are read, and nothing in them is ever run.
+"""Policies in zips of stable-baselines3: only their parameters are read, and nothing in them is ever run.
 
     policy.pth    torch's archive of the parameters. Its pickle may name only tensors of float32 (ALLOWED, OPCODES:
                   checked without running it), its records are copied into a new archive, which
@@ -66,7 +66,7 @@ def load_sb3(
     name: str | None = None, activation: str | None = None, at_once: bool = False, normalise: Any = None,
     pose: str | None = None, senses: str | None = None, rules: str | None = None,
 ) -> Policy:  # fmt: skip
-    """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
+    """Return the policy of a stable-baselines3 zip that was trained in a league on the observation `observe`.
 
     `name`: default the file's name. `activation`: for zips of users' own policy classes that do not name theirs; None:
     from the zip, else from the algorithm. `normalise`: the VecNormalize of the training, see
@@ -110,7 +110,7 @@ def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **set
 
 
 def _network(content: bytes, activation: str | None) -> dict[str, Any]:
-    """Return the fields of a policy that its zip holds: the network, the kind of actions, and the origin."""
+    """Return the fields of a policy stored in its zip: the network, the kind of actions, and the origin."""
     settings = _read_run_settings(content)
     state = _parameters(_member(content, "policy.pth", MAX_MEMBER))
     algorithm = algorithm_of(state)
@@ -130,12 +130,12 @@ def _network(content: bytes, activation: str | None) -> dict[str, Any]:
 
 
 def _member(content: bytes, name: str, limit: int) -> bytes:
-    """Return one member of a zip, unpacked in memory after a check of its size."""
+    """Return one member of a zip, unpacked in memory after its size is checked."""
     return _members(content, lambda member: member == name, limit, f"member {name!r}")[name]
 
 
 def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, bytes]:
-    """Return the members of a zip with wanted names: at least one, each once, at most `limit` bytes together."""
+    """Return the members of a zip with the names `wanted`: at least one, none twice, at most `limit` bytes in total."""
     if content.count(LISTED) > MAX_MEMBERS:
         raise ValueError(f"lists more than {MAX_MEMBERS} members")
     try:
@@ -156,7 +156,7 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
 
 
 def _read_run_settings(content: bytes) -> dict[str, Any]:
-    """Return the settings of the run; ValueError for an unsupported policy."""
+    """Return the settings of the training run in a zip; ValueError for an unsupported policy."""
     settings = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
     if not isinstance(settings, dict):
         raise ValueError("data must be a JSON object")
@@ -181,7 +181,7 @@ def _read_run_settings(content: bytes) -> dict[str, Any]:
 
 
 def _check_actions(space: Mapping[str, Any]) -> None:
-    """Raise ValueError unless an action space is ours: discrete, or numbers in [-1, 1]."""
+    """Raise ValueError unless an action space belongs to this package: discrete, or numbers in [-1, 1]."""
     if space[":type:"].endswith(DISCRETE_TYPE):
         for key, wanted in DISCRETE_SPACE.items():
             if str(space.get(key)) != wanted:
@@ -196,7 +196,7 @@ def _check_actions(space: Mapping[str, Any]) -> None:
 
 
 def _activation(kwargs: Any, given: str | None, default: str) -> str:
-    """Return the activation that the zip names in plain text, else the given one, else the algorithm's."""
+    """Return the activation named in plain text in the zip, else the given activation, else the algorithm's."""
     text = kwargs.get("activation_fn")
     if text is None:
         return given or default
@@ -209,7 +209,7 @@ def _activation(kwargs: Any, given: str | None, default: str) -> str:
 
 
 def _parameters(pth: bytes) -> dict[str, np.ndarray]:
-    """Return the parameters in policy.pth as arrays that share torch's memory."""
+    """Return the parameters in policy.pth as numpy arrays that share torch's memory."""
     copied = _copy_checked_records(pth)
     try:
         import torch
@@ -246,7 +246,7 @@ def _copy_checked_records(pth: bytes) -> bytes:
 
 
 def _check_pickle(content: bytes) -> None:
-    """Raise ValueError unless a pickle names only tensors; the pickle is scanned, never run."""
+    """Raise ValueError unless a pickle contains only tensors; the pickle is scanned, never run."""
     if len(content) > MAX_PICKLE:
         raise ValueError(f"data.pkl of policy.pth has {len(content)} bytes, the limit is {MAX_PICKLE}")
     try:
@@ -263,12 +263,12 @@ def _check_pickle(content: bytes) -> None:
 
 
 def _stem(path: str | os.PathLike[str]) -> str:
-    """Return a name for the policy, made from the name of its file."""
+    """Return a name for the policy, derived from the name of its file."""
     return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
 
 
 def _action_kind(size: int) -> str:
-    """Return the kind of actions that have `size` numbers."""
+    """Return the kind of actions that consist of `size` numbers."""
     kinds = {ACTIONS[kind]: kind for kind in ("box", "full")}
     if size not in kinds:
         raise ValueError(f"gives {size} numbers as actions, must be one of {', '.join(map(str, kinds))}")
@@ -276,6 +276,6 @@ def _action_kind(size: int) -> str:
 
 
 def _origin_from_zip(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
-    """Return the origin of the policy, from plain values of the zip."""
+    """Return the origin of the policy, from plain values in the zip."""
     made = {"from": "stable-baselines3", "sha256": sha256(content).hexdigest()}
     return made | {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}

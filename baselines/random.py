@@ -32,7 +32,7 @@ def team(strength: float = 1.0) -> CompiledTeam:
 
 @compiled
 def wander(memory, noise, command, k, settings):
-    """Write the remembered command, or draw a new random command when its time is over."""
+    """Write the remembered command, or draw a new random command when the old command's time is over."""
     strength = settings.strength
     memory.seconds -= k.dt
     if memory.seconds <= 0.0:

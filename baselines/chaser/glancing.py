@@ -25,7 +25,7 @@ KEEPER_ROOM = 1.0  # [m] the same for a goalkeeper, assumed
 
 @compiled
 def look_up(belief, command, memory, k, play):
-    """Send the head over the horizon for a moment if the player is unsure where it is; call it in every step."""
+    """Sweep the head over the horizon for a moment if the player is unsure of its pose; call this in every step."""
     if k.head_pan_limit <= 0.0 or belief.situation.active == 0:
         return
     if memory.glance > 0.0:

@@ -109,7 +109,7 @@ TEAM_SETTINGS = np.dtype(
 
 
 def settings_records(settings: HeinemannSettings) -> np.ndarray:
-    """Return the settings records that compiled code reads, one for each of `DRIVE_KINDS`."""
+    """Return the settings as records for compiled code, one for each of `DRIVE_KINDS`."""
     rows = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
     own = settings.record()
     for name in own.dtype.names or ():

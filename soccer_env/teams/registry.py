@@ -33,7 +33,7 @@ NAMES = {  # strings only: resolved at first use
     "chaser": "soccer_env.baselines.chaser:team",
     "sacks-2001": "soccer_env.baselines.sacks_2001:team",
     "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",
-    "sacks-2001-future": "soccer_env.baselines.sacks_2001:future",
+    "sacks-2001-future": "soccer_env.baselines.sacks_2001:team_with_future_work",
     "heinemann-2006": "soccer_env.baselines.heinemann_2006:team",
     "weigel-2001": "soccer_env.baselines.heinemann_2006:weigel",
     "learned": "soccer_env.agents.learned:team",

@@ -1,4 +1,4 @@
-"""Passes over the grid until the way takes the time that its planning assumed.  [Heinemann 2006, 3]  MH16, MH17
+"""Repeated passes over the grid until the way takes as long as its planning assumed.  [Heinemann 2006, 3]  MH16, MH17
 
 Planning backwards needs the robot's travel time T before there is a way. T begins as the time of the straight line,
 and moves towards the time of each way found, until both agree:
@@ -25,7 +25,7 @@ WORSE = 1e6  # [s] by which a way that does not join robot and target is worse t
 
 @compiled
 def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, scratch, plan):
-    """Fill a plan from robot to target [m] past obstacles (OBSTACLE), as many as the array holds.  MH16, MH17
+    """Plan a path from robot to target [m] past obstacles (OBSTACLE) and write it into `plan`.  MH16, MH17
 
     side: the side of y on which to pass if both are equal: +1, or -1 in the mirrored scene.
     settings, scratch (SCRATCH), plan (PLAN): records.
@@ -53,7 +53,7 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
 
 @compiled
 def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, plan):
-    """Initialise a plan from robot to target, with both places moved into the grid."""
+    """Initialise a plan from robot to target, with both positions moved into the grid."""
     half_u = int(floor((0.5 * settings.pitch_length + settings.margin) / settings.cell))
     half_v = int(floor((0.5 * settings.pitch_width + settings.margin) / settings.cell))
     half_v = min(half_v, (GRID // (2 * half_u + 1) - 1) // 2)  # never beyond the marks, whatever the record says
@@ -69,7 +69,7 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
 
 @compiled
 def clip_place(place, far):
-    """Return a coordinate clipped to +-far; NaN becomes -far."""
+    """Return a coordinate clipped to the range -far to +far; NaN becomes -far."""
     if not place > -far:
         return -far
     return far if place > far else place
@@ -77,7 +77,7 @@ def clip_place(place, far):
 
 @compiled
 def depends_on_time(obstacles, settings):
-    """Tell whether the way may depend on T: it is planned backwards, and an obstacle moves."""
+    """Tell whether the way depends on the assumed time T: it is planned backwards, and an obstacle moves."""
     if settings.time_variant == 0 or settings.backward == 0:
         return False
     speeds = 0.0
@@ -88,7 +88,7 @@ def depends_on_time(obstacles, settings):
 
 @compiled
 def smooth_and_time(settings, scratch, plan):
-    """Smooth the way and return the time [s] to drive it, at least that of the straight line."""
+    """Smooth the way to a path and return the path's driving time [s], at least that of the straight line."""
     if settings.backward == 1:
         smooth(plan.target, plan.robot, settings, scratch)
     else:
@@ -104,7 +104,7 @@ def smooth_and_time(settings, scratch, plan):
 
 @compiled
 def is_kept(worth, best, settings):
-    """Tell whether a plan whose times do not agree yet replaces the plan kept before."""
+    """Tell whether a plan whose times do not agree yet is better than the best plan so far."""
     if settings.literal == 1:
         return True
     return settings.fallback != FIRST and (settings.fallback != BEST or worth < best)
@@ -128,7 +128,7 @@ def keep_pass(number, ended, took, settings, scratch, plan):
 
 @compiled
 def reflect_index(i, last):
-    """Reflect an index into 0 to last; return it, and the index of the end that reflected it, -1 for none."""
+    """Reflect an index into the range 0 to last; return the index and the end that reflected it, -1 for none."""
     if i < 0:
         return -i, 0
     if i > last:
@@ -138,7 +138,7 @@ def reflect_index(i, last):
 
 @compiled
 def cell_at(i, last, way):
-    """Return u and v of cell i of the way; beyond an end, of the way's point reflection about that end."""
+    """Return u, v of cell i of the way; for an index beyond an end, of the reflection about that end."""
     inner, end = reflect_index(i, last)
     if end < 0:
         return way[inner].u, way[inner].v
@@ -147,7 +147,7 @@ def cell_at(i, last, way):
 
 @compiled
 def smooth(begin, end, settings, scratch):
-    """Fill the path: a running mean of the way's cells, shifted so that it starts at `begin` and stops at `end`.  MH16
+    """Compute the path: a running mean of the way's cells, shifted to start at `begin` and stop at `end`.  MH16
 
     The shift changes linearly from the first cell to the last.
     """
