@@ -1,4 +1,4 @@
-"""The command `soccer`. Heavy packages are imported only once the command is known.
+"""The command line of `soccer`, which imports heavy packages only once the command is known.
 
 Every flag is a field of a dataclass that Python code can use as well. A user's mistake ends with one line on stderr
 and exit code 2; SOCCER_ENV_TRACEBACK=1 shows the traceback.
@@ -45,7 +45,7 @@ SUMMARIES = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line (sys.argv without its first word by default) and return the exit code."""
+    """Run the command line with these arguments, by default those of the process; return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     name, rest = (words[0], words[1:]) if words else ("--help", [])
     if name in ("-h", "--help"):
@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def help_text() -> str:
-    """Return the help of `soccer` itself."""
+    """Return the help text of `soccer` without a command."""
     return "\n".join(
         [
             "usage: soccer COMMAND [OPTIONS]",
@@ -78,7 +78,7 @@ def help_text() -> str:
 
 
 def run_guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
-    """Run a command and return its exit code; report a user's mistake in one line on stderr."""
+    """Run a command and return its exit code; a user's mistake is reported in one line on stderr."""
     try:
         with repeat_swallowed_interrupts():
             return command(words)
@@ -96,20 +96,20 @@ def run_guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
 
 
 def complain(message: str) -> int:
-    """Print one line on stderr; return the exit code of a command that cannot run."""
+    """Print one line on stderr, and return the exit code for a command that cannot run."""
     print(f"soccer: {' '.join(message.split())}", file=sys.stderr)
     return WRONG
 
 
 def console() -> Console:
-    """Return the console for tables: the terminal's, or one of fixed width."""
+    """Return the console for printing tables: the terminal, or one of fixed width."""
     from rich.console import Console
 
     return Console(width=None if sys.stdout.isatty() else WIDTH, markup=False)  # names of teams and files are no markup
 
 
 def print_json(value: Any) -> None:
-    """Print a value as JSON, with nothing else on stdout, for programs."""
+    """Print a value as JSON and nothing else on stdout, for other programs."""
     print(json.dumps(value, indent=2))
 
 
@@ -165,7 +165,7 @@ def run_evaluate(words: list[str]) -> int:
 
 
 def print_written_files(folder: Path | None, *names: str) -> None:
-    """Print the paths of the files in `names` that exist in a folder."""
+    """Print the paths of those files `names` that exist in a folder."""
     if folder is not None:
         print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
 
@@ -263,7 +263,7 @@ def run_train(words: list[str]) -> int:
 
 
 def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
-    """Return the function `train` and the module `reports` of a training; ValueError names the packages to install."""
+    """Import and return the function `train` and the module `reports`; ValueError names packages to install."""
     try:
         import soccer_env.train.ppo.training  # noqa: F401  # imports torch and everything else that training needs
         from soccer_env.train.ppo import reports, train

@@ -1,4 +1,4 @@
-"""Evaluate one team against another: pairs of matches from the same seeds, sides swapped, many at once.
+"""Evaluate one team against another by pairs of matches from one seed, with sides swapped, many at once.
 
     result = evaluate(EvaluateSettings(home="chaser", away="random@0.5", matches=20))
 
@@ -45,7 +45,7 @@ COLUMNS, WIDTH = 4, 480  # of the sheet; [px] of a picture
 def evaluate(
     settings: EvaluateSettings, *, league: League | None = None, teams: Mapping[str, Team] | None = None
 ) -> EvaluationResult:
-    """Play the matches that settings.out lacks and return the result of all.
+    """Play the matches still missing in settings.out, and return the result of all matches.
 
     `league` replaces the named league by a user's own; `teams` gives names to team objects, which settings.home and
     settings.away may then use. Raises ValueError for settings that cannot be played and for a folder with another
@@ -78,7 +78,7 @@ def evaluate(
 
 
 def training_notes(contest: Contest) -> dict[str, str]:
-    """Return, by name of policy, the settings of its training that differ from this contest, in words."""
+    """Describe, for each policy, the settings of its training that differ from this contest."""
     notes: dict[str, str] = {}
     for _, policy, setting, trained, _ in differing_settings(contest):
         notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))
@@ -86,7 +86,7 @@ def training_notes(contest: Contest) -> dict[str, str]:
 
 
 def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
-    """Play every match that the folder lacks; return the lines of all."""
+    """Play every match that is missing in the folder; return the result lines of all matches."""
     conditions = contest.conditions
     lines = list(folder.results(MATCHES, MatchLine, "match").values())
     for line in lines:
@@ -105,7 +105,7 @@ def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[
 
 
 def draw_first_match(contest: Contest, folder: ResultsFolder, result: EvaluationResult) -> None:
-    """Play the first match again alone and write its pictures; RuntimeError if it ends in another state."""
+    """Play the first match again and draw pictures of it; RuntimeError if it ends in another state than before."""
     from soccer_env.render import Picture, contact_sheet, save_png
     from soccer_env.render.canvas import require_pygame
 
@@ -125,7 +125,7 @@ def draw_first_match(contest: Contest, folder: ResultsFolder, result: Evaluation
 
 
 def play_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
-    """Play a single match to its end and return its moments for pictures: match record, ball and robots."""
+    """Play a single match to its end; return moments to draw: match record, ball and robots."""
     wanted = set(np.linspace(0, steps - 1, MOMENTS).astype(int).tolist())
     moments: list[tuple[Any, Any, Any]] = []
     goals = 0

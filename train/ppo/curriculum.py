@@ -1,4 +1,4 @@
-"""Choose a learner's opponents among scripted teams, policy files and past selves, evenly matched ones most often.
+"""The choice of opponents among scripted teams, policy files and past selves; even match-ups are the most frequent.
 
 Each opponent has the learner's recent share of points against it, and a rating (OpenSkill's Plackett-Luce model); both
 follow from the results of episodes and are kept with the run's checkpoints.
@@ -23,7 +23,7 @@ LEARNER = "learner"
 
 @dataclass
 class Standing:
-    """The learner's record against one opponent."""
+    """The learner's results and rating against one opponent."""
 
     points: float = 0.5  # recent share of points that the learner won
     episodes: int = 0
@@ -32,7 +32,7 @@ class Standing:
 
 
 class Curriculum:
-    """The opponents of a run; `lineup`, which plays in the matches, draws one for each episode by their weights."""
+    """The opponents of a run, with their weights; `lineup` draws one opponent for each episode by these weights."""
 
     def __init__(self, names: Sequence[str], past: int, first: Policy) -> None:
         self.past_names = [f"past-{index}" for index in range(past)]
@@ -46,7 +46,7 @@ class Curriculum:
         self._weigh()
 
     def take(self, results: Iterable[Any]) -> None:
-        """Update the standings and the weights of opponents from the results of episodes (`vec_env.Result`)."""
+        """Update the opponents' standings and weights by the results of finished episodes."""
         for result in results:
             if self.leaving.get(result.opponent, 0) > 0:
                 self.leaving[result.opponent] -= 1
@@ -59,7 +59,7 @@ class Curriculum:
         self._weigh()
 
     def add_past(self, policy: Policy, step: int, playing: Sequence[str] = ()) -> None:
-        """Replace the oldest past self by `policy`, the present learner, also in running episodes.
+        """Replace the oldest past self by `policy`, the present learner, even in running episodes.
 
         `playing` names the opponents of the running episodes: results against the replaced self will not count.
         """
@@ -79,7 +79,7 @@ class Curriculum:
         return {"standings": standings, "filled": list(self.filled), "past": numbers, "leaving": dict(self.leaving)}
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Restore standings and past selves from the result of `state`."""
+        """Restore the standings and the past selves from a checkpoint (a result of `state`)."""
         self.standings = {name: Standing(**values) for name, values in state["standings"].items()}
         self.filled, self.leaving = list(state["filled"]), dict(state["leaving"])
         for team, numbers in zip(self._past, state["past"], strict=True):
@@ -87,7 +87,7 @@ class Curriculum:
         self._weigh()
 
     def _weigh(self) -> None:
-        """Set each opponent's weight: p (1 - p) of its points p, plus a floor; 0 for a past self not yet taken."""
+        """Set each opponent's weight in proportion to p (1 - p), plus a floor; p: the learner's share of points."""
         shares = np.array([self.standings[name].points for name in self.names])
         weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares)
         first_past = len(self.names) - len(self.filled)
@@ -96,7 +96,7 @@ class Curriculum:
         self.lineup.weights[:] = weights / weights.sum()
 
     def _rate(self, learner: Standing, opponent: Standing, points: float) -> None:
-        """Update the ratings of the learner and an opponent after an episode; `points` are the learner's, 0 to 1."""
+        """Update the ratings of learner and opponent after an episode; `points` are the learner's, 0 to 1."""
         ranks = [1.0 - points, points]
         sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]
         for side, (rated,) in zip((learner, opponent), self.model.rate(sides, ranks=ranks), strict=True):
