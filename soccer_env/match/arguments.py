@@ -48,7 +48,7 @@ Placement = Literal["instant", "drive"]
 InfoKind = Literal["flat", "full", "nested", "none"]
 StateSide = Literal["field", "home", "away"]
 SIDE_BY_SIDE = Range(1, 1 << 20)
-INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words, or "none" (False), the fastest'
+INFOS = '"flat" numbers, "full" (with statistics of play), "nested" dicts in words, or "none" (False), the fastest'
 
 
 def declare_setting(
@@ -70,10 +70,10 @@ class MatchSettings(CheckedFields):
     TITLED = False
 
     league: str | League = declare_setting("legged-2001", "a name of `soccer list leagues`, or a League")
-    home: int | None = declare_setting(None, "robots at home; None: the league's own number", TEAM_SIZE, replayed=True)
-    away: int | None = declare_setting(None, "robots away; None: the league's own number", TEAM_SIZE, replayed=True)
+    home: int | None = declare_setting(None, "home robots; None: the league's team size", TEAM_SIZE, replayed=True)
+    away: int | None = declare_setting(None, "away robots; None: the league's team size", TEAM_SIZE, replayed=True)
     max_players: int | None = declare_setting(
-        None, "rows for robots a side, spare rows are inactive; None: as many as play", TEAM_SIZE, replayed=True
+        None, "array rows for each team, unused rows are inactive; None: as many as play", TEAM_SIZE, replayed=True
     )
     observe: Literal["truth", "percepts", "belief"] | Observation = declare_setting(
         "truth",
@@ -81,30 +81,30 @@ class MatchSettings(CheckedFields):
         free=True,
     )
     senses: Senses | Mapping[str, str] | tuple[str, str] = declare_setting(
-        "sensors", 'what fills beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
+        "sensors", 'source of beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
     )
     pose: Pose = declare_setting(
-        "percept", 'pose of robots that use their sensors: "percept", a noisy pose, or "particles", a particle filter'
+        "percept", 'own pose of robots with sensors: "percept", a given noisy pose, or "particles", a particle filter'
     )
     sensors: Mapping[str, Any] | Options | None = declare_setting(
-        None, "{name: value} to change in the league's sensors, or an object of their class", part="league"
+        None, "{name: value}, changes to the league's sensors, or an object of their class", part="league"
     )
     memory: Mapping[str, Any] | Options | None = declare_setting(
-        None, "{name: value} to change in the league's memory of percepts, or an object of its class", part="league"
+        None, "{name: value}, changes to the league's memory of percepts, or an object of its class", part="league"
     )
     state_side: StateSide = declare_setting(
         "field",
-        'side of `state()`: "home" or "away", always playing towards +x, or in the frame of the "field"',
+        'frame of `state()`: that of "home" or "away", which then always attacks +x, or of the "field"',
         free=True,
     )
     actions: Literal["box", "full", "discrete"] | ActionKind = declare_setting(
-        "box", '"box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
+        "box", 'kind: "box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
     )
     scene: str | Scene = declare_setting(
         "kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene'
     )
     episode: Literal["match", "goal", "drill"] = declare_setting(
-        "match", 'ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
+        "match", 'it ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
     )
     rules: str | Rules | None = declare_setting(
         None,
@@ -115,13 +115,13 @@ class MatchSettings(CheckedFields):
         "default", "a name of `soccer list rewards`, or Rewards", free=True
     )
     placement: Placement = declare_setting(
-        "instant", 'at a restart robots are placed ("instant") or "drive"', replayed=True
+        "instant", 'robots reach their places at a restart at once ("instant"), or they "drive"', replayed=True
     )
     keeper: int = declare_setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
     minutes: float | None = declare_setting(
-        None, "of play, both halves together; None: the league's own", MINUTES, replayed=True
+        None, "minutes of play, both halves together; None: the league's own", MINUTES, replayed=True
     )
-    action_repeat: int = declare_setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
+    action_repeat: int = declare_setting(1, "control steps for which an action is kept", Range(1, 1000), free=True)
     max_cycles: int | None = declare_setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)
 
 
@@ -131,7 +131,7 @@ class MatchSetup(MatchSettings):
 
     opponents: Any = declare_setting(None, "the team that plays away; learners then play home robots only")
     teammates: Any = declare_setting(None, "the team that plays all home robots but the last")
-    controllers: Mapping[str, Any] | None = declare_setting(None, "{agent or side: team} for any subset")
+    controllers: Mapping[str, Any] | None = declare_setting(None, "{agent or side: team}, for some robots or sides")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -144,12 +144,12 @@ class MatchArguments(MatchSetup):
     matches: int = declare_setting(1, "number of matches side by side", SIDE_BY_SIDE)
     threads: int = declare_setting(1, "threads that step the matches; results do not depend on them", THREADS)
     seed: int | None = declare_setting(None, "seed of all matches; None: drawn from the system")
-    seeds: Any = declare_setting(None, "(M,) instead of seed: one for each match")
+    seeds: Any = declare_setting(None, "seeds of the matches (M,), in place of `seed`")
     autoreset: Literal["next_step", "same_step", "off"] = declare_setting(
         "off", "when an ended match begins a new episode"
     )
     backend: Literal["c", "batch"] | None = declare_setting(
-        None, 'of the physics: "c" (compiled) or "batch"; None: the faster one'
+        None, 'code of the physics: "c" (compiled) or "batch"; None: the faster one'
     )
 
 
@@ -161,7 +161,9 @@ class EnvArguments(MatchSetup):
         None, '"rgb_array" for frames, "human" for a window'
     )
     infos: InfoKind | bool = declare_setting("flat", INFOS)
-    overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+    overlays: Any = declare_setting(
+        None, 'drawn over frames: names as "belief,trail", or a mapping that also names a robot'
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -181,7 +183,9 @@ class LearnerSetup(MatchSetup):
 class SoloArguments(LearnerSetup):
     """The arguments of a Gymnasium `Env`, in which one learner plays one match."""
 
-    overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+    overlays: Any = declare_setting(
+        None, 'drawn over frames: names as "belief,trail", or a mapping that also names a robot'
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -190,7 +194,7 @@ class VectorArguments(LearnerSetup):
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
     max_episode_steps: int | None = declare_setting(
-        None, "Gymnasium's word for max_cycles; the lower limit counts", STEPS
+        None, "Gymnasium's name for max_cycles; the lower limit counts", STEPS
     )
     autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = declare_setting(
         "NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode'
