@@ -43,7 +43,7 @@ def network_of(module: Any, activation: str | None) -> Network:
 
 
 def activations_of(parts: list[Any], given: str | None) -> tuple[str, bool]:
-    """Return the activation between the Linear layers of a chain, and whether a Tanh follows the last layer."""
+    """Return the activation between the Linear layers of a network, and whether a Tanh follows the last layer."""
     words = "".join(" " if type(part).__name__ == "Linear" else f"{type(part).__name__.lower()}," for part in parts)
     *between, last = words[1:].split(" ")  # the parts after each layer
     used = {one.removesuffix(",") or given for one in between} or {given or "tanh"}

@@ -37,7 +37,7 @@ def save_policy(
     outputs: Callable[[Any], Any] | None = None, at_once: bool = True, name: str | None = None,
     pose: str | None = None, senses: str | None = None,
 ) -> Policy:  # fmt: skip
-    """Write the actor of a learner as a policy file; return the Policy, or ValueError, and no file, if it does not fit.
+    """Write a learner's actor as a policy file and return the Policy; ValueError, and no file, if it does not fit.
 
     module: a torch module, or several in a row: Linear layers with Tanh or ReLU between. 4 or 7 outputs are the mean of
     the actions, twice as many are mean and deviation (left out), 12 are values of the discrete actions. league,

@@ -1,4 +1,4 @@
-"""How the chaser gets a ball out of a corner: approach it at an angle, then turn with it along one of the boards.
+"""Getting a ball out of a corner: approach it at an angle, then turn with it along one of the boards.
 
     +-----------o+      A robot that faces the corner, rather the touchline than the end, presses the ball into it.
     |          / |      It turns inwards and walks on all the while: its outer paw rolls the ball along the end board

@@ -135,9 +135,9 @@ FOLLOWS = SKILLS_FOLLOW | {  # what a number grows with in leagues of other fami
 
 
 def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
-    """Return the team; `changes` replace NUMBERS by name, for every kind of base. ValueError for an unknown name.
+    """Return the chaser; `changes` replace settings (NUMBERS) by name, for all kinds of base.
 
-    `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`.
+    `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`. ValueError for an unknown name.
     """
     check_names("setting of chaser", changes, NUMBERS)
     given = {name: 3 * (check_finite_number(f"{name} of chaser", value),) for name, value in changes.items()}

@@ -23,7 +23,7 @@ FAR = (0.01, 20.0)
 
 @dataclass(frozen=True)
 class HeinemannSettings(Options):
-    """How heinemann-2006 decides; `make_team("heinemann-2006", planner="static")` changes a switch by name."""
+    """The settings of heinemann-2006; `make_team("heinemann-2006", planner="static")` changes a switch by name."""
 
     NAMES = {"planner": PLANNERS, "keeper": KEEPERS, "stance": STANCES}
     BOUNDS = {

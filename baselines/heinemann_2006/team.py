@@ -19,7 +19,7 @@ EXPLAINS = "soccer_env.baselines.heinemann_2006.explaining:EXPLANATION"
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
+    """Return heinemann-2006; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
     return make_variant("heinemann-2006", {"strength": strength, **changes})
 
 

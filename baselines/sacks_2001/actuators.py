@@ -95,7 +95,7 @@ def point_head(command, k, pan, tilt):
 
 @compiled
 def look_down(command, k):
-    """Look at the ball between the paws."""
+    """Point the head at the ball between the paws."""
     point_head(command, k, 0.0, POCKET_TILT)
 
 

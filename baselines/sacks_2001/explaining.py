@@ -29,7 +29,7 @@ def plan(mind: DecisionInputs) -> np.ndarray:
 
 
 def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the total force on the robot, with its present heading, at each point; the goal replaces `target`."""
+    """Return the total force at each point on the robot, if it stood there; the goal is used in place of `target`."""
     total = np.zeros((len(points), 2))
     beliefs, tracks = mind.beliefs.copy(), mind.tracks.copy()
     force_field(mind.beliefs, mind.tracks, beliefs, tracks, mind.constants, mind.settings, points, total)

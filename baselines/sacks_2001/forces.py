@@ -28,7 +28,7 @@ def goal_force(dx, dy, play):
 
 @compiled
 def repulsion(distance, gain, far, play):
-    """Return the size of the force of an obstacle at a distance [m]: k2 (1/x - 1/x0) / x^(n-1), 0 beyond x0.
+    """Return the magnitude of an obstacle's force at a distance x [m]: k2 (1/x - 1/x0) / x^(n-1), 0 beyond x0.
 
     The exponent n is 3 in theory (MS38), 1 in the end (MS39). Without a cut-off x0 is infinite.
     """
@@ -74,7 +74,7 @@ def player_force(dx, dy, goal_x, goal_y, play):
 
 @compiled
 def wall_force(y, half_width, play):
-    """Return the force [y component] of both side walls on a point at y [m]: perpendicular to them.  MS43"""
+    """Return the force of both side walls, along y and perpendicular to them, on a point at y [m].  MS43"""
     if play.walls == 0:
         return 0.0
     to_left, to_right = half_width - y, half_width + y

@@ -22,7 +22,7 @@ FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_sid
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
+    """Return sacks-2001; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
     settings = SacksSettings().changed({"strength": strength, **changes})
     return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 

@@ -42,7 +42,7 @@ class Callback:
     @property
     @with_signals_held
     def address(self) -> int:
-        """Return the address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls Python."""
+        """Return the address of the machine code, or with NUMBA_DISABLE_JIT=1 of a stub that calls Python."""
         with stoppable(), _lock:
             return self._address
 

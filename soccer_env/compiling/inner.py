@@ -87,7 +87,7 @@ class InnerTarget:
         return self
 
     def unserialize_library(self, state: tuple[str, str, bytes]) -> InnerLibrary:
-        """Return the library of a cached state."""
+        """Return the library rebuilt from its cached form."""
         name, _, bitcode = state
         return InnerLibrary.of_bitcode(self.context.codegen(), name, bitcode)
 

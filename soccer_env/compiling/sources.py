@@ -37,7 +37,7 @@ def _changed(file: Path) -> bool:
 
 @functools.cache
 def source_hashes(module: str, path: Path) -> dict[Path, str]:
-    """Return {file: sha256} of `path` and of every file that it imports, directly or not; once per process."""
+    """Return {file: sha256} of `path` and of all files that it imports, directly or not; cached for the process."""
     waiting = [(module, path)]
     hashes: dict[Path, str] = {}
     while waiting:

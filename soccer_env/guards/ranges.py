@@ -47,7 +47,7 @@ RANGES: dict[np.dtype, dict[str, Range]] = {}  # by record and field; a nested r
 
 
 def ranged_record(rows: list[tuple[Any, ...]]) -> np.dtype:
-    """Return the dtype of fields (name, type, range) or (name, type, range, shape), and store their ranges.
+    """Return the record dtype of fields (name, type, range) or (name, type, range, shape), and store the ranges.
 
     A nested record has ranges of its own: (name, RECORD) or (name, RECORD, shape).
     """

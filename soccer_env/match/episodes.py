@@ -28,7 +28,7 @@ PLAY = int(Phase.PLAY)
 
 @compiled
 def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
-    """Fill the records of one match (robots (R,) with team, number, keeper and active set) for the first kick-off."""
+    """Initialise the records of one match for the first kick-off; team, number, keeper and active are already set."""
     match.seed, match.episode = seed, episode
     start_streams(match.noise, seed, episode, 0)
     match.handedness = match.home_direction = 1.0

@@ -41,7 +41,7 @@ FINAL = (  # kept of ended episodes
 
 @guard_match_methods
 class Match(Views, Branching):
-    """M matches of one league, stepped together.
+    """M matches of one league, simulated side by side and stepped together.
 
     `help(Match.__init__)` explains the settings, which are the fields of `MatchArguments`; ValueError names the wrong
     setting and the allowed values. M matches, R robots (home first), n numbers in an observation:
@@ -139,7 +139,7 @@ class Match(Views, Branching):
         return observations
 
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
-        """Begin new episodes in the matches `rows`, with the episode numbers (M,), and write their observations."""
+        """Begin new episodes, numbered `episodes`, in the matches `rows`, and write their observations."""
         for m in rows:
             self.batch.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:

@@ -132,7 +132,7 @@ def check_senses(senses: Any) -> tuple[str, str]:
 
 
 def check_options(name: str, value: Any, base: Any) -> Any:
-    """Return sensor or memory settings: `base` with the changes of a mapping, or the given object of the same class."""
+    """Return sensor or memory settings: `base` with the changes of a mapping, or a given object of its class."""
     if value is None:
         return base
     if isinstance(value, Mapping):

@@ -216,7 +216,7 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
 
 
 def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:
-    """Let a Python team decide in its matches; ValueError, and no change, for invalid commands or memory."""
+    """Let a Python team decide in its matches; for invalid commands or memory raise ValueError and change nothing."""
     matches = np.arange(len(robots)) if squad.plays is None else np.flatnonzero(squad.plays)
     if not len(matches):
         return

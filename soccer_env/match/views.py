@@ -47,7 +47,7 @@ class Views:
         return self.batch.senses.percepts
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags.
+        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players robots in each team.
 
         side: "home" or "away", from that team's side, which attacks +x in both halves; "field", in the frame of the
         field; None: the setting `state_side`. ValueError for anything else.

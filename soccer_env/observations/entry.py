@@ -84,7 +84,7 @@ def copy_to_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
 
 
 def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries `rows` once for each slot of another player, team-mates first."""
+    """Repeat the entries `rows` for each slot of another player, team-mates first."""
     return [
         replace(entry, name=f"{kind}_{slot}_{entry.name}", group=kind, slot=slot)
         for kind, slots in ((TEAMMATE, teammates), (OPPONENT, opponents))
@@ -94,7 +94,7 @@ def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[
 
 
 def object_entries(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries `rows` once for each of `count` objects called `name`, numbered if there are several."""
+    """Repeat the entries `rows` for each of `count` objects called `name`, numbered if there are several."""
     return [
         replace(entry, name=f"{one}_{entry.name}", meaning=f"{words}: {entry.meaning}", group=name, slot=slot)
         for slot, one in ([(i, f"{name}_{i}") for i in range(count)] if count > 1 else [(None, name)])

@@ -21,7 +21,7 @@ def scale_in_numbers(entry: Entry, league: League) -> str:
 
 
 def scale_phrases(league: League) -> dict[str, str]:
-    """Return {phrase: number with unit} for the phrases by which entries state their scale in a league."""
+    """Return the phrases used for scales, such as "top turn rate", each with its number and unit in a league."""
     pitch, drive, fastest = league.pitch, league.drive, league.ball.top_speed
     diagonal = hypot(pitch.length, pitch.width)
     return {
@@ -46,7 +46,7 @@ def scale_phrases(league: League) -> dict[str, str]:
 
 
 def sensor_phrases(sensors: Any) -> dict[str, str]:
-    """Return {phrase: number with unit} for the phrases about sensors by which entries state their scale."""
+    """Return the phrases used for sensors' scales, such as "greatest range", each with its number and unit."""
     numbers = {}
     if hasattr(sensors, "infrared_far"):
         numbers["its greatest valid range"] = f"{sensors.infrared_far:.4g} m"

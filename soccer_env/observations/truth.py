@@ -196,7 +196,7 @@ def write_game(match, robot, row):
 
 @compiled
 def write_players(robots, r, observation, k, axes, scale, at, rows, count, slots):
-    """Write `count` players of a team, nearest first, into slots from index `at`, zeros after them; return the end."""
+    """Write `count` players, nearest first, into slots from index `at`, then zeros; return the next index."""
     cosine, sine = axes[r, 0], axes[r, 1]
     speed = 1.0 / k.drive_forward
     for slot in range(count):

@@ -39,7 +39,7 @@ def progress(match, ball, robots, k, team):
 
 @compiled
 def approach(match, ball, robots, k, team):
-    """Return minus the distance between the ball and the team's nearest active robot, over the pitch's diagonal."""
+    """Return minus the distance from the ball to the team's nearest active robot, divided by the pitch's diagonal."""
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     square = squared_nearest_distance(ball, robots, team)
     return -(0.0 if square == inf else sqrt(square)) / diagonal
@@ -58,10 +58,10 @@ def squared_nearest_distance(ball, robots, team):
 
 @compiled
 def cover(match, ball, robots, k, team):
-    """Return minus the distance from the cover place to the nearest mate of the robot at the ball, over the diagonal.
+    """Return minus the distance from the cover place to the nearest team-mate of the robot at the ball, scaled.
 
     The cover place is halfway between the ball and the own goal, outside the penalty area, where field players may not
-    be. A mate that is out counts as a diagonal away; a team of one robot gets 0.
+    be. The scale is the pitch's diagonal. A mate that is out counts as a diagonal away; a team of one robot gets 0.
     """
     first, mates = nearest_robot_to_ball(ball, robots, team), 0
     goal = -0.5 * k.pitch_length * attack_direction(match, team)
@@ -79,7 +79,7 @@ def cover(match, ball, robots, k, team):
 
 @compiled
 def guard(match, ball, robots, k, team):
-    """Return minus the angle between the own posts, seen from the ball, that the goalkeeper leaves open, over pi.
+    """Return minus the open angle of the own goal, seen from the ball past the goalkeeper, divided by pi.
 
     The goalkeeper counts as a disc of its reach; the farther it stands behind the line, the less it covers.
     """

@@ -79,7 +79,7 @@ class Scene:
         return meant if self.most == MAX_TEAM else f"{meant}; {self.most} a side at most"
 
     def of_episode(self, seed: int, episode: int) -> Scene:
-        """Return the scene in which an episode begins: this scene, or a part of a mixture."""
+        """Return the scene that begins an episode: this scene, or the scene drawn from a mixture."""
         return self
 
     def check(self, league: League, home: int, away: int) -> None:

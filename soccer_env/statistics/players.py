@@ -140,7 +140,7 @@ def count_keeper(match, robot, contact, k, tally, trail):
 
 @compiled
 def count_possession_shares(step, k, tally, trail):
-    """Count a step in play as possession or scrum; a team's nearest robot to the ball is never an idle mate."""
+    """Count a step in play as possession or scrum, and do not count the nearest robots to the ball as idle mates."""
     if trail.has_ball == 3:
         tally.both += k.dt
     elif trail.has_ball > 0:

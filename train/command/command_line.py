@@ -114,7 +114,7 @@ def print_json(value: Any) -> None:
 
 
 def kinds_of_settings() -> dict[str, type]:
-    """Return the settings dataclass of each command."""
+    """Return the settings class of each command by the command's name."""
     from soccer_env.train.bench.settings import BenchSettings
     from soccer_env.train.command.listing import ListSettings
     from soccer_env.train.command.warm_up import WarmUpSettings

@@ -63,7 +63,7 @@ def capture_printed_text(show: Callable[[], Any]) -> str:
 
 
 def cut_help_text(text: str, last: str, name: str) -> str:
-    """Cut a help text after the option `last` and append how many options were cut; last "": leave it whole."""
+    """Cut a help text after the option `last` and append the number of options cut off; last "": cut nothing."""
     lines = text.splitlines()
     options = [at for at, line in enumerate(lines) if re.match("[│ ] -", line)]
     at = next((at for at, row in enumerate(options) if re.match(rf". --{last}\b", lines[row])), len(options)) + 1

@@ -130,7 +130,7 @@ def play_batches(
 
 
 def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
-    """Yield the remaining matches in batches of at most BATCH; in each batch the first team plays on one side."""
+    """Yield the remaining matches in batches of at most BATCH; the first team plays each batch on one side only."""
     pairs = matches // 2
     size = -(-pairs // max(-(-pairs // BATCH), (threads + 1) // 2))  # equal batches, at least one for each thread
     for first in range(0, matches, 2 * size):

@@ -139,7 +139,7 @@ def compare(
 
 
 def result_differences(stored: StoredEvaluation, contest: Contest) -> tuple[str, ...] | None:
-    """Return the fields of result.json that do not follow from the match lines; None if there is no such file.
+    """Return the fields of result.json that disagree with the match lines; None if there is no such file.
 
     While an evaluation grows, its folder holds the result of the smaller one.
     """

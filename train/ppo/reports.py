@@ -131,7 +131,7 @@ def policy_contest(policy: Policy, opponent: str, settings: TrainSettings) -> Co
 
 
 def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
-    """Evaluate a policy against each opponent; return a row with 95 % intervals for each."""
+    """Evaluate a policy against each opponent; return a row of results with 95 % intervals for each opponent."""
     rows = []
     for opponent in settings.judges:
         contest = policy_contest(policy, opponent, settings)

@@ -85,7 +85,7 @@ def draw_bars(
     title: str, x_label: str, y_label: str, groups: Sequence[tuple[str, Sequence[float], Sequence[float]]],
     mark: tuple[str, float, float, float] | None = None,
 ) -> Any:  # fmt: skip
-    """Plot counts as bars: groups (name, x of bars, counts); `mark`: an estimate above, (words, value, low, high)."""
+    """Plot counts as bars: groups (name, x of bars, counts); `mark`: an estimate (words, value, low, high) above."""
     drawn, axes = canvas()
     top = max((count for _, _, counts in groups for count in counts), default=1.0)
     styles = zip(groups, COLOURS, HATCHES, strict=False)

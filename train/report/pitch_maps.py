@@ -87,7 +87,7 @@ def draw_maps(maps: Maps, form: str) -> bytes:
 
 
 def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw the share of time spent in each cell, for each team's robots and for the ball."""
+    """Draw heat maps of the share of time spent in each cell, for each team's robots and for the ball."""
     from matplotlib.patches import Patch
 
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):

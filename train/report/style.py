@@ -50,7 +50,7 @@ def can_draw() -> bool:
 
 
 def curve_styles() -> Iterator[Look]:
-    """Yield colour, marker and line style for one curve of a plot after another."""
+    """Yield a new combination of colour, marker and line style for each curve of a plot."""
     return itertools.cycle(zip(COLOURS, MARKERS, LINES, strict=True))
 
 

@@ -145,7 +145,7 @@ def was_ball_near(memory, frame, k, w):
 
 @compiled
 def remember_sighting(memory, x, y, frame, w):
-    """Store a new sighting, and average the last `averaged` ones in Cartesian coordinates.  MS16, footnote 3"""
+    """Store a new sighting, and average the last `averaged` sightings in Cartesian coordinates.  MS16, footnote 3"""
     count = min(memory.count + 1, w.averaged)
     for i in range(count - 1, 0, -1):
         older, newer = memory.recent[i], memory.recent[i - 1]

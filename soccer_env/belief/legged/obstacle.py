@@ -52,7 +52,7 @@ def beam_meets_player(percept, k, s, w):
 
 @compiled
 def player_place_in_beam(percept, k, s):
-    """Return the place x, y [m], robot frame, of a player whose chest the beam meets."""
+    """Return the position x, y [m], robot frame, of the player whose chest the ranger's beam meets."""
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     ahead, left, _ = camera_place(pan, tilt, s)
     away = range_by_infrared(percept, tilt, k)

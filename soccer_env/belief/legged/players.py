@@ -176,7 +176,7 @@ def range_by_height(height, w, table):
 
 @compiled
 def is_player_in_beam(percept, left, right, high, low, s, w):
-    """Tell whether a box [px] covers the picture's centre while the ranger measures a near thing.  MS35
+    """Tell whether a box [px] covers the picture's centre while the ranger measures a near object.  MS35
 
     A centre within `centred` of the box counts as covered. A reading of 0 means no reading.
     """

@@ -60,7 +60,7 @@ class Branching:
         return WeakSet()
 
     def rebuild(self, rows: Iterable[int] | None = None) -> None:
-        """Rebuild the physics from the records, as a load does; matches with equal records then have equal futures."""
+        """Rebuild the physics from the records, as loading does, so that equal records have equal futures."""
         rows = range(self.count) if rows is None else list(rows)
         started, self.started = self.started, False
         self.batch.build_spaces(rows)
@@ -69,7 +69,7 @@ class Branching:
         self.started = started
 
     def save(self, rows: Any = None) -> bytes:
-        """Return all data that the matches' future depends on, and rebuild the physics of the matches from the data.
+        """Return all data that determine the matches' future, and rebuild the matches' physics from these data.
 
         A rebuild clears the history of contacts: the running match goes on like every copy of the save, but not like a
         match without the save. Runs that save at the same steps are reproducible.
@@ -131,7 +131,7 @@ class Branching:
         self._prepare_to_continue(over)
 
     def _prepare_to_continue(self, rows: np.ndarray) -> None:
-        """Rebuild the physics of matches whose records were just overwritten, clear their rewards, and observe them."""
+        """Rebuild the physics of matches with new records, clear their rewards, and write their observations."""
         self.rebuild(rows.tolist())
         self.rewards[rows] = 0.0
         self.terms[rows] = 0.0
@@ -144,7 +144,7 @@ class Branching:
         self.started = True
 
     def __reduce__(self) -> Made:
-        """Pickle the settings and a save: pickled copies and deep copies have the future of the original."""
+        """Pickle the match as its settings and a save, so that a copy has the future of the original."""
         return saves.reduce_by_save(self, type(self), self._changed_arguments())
 
     def _changed_arguments(self, **changes: Any) -> dict[str, Any]:

@@ -39,7 +39,7 @@ def describe_teams(match: Match) -> list[str]:
 
 
 def team_description(match: Match, squad: Any) -> list[Any]:
-    """Return name, settings and agents of a squad's team: unlike rows, agents do not depend on team sizes."""
+    """Return [name, settings, agents] of a squad's team; agent names, unlike rows, do not depend on team sizes."""
     name, settings, rows = squad.describe()
     return [name, settings, [match.agents[row] for row in rows]]
 

@@ -79,7 +79,7 @@ def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> b
 
 
 def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> None:
-    """Fill the arrays of a match, or of some rows, from a save; ValueError, and no change, if the save does not fit."""
+    """Fill the arrays of a match, or of some rows, from a save; if that fails, raise ValueError and change nothing."""
     fill_match(match, arrays_of_save(match, saved, memory, rows), rows)
 
 

@@ -258,7 +258,7 @@ def hide_columns(outline, columns, count, right, width):
 
 @compiled
 def hide_interval(column, low, high):
-    """Remove the interval low ... high [px] from a column, which may become two parts; a third part is dropped."""
+    """Remove the interval low ... high [px] from a column's visible parts, of which at most two are kept."""
     if column.second_low < column.second_high:
         if low <= column.second_low:
             column.second_low = max(column.second_low, high)

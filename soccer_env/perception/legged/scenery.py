@@ -139,6 +139,6 @@ def share_to_boards(x, y, to_x, to_y, k):
 
 @compiled
 def share_to_line(start, end, line):
-    """Return the fraction [1] of the way from start to end that lies before a line at +-line, at least 0.001."""
+    """Return the fraction [1] of the way from start to end before it crosses a line at +-line, at least 0.001."""
     goal = line if end > 0.0 else -line
     return max((goal - start) / (end - start), 0.001) if end != start else 1.0

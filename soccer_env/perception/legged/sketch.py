@@ -154,7 +154,7 @@ def project_panel(camera, panel, tracing, outline):
 
 @compiled
 def trace_panel(tracing, outline):
-    """Trace the chains of a panel that `project_panel` has projected."""
+    """Compute the upper and lower chain of a panel that `project_panel` has projected."""
     corners = tracing.corners
     if min(min(corners[0].depth, corners[1].depth), min(corners[2].depth, corners[3].depth)) < LENS:
         return  # `project_panel` has traced them already

@@ -14,7 +14,7 @@ LEAST = 1e-12  # [1] least size of a direction's component as a divisor
 
 @compiled
 def nonzero_divisor(component):
-    """Return a component of a direction, replaced by a tiny number if 0, so that divisions by it are safe."""
+    """Return a component of a direction for use as a divisor: numbers near 0 are replaced by +-LEAST."""
     if -LEAST < component < LEAST:
         return -LEAST if component < 0.0 else LEAST
     return component

@@ -174,5 +174,5 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
 
 @compiled
 def bearing_of(robot, x, y):
-    """Return the bearing [rad] from a robot to a point of the field frame."""
+    """Return the bearing [rad] of a point, given in the field frame, as seen from a robot."""
     return wrap(atan2(y - robot.y, x - robot.x) - robot.heading)
