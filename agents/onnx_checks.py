@@ -130,7 +130,7 @@ def check_sizes(model: Any, rows: int) -> None:
     }
     arrays |= {weight.name: (tuple(weight.dims), weight.data_type) for weight in graph.initializer}
     for name in (name for node in graph.node for name in node.output if name and name not in arrays):
-        refuse_unknown_size(name)
+        raise_unknown_size(name)
     for name, (_, kind) in arrays.items():
         if kind not in NUMBERS:
             raise ValueError(f"{short_repr(name)} holds no numbers")
@@ -164,7 +164,7 @@ def axis_sizes(value: Any) -> tuple[int, ...]:
     kind = value.type.tensor_type
     axes = tuple(axis.dim_value if axis.HasField("dim_value") else -1 for axis in kind.shape.dim)
     if not kind.HasField("shape") or min(axes, default=0) < 0:
-        refuse_unknown_size(value.name)
+        raise_unknown_size(value.name)
     return axes
 
 
@@ -174,7 +174,7 @@ def element_type(value: Any) -> int:
     return kind
 
 
-def refuse_unknown_size(name: str) -> NoReturn:
+def raise_unknown_size(name: str) -> NoReturn:
     """Raise ValueError for an array whose size does not follow from the size of the observations."""
     raise ValueError(
         f"the size of {short_repr(name)} is not known before it plays: export it for a fixed size, simplified (onnxsim)"

@@ -86,7 +86,7 @@ def parse(data: bytes, where: str) -> Policy:
         header = _header(data)
         table = _read_policy_fields(header)
         _check_tensors(header, _attention_tensor_names(table))
-        return _policy(table, tensors_of(data))
+        return _policy_from_tensors(table, tensors_of(data))
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
 
@@ -233,7 +233,7 @@ def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
             raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {short_repr(shape)}")
 
 
-def _policy(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
+def _policy_from_tensors(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
     """Return the policy made from a checked table and its tensors."""
     layers = range((len(tensors) - len(_attention_tensor_names(table))) // 2)
     return Policy(

@@ -34,8 +34,10 @@ def network_of(module: Any, activation: str | None) -> Network:
     if not layers or parts[0] is not layers[0]:
         raise ValueError(f"the module must begin with a Linear layer, got {class_names(parts[:1])}{OTHERWISE}")
     used, squash = activations_of(parts, activation)
-    weights = [as_numbers(layer.weight) for layer in layers]
-    biases = [np.zeros(len(w), np.float32) if x.bias is None else as_numbers(x.bias) for x, w in zip(layers, weights)]
+    weights = [parameter_array(layer.weight) for layer in layers]
+    biases = [
+        np.zeros(len(w), np.float32) if x.bias is None else parameter_array(x.bias) for x, w in zip(layers, weights)
+    ]
     if len(weights[-1]) in HALVED:
         half = len(weights[-1]) // 2
         weights[-1], biases[-1] = weights[-1][:half], biases[-1][:half]
@@ -79,7 +81,7 @@ def class_names(parts: list[Any]) -> str:
     return ", ".join(type(part).__name__ for part in parts) or "nothing"
 
 
-def as_numbers(tensor: Any) -> np.ndarray:
+def parameter_array(tensor: Any) -> np.ndarray:
     """Return a torch parameter as an array of float32."""
     numbers: np.ndarray = tensor.detach().cpu().float().numpy()
     return numbers

@@ -125,7 +125,7 @@ def approach(command, sight, memory, k, play, ux, uy, most):
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = predict_ball(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
     x, y = nearest_reachable_point(x, y, k)
-    ux, uy = turn_clear_of_boards(x, y, ux, uy, sight, k)
+    ux, uy = direction_clear_of_boards(x, y, ux, uy, sight, k)
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
@@ -191,7 +191,7 @@ def lies_before_own_goal(x, y, k, far):
 
 
 @compiled
-def turn_clear_of_boards(x, y, ux, uy, sight, k):
+def direction_clear_of_boards(x, y, ux, uy, sight, k):
     """Return the direction to push the ball, rotated away from boards so that a robot has room behind the ball.
 
     A corner leaves no such room: the player runs along one board and turns along the other with the ball. A ball in the

@@ -23,7 +23,7 @@ FOREVER = 60.0  # [s] any ball has stopped by then
 def keep_goal(command, sight, memory, k, play):
     """Keep the goal by the first applicable skill: meet a shot, clear the ball or guard."""
     line = -0.5 * k.pitch_length + play.keeper_line * k.body_reach
-    coming, crossing = shot_crosses(sight, k, play, line)
+    coming, crossing = predict_shot_crossing(sight, k, play, line)
     if coming:
         go(command, sight, k, play, line, crossing, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), play.dive)
     elif may_clear(sight, k, play):
@@ -33,7 +33,7 @@ def keep_goal(command, sight, memory, k, play):
 
 
 @compiled
-def shot_crosses(sight, k, play, line):
+def predict_shot_crossing(sight, k, play, line):
     """Return whether the ball will cross the keeper's line towards the goal, and the y [m] of the crossing."""
     if sight.ball_vx > -play.shot_speed or sight.ball_x < line:
         return False, 0.0

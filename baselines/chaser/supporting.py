@@ -29,7 +29,7 @@ def support_point(sight, memory, k, play, ring, keeps_out):
     """Return the supporter's place [m, m] for a rank, `ring` [m] from the ball; `keeps_out`: not in the own area."""
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
-    back, aside = support_place(memory, play, ring)
+    back, aside = offset_of_rank(memory, play, ring)
     home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(home_x, home_y), 1e-6)
     home_x, home_y = home_x / away, home_y / away
@@ -47,7 +47,7 @@ def support_point(sight, memory, k, play, ring, keeps_out):
 
 
 @compiled
-def support_place(memory, play, ring):
+def offset_of_rank(memory, play, ring):
     """Return a rank's distances [m] from the ball: back towards the own goal, and to the left of that direction.
 
                 3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it

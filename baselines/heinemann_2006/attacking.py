@@ -35,7 +35,7 @@ def attack(command, memory, k, play, scratch):
     ux, uy = choose_aim(sight, k, skills)
     passes, far = False, 0.0
     if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, play)):
-        passes, ux, uy, far = pass_or_aim(sight, k, play, ux, uy)
+        passes, ux, uy, far = choose_pass_or_shot(sight, k, play, ux, uy)
     if sight.held == 1 and not passes and should_dribble(sight, k, play, ux, uy):
         ux, uy = way_round(k, play, scratch)
     ux, uy = rotate_vector(ux, uy, skill.aim_error)
@@ -57,7 +57,7 @@ def attack(command, memory, k, play, scratch):
 
 
 @compiled
-def pass_or_aim(sight, k, play, ux, uy):
+def choose_pass_or_shot(sight, k, play, ux, uy):
     """Return whether to pass, the unit vector along which to play the ball, and the distance to the mate [m].
 
     An open shot comes first; a pressed player also passes back.

@@ -29,7 +29,7 @@ def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.n
     """Return minus the gradient of the potential at each point, given the present positions of the other robots."""
     scratch, slopes = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
     scratch["place"][0, 0] = tuple(target)
-    fill_descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
+    compute_descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
     return slopes
 
 
@@ -47,7 +47,7 @@ def decide_again(beliefs, tracks, memory, noise, constants, settings, scratch):
 
 
 @compiled
-def fill_descent(beliefs, tracks, constants, settings, scratch, points, slopes):
+def compute_descent(beliefs, tracks, constants, settings, scratch, points, slopes):
     """Compute minus the gradient of the potential at each point.  MH10"""
     k, play, work = constants[0], settings[0], scratch[0]
     work.sight.pace = 1.0

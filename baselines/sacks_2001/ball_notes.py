@@ -25,7 +25,7 @@ def note_sighting(belief, memory, k, play, elapsed):
     A glimpse may show anything orange, such as the patches behind the boards.
     """
     ball = belief.ball
-    if ball.age > GAP or ball.confidence <= 0.0 or lies_outside(belief, k, play):
+    if ball.age > GAP or ball.confidence <= 0.0 or is_ball_outside(belief, k, play):
         memory.sightings = 0
     elif ball.age < JUST_NOW:
         memory.sightings += 1
@@ -33,7 +33,7 @@ def note_sighting(belief, memory, k, play, elapsed):
 
 
 @compiled
-def lies_outside(belief, k, play):
+def is_ball_outside(belief, k, play):
     """Tell whether the ball is believed to lie behind the boards, clearly, by a robot that is sure of its pose."""
     own, ball = belief.own, belief.ball
     if own.confidence < play.unsure:

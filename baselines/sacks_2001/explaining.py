@@ -41,7 +41,7 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
     """Compute the force at each point, by the code that steers the team's dribbling."""
     k, play, own, moved = constants[0], settings[0], beliefs[0].own, moved_beliefs[0]
     for i in range(len(points)):
-        move_own_place(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
+        copy_with_own_position(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
         goal_x, goal_y = direction_to_goal(moved.own, k)
         pull_x, pull_y = goal_force(goal_x, goal_y, play)
         push_x, push_y = force_of_players(moved, moved_tracks[0], goal_x, goal_y, k, play)
@@ -51,7 +51,7 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
 
 
 @compiled
-def move_own_place(belief, tracks, moved, moved_tracks, x, y):
+def copy_with_own_position(belief, tracks, moved, moved_tracks, x, y):
     """Copy a belief with the own position moved to (x, y), while other robots stay in place on the field."""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
     ahead, left = into_frame(x - belief.own.x, y - belief.own.y, cosine, sine)

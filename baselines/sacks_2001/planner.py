@@ -138,7 +138,7 @@ def is_kicking(memory):
 @compiled
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     """Choose an attacker's behaviour: approach the ball, recover when stuck, or play the ball.  MS22, MS26"""
-    if not has_ball or is_contested(belief, tracks, play):
+    if not has_ball or is_ball_contested(belief, tracks, play):
         watch_approach(belief.ball, memory, k, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
             begin_recovery(memory, k, play)
@@ -163,7 +163,7 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
 
 
 @compiled
-def is_contested(belief, tracks, play):
+def is_ball_contested(belief, tracks, play):
     """Tell whether an opponent is so near ahead that the ball may be between its paws as well.  MS27"""
     obstacle = belief.obstacle
     if 0.0 < obstacle.distance < play.contested_range and abs(obstacle.bearing) < play.contested_angle:

@@ -56,7 +56,7 @@ def side_to_step(belief, tracks, k, play):
     """
     own, ball = belief.own, belief.ball
     if play.free_side == 1:
-        crowd = crowd_on_left(tracks, play)
+        crowd = surplus_on_left(tracks, play)
         if crowd != 0:
             return -1.0 if crowd > 0 else 1.0
     cosine, sine = cos(own.heading), sin(own.heading)
@@ -68,7 +68,7 @@ def side_to_step(belief, tracks, k, play):
 
 
 @compiled
-def crowd_on_left(tracks, play):
+def surplus_on_left(tracks, play):
     """Return the number of nearby players on the left minus the number on the right."""
     crowd = 0
     for slot in range(tracks.shape[0]):

@@ -34,7 +34,7 @@ def choose_dribble_direction(belief, tracks, memory, k, play):
     push_y += wall_force(own.y, 0.5 * k.pitch_width, play)
     off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
     if play.decisive == 1 and off * memory.way_side < 0.0:
-        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, k, play)
+        off = abs(off) * side_with_fewer_players(belief, tracks, goal_x, goal_y, memory.way_side, k, play)
     off = delay_side_change(memory, off, play)
     memory.way = wrap(atan2(goal_y, goal_x) + off)
 
@@ -43,7 +43,7 @@ def choose_dribble_direction(belief, tracks, memory, k, play):
 def force_of_players(belief, tracks, goal_x, goal_y, k, play):
     """Return the summed force of other players, team frame; the ranger's obstacle replaces its player.  MS49"""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
-    replaced = player_behind(belief.obstacle, tracks, k, play)
+    replaced = player_of_obstacle(belief.obstacle, tracks, k, play)
     push_x = push_y = 0.0
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
@@ -68,7 +68,7 @@ def obstacle_as_sensed(obstacle, k, play):
 
 
 @compiled
-def player_behind(obstacle, tracks, k, play):
+def player_of_obstacle(obstacle, tracks, k, play):
     """Return the slot of the tracked player that the ranger's obstacle is, the nearest in bearing, or -1.  MS49"""
     best, nearest = -1, SAME
     if play.infrared_obstacle == 1 and obstacle.distance > 0.0:
@@ -117,7 +117,7 @@ def delay_side_change(memory, off, play):
 
 
 @compiled
-def better_side(belief, tracks, goal_x, goal_y, side, k, play):
+def side_with_fewer_players(belief, tracks, goal_x, goal_y, side, k, play):
     """Return the side, +1 or -1, with fewer and farther players; the present side unless clearly worse."""
     left = right = 1e-6
     goal = atan2(goal_y, goal_x)

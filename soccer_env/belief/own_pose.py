@@ -80,7 +80,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
         if body.pose == POSE_TOLD and particles.shape[0] > 0:
             hand = np.float64(body.handedness)
             place_particles(particles, own, s.place_noise, s.place_turn_noise, noise, hand)
-            forget_motion(memory)
+            reset_motion(memory)
             memory.begun = 1
             memory.fast = 1.0
             memory.slow = w.pose_fit
@@ -116,7 +116,7 @@ def add_motion(memory, forward, left, turn, crowded):
 
 
 @compiled
-def forget_motion(memory):
+def reset_motion(memory):
     """Reset the accumulated motion to zero."""
     memory.ahead = memory.left = memory.turn = memory.path = memory.turned = memory.crowded = 0.0
     memory.frames = 0
@@ -135,7 +135,7 @@ def take_summed_motion(memory, k, w):
     spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.crowded
     turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed + w.pose_push_turn * memory.crowded
     stuck = w.pose_stuck if memory.crowded == 0.0 else HELD
-    forget_motion(memory)
+    reset_motion(memory)
     return ahead, left, turn, spread, turn_spread, stuck
 
 

@@ -65,7 +65,7 @@ def stoppable() -> Iterator[None]:
         with _compiler_lock():
             yield
     except _StopError as stop:
-        _free_in_thread(stop)
+        _free_llvm_in_thread(stop)
         error = stop.error
     else:
         return
@@ -131,7 +131,7 @@ def run_stoppably(work: Callable[[], None]) -> None:
         raise raised[0]
 
 
-def _free_in_thread(stop: _StopError) -> None:
+def _free_llvm_in_thread(stop: _StopError) -> None:
     """Free LLVM objects in another thread: in this thread the wait for LLVM would swallow the next interrupt."""
 
     def clear() -> None:

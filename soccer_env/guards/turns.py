@@ -54,7 +54,7 @@ def _guarded(
                     raise RuntimeError(f"{name}: an error has cut short what was done before: call reset")
                 if name in turn.sure:
                     return method(self, *args, **kwargs)
-                result = _undone_on_error(method, note(self, name), self, *args, **kwargs)
+                result = _call_or_undo(method, note(self, name), self, *args, **kwargs)
                 if not turn.undoes:
                     turn.sure.add(name)
                 return result
@@ -68,7 +68,7 @@ def _guarded(
     return guarded
 
 
-def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
+def _call_or_undo(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
     """Call a method that signals may interrupt; on an error, undo the changes of the method."""
     try:
         resume_signals()

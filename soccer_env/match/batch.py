@@ -60,9 +60,9 @@ class MatchBatch:
         self.senses: Senses | None = None  # where a team or a learner uses its sensors
         self.physics = SpaceBatch(matches, robots + 1, backend)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
-        self._make_outcome(observed)
+        self._allocate_outcome(observed)
 
-    def _make_outcome(self, observed: int) -> None:
+    def _allocate_outcome(self, observed: int) -> None:
         """Allocate the arrays for learners, and bundle all arrays that a step reads and writes."""
         count, robots = self.robots.shape
         terms = COUNT + len(self.settings.rewards.extra)  # a user's own terms come after ours
@@ -237,7 +237,7 @@ class ActionSums:
         for total, values in zip(self._sums, self._rewards, strict=True):
             total += values
         for latest, (events, quiet) in zip(self._latest, self._events, strict=True):
-            keep_latest(latest, events, quiet)
+            overwrite_happened_events(latest, events, quiet)
 
     def replace_last_step(self) -> None:
         """Replace the rewards and events of the last control step by those of the whole action."""
@@ -247,7 +247,7 @@ class ActionSums:
             events[:] = latest
 
 
-def keep_latest(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
+def overwrite_happened_events(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
     """Overwrite each field of `kept` in which `new` reports an event, that is differs from `quiet`."""
     for name in new.dtype.names or ():
         happened = new[name] != quiet[name]

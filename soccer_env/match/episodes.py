@@ -53,7 +53,7 @@ def note_possession(ball, robots, k):
         robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
 
 
-def line_up(settings: Settings, robots: np.ndarray) -> None:
+def assign_players_to_rows(settings: Settings, robots: np.ndarray) -> None:
     """Set team, number and goalkeeper of the robots (R,) of one match; park unused rows off the field."""
     home_rows = settings.rows[HOME]
     for r in range(len(robots)):
@@ -72,7 +72,7 @@ def start_match(
     """Begin an episode in the records of one match: match (1,), ball (1,), robots (1, R)."""
     for record in (match, ball, robots):
         record[...] = np.zeros((), record.dtype)
-    line_up(settings, robots[0])
+    assign_players_to_rows(settings, robots[0])
     scene = settings.scene.of_episode(seed, episode)
     drill = int(scene.place is not None)
     begin_single_episode(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
@@ -92,7 +92,7 @@ def start_match(
 def check_scene_numbers(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
     """Raise ValueError if a user's scene left a number that is not finite, or changed team, number or goalkeeper."""
     lined_up = np.zeros(robots.shape[1], robots.dtype)
-    line_up(settings, lined_up)
+    assign_players_to_rows(settings, lined_up)
     for who, record in (("the ball", ball[0]), *zip(settings.agents, robots[0], strict=True)):
         for name in record.dtype.names:
             if record.dtype[name].kind == "f" and not np.isfinite(record[name]).all():

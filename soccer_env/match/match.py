@@ -163,11 +163,11 @@ class Match(Views, Branching):
         """
         numbers = self._check_actions(actions)
         self.started = False  # until the end
-        transition = self._advance(numbers, last)
+        transition = self._play_action(numbers, last)
         self.started = self._stepped = True
         return transition
 
-    def _advance(self, numbers: np.ndarray, last: bool) -> Transition:
+    def _play_action(self, numbers: np.ndarray, last: bool) -> Transition:
         """Play the control steps of one action, and begin new episodes where one has ended."""
         mode, repeat = self.autoreset, self.settings.action_repeat
         ended: Any = ()
@@ -202,9 +202,9 @@ class Match(Views, Branching):
     def _control_step(self, numbers: np.ndarray) -> None:
         """Run one control step: users' Python before, compiled slices of matches, users' Python after."""
         self._own_terms.begin(self)
-        self._decide_in_python()
+        self._decide_python_teams()
         if self.recorder is not None:  # the recorder notes all commands before any robot moves
-            self._decide(numbers, 0, self.count)
+            self._decide_slice(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
         if self._pool is None or not self._stepped:  # the first step may compile: threads cannot be interrupted then
             self._step_slice(numbers, 0, self.count)
@@ -222,19 +222,19 @@ class Match(Views, Branching):
         for start in range(first, last, BLOCK):
             stop = min(start + BLOCK, last)
             if self.recorder is None:
-                self._decide(numbers, start, stop)  # commands of learners and teams
+                self._decide_slice(numbers, start, stop)  # commands of learners and teams
             batch.act(start, stop)  # drive, physics, referee, restart, rewards
             batch.sense(start, stop)  # percepts
             batch.tell(start, stop)  # how the match stands
             batch.believe(start, stop)  # beliefs and tracks
             batch.observe(start, stop)  # observations of the learners
 
-    def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
+    def _decide_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Write the commands of a slice of matches: learners' actions, and decisions of compiled teams."""
         write_learner_commands(self.robots, numbers, first, last, self.learns)
-        self._decide_compiled(first, last)
+        self._decide_compiled_teams(first, last)
 
-    def _decide_compiled(self, first: int, last: int) -> None:
+    def _decide_compiled_teams(self, first: int, last: int) -> None:
         """Write the commands of the compiled teams in a slice of matches."""
         if len(self._readers):
             self.batch.read(self._readers, first, last)
@@ -247,11 +247,11 @@ class Match(Views, Branching):
 
         Robots that no team plays keep their last command.
         """
-        self._decide_compiled(0, self.count)
+        self._decide_compiled_teams(0, self.count)
         commands: np.ndarray = self.robots["command"]
         return commands
 
-    def _decide_in_python(self) -> None:
+    def _decide_python_teams(self) -> None:
         """Let teams written in plain Python decide, in all matches at once."""
         for squad in self.squads:
             if not squad.compiled:

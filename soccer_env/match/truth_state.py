@@ -86,11 +86,11 @@ def entries(players: int, side: str = "field") -> list[Entry]:
     ]
     if side == "field":
         return [*GAME, *BALL, *robots]
-    game = [_renamed(entry) for entry in GAME]
+    game = [_rename_for_side(entry) for entry in GAME]
     return [replace(entry, frame=TEAM if entry.frame == FIELD else entry.frame) for entry in (*game, *BALL, *robots)]
 
 
-def _renamed(entry: Entry) -> Entry:
+def _rename_for_side(entry: Entry) -> Entry:
     """Return an entry about the game, renamed from home and away to own and other."""
     name, meaning = OWN_NAMES.get(entry.name, (entry.name, entry.meaning))
     return replace(entry, name=name, meaning=meaning)
@@ -112,7 +112,7 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
     if side == "field":
         return state
     team = HOME if side == "home" else AWAY
-    columns, swapped, turned = side_orders(players, team)
+    columns, swapped, turned = conversion_to_side(players, team)
     direction = records["matches"]["home_direction"] * (1.0 if team == HOME else -1.0)
     signs = np.where(direction[:, None] < 0.0, turned, np.float32(1.0)) * swapped
     turned_state: np.ndarray = (signs * state)[:, columns]
@@ -120,7 +120,7 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
 
 
 @cache
-def side_orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def conversion_to_side(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return arrays that convert a state to a team's side: column order, signs of the swap, signs of a half-turn."""
     field_entries = entries(players)
     names = [entry.name for entry in field_entries]

@@ -104,7 +104,7 @@ class UserRewardTerms:
             self._waiting = match.matches["over"] == 1
             shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
             self._before = {
-                name: ask_reward_term(match, name, term).copy() for name, term in shaping.items()
+                name: compute_reward_term(match, name, term).copy() for name, term in shaping.items()
             }  # may be a view
 
     def pay(self, match: Match) -> None:
@@ -115,7 +115,7 @@ class UserRewardTerms:
             return
         over, gamma = match.matches["over"] == 1, float(match.batch.weights["gamma"][0])
         for column, (name, term) in enumerate(self._terms.items(), start=COUNT):
-            value = ask_reward_term(match, name, term)
+            value = compute_reward_term(match, name, term)
             if term.kind == "potential":
                 value = gamma * np.where(over[:, None], 0.0, value) - self._before[name]
             value = -term.weight * value if term.kind == "cost" else term.weight * value
@@ -151,7 +151,7 @@ def apply_success_function(match: Match, scene: Scene) -> None:
         )
     goes_on = match.matches["over"] == 0
     for m in np.flatnonzero(goes_on & (verdicts != 0)).tolist():
-        take_back_shaping(match, m)
+        subtract_final_shaping(match, m)
         match.matches["over"][m], match.matches["phase"][m] = 1, Phase.OVER
         match.events["drill"][m] = int(verdicts[m])
         match.terminated[m], match.truncated[m] = True, False
@@ -159,7 +159,7 @@ def apply_success_function(match: Match, scene: Scene) -> None:
     match.truncated |= goes_on & (verdicts == 0) & (played >= scene.time_limit - 0.5 * match.league.dt)
 
 
-def take_back_shaping(match: Match, m: int) -> None:
+def subtract_final_shaping(match: Match, m: int) -> None:
     """Subtract the shaping reward of the final potential from the terms and rewards of match m."""
     potentials, weights = np.zeros(POTENTIALS), match.batch.weights
     records = match.matches[m], match.balls[m], match.robots[m]
@@ -171,7 +171,7 @@ def take_back_shaping(match: Match, m: int) -> None:
         match.rewards[m] -= share
 
 
-def ask_reward_term(match: Match, name: str, term: OwnTerm) -> np.ndarray:
+def compute_reward_term(match: Match, name: str, term: OwnTerm) -> np.ndarray:
     """Compute a user's reward term (M, R); ValueError names the term, the robot and the wrong value."""
     what = f"reward term {name!r}"
     numbers = convert_to_numbers(term.function(match), match.rewards.shape, what, match.agents)

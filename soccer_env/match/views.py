@@ -66,10 +66,10 @@ class Views:
 
         `n_actions` of continuous actions is the length of an action. Robots that a team plays are no agents.
         """
-        return env_info(self)
+        return pymarl_sizes(self)
 
     def __repr__(self) -> str:
-        return match_in_words(self)
+        return describe_match(self)
 
     def _repr_png_(self) -> bytes | None:
         """Return a picture of the first match, which a notebook shows, or None if it cannot be drawn."""
@@ -77,7 +77,7 @@ class Views:
         return drawn
 
 
-def env_info(match: Match) -> dict[str, int | None]:
+def pymarl_sizes(match: Match) -> dict[str, int | None]:
     """Return the sizes of observations, actions and states under PyMARL's names."""
     settings, learner = match.settings, int(np.argmax(match.learns))
     return {
@@ -89,7 +89,7 @@ def env_info(match: Match) -> dict[str, int | None]:
     }
 
 
-def match_in_words(match: Match) -> str:
+def describe_match(match: Match) -> str:
     """Return league, players and score: <Match legged-2001: 2 learners v 1 chaser; first half, 12.5 s, play, 0 : 1>."""
     settings = match.settings
     sides = (match.agents[: settings.rows[HOME]], match.agents[settings.rows[HOME] :])
@@ -99,7 +99,7 @@ def match_in_words(match: Match) -> str:
     if match.count > 1:
         shown.append(f"{match.count} matches")
     players = " v ".join(" and ".join(player_counts(match, side)) for side in sides)
-    return f"<{type(match).__name__} {', '.join(shown)}: {players}; {standing_in_words(match)}>"
+    return f"<{type(match).__name__} {', '.join(shown)}: {players}; {status_in_words(match)}>"
 
 
 def player_counts(match: Match, agents: list[str]) -> list[str]:
@@ -113,7 +113,7 @@ def player_counts(match: Match, agents: list[str]) -> list[str]:
     return [f"{count} {name}" for name, count in counts.items() if count]
 
 
-def standing_in_words(match: Match) -> str:
+def status_in_words(match: Match) -> str:
     """Return half, clock, phase and score of a single match in words, or how many of several matches have ended."""
     over = match.terminated | match.truncated
     if match.count > 1:

@@ -79,7 +79,7 @@ class Observation(Protocol):
 
 
 def copy_to_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
-    """Return copies of the entries that belong to the group `group`."""
+    """Return copies of the given entries, assigned to the group `group`."""
     return tuple(replace(entry, group=group) for entry in entries)
 
 

@@ -51,7 +51,7 @@ def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
     else:
         mark_no_pose(body)
     if robot.placed == 1:
-        tell_pose(match, robot, body, s)
+        write_placed_pose(match, robot, body, s)
 
 
 @compiled
@@ -101,21 +101,21 @@ def sense_noisy_pose(match, robot, body, error, k, s, first):
     error.y = keep * np.float64(error.y) + fresh * s.pose_noise * hand * draw_normal(robot.noise, POSE)
     error.heading = keep * np.float64(error.heading) + fresh * s.pose_turn_noise * hand * draw_normal(robot.noise, POSE)
     body.pose = POSE_SENSED
-    give_pose(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
+    write_pose_with_error(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
 
 
 @compiled
-def tell_pose(match, robot, body, s):
+def write_placed_pose(match, robot, body, s):
     """Tell a robot that was just placed its pose, which is true to about a hand's breadth."""
     hand = match.handedness
     x = s.place_noise * draw_normal(robot.noise, POSE)
     y = s.place_noise * hand * draw_normal(robot.noise, POSE)
     body.pose = POSE_TOLD
-    give_pose(match, robot, body, x, y, s.place_turn_noise * hand * draw_normal(robot.noise, POSE))
+    write_pose_with_error(match, robot, body, x, y, s.place_turn_noise * hand * draw_normal(robot.noise, POSE))
 
 
 @compiled
-def give_pose(match, robot, body, error_x, error_y, error_heading):
+def write_pose_with_error(match, robot, body, error_x, error_y, error_heading):
     """Write the robot's true pose in the team frame [m, m, rad] plus an error into its percept."""
     side = attack_direction(match, robot.team)
     heading = robot.heading if side > 0.0 else robot.heading + pi

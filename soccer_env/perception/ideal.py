@@ -41,7 +41,7 @@ def tell_match_state(world, beliefs, asleep, rows, first, last):
         match, robots = world.matches[m], world.robots[m]
         if not asleep[m]:
             for r in rows:
-                fill_situation(match, robots, beliefs[m, r].situation, r)
+                fill_match_state(match, robots, beliefs[m, r].situation, r)
 
 
 @compiled
@@ -51,11 +51,11 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     cosine, sine = cos(robot.heading), sin(robot.heading)
     fill_own_pose(match, robot, belief.own, cosine, sine)
     fill_ball(robot, ball, belief.ball, cosine, sine)
-    fill_situation(match, robots, belief.situation, r)
+    fill_match_state(match, robots, belief.situation, r)
     fill_heard_distance(ball, robots, belief.heard, r)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # the tracks show every player
-    fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
-    fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
+    fill_tracks(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
+    fill_tracks(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 
 
 @compiled
@@ -88,7 +88,7 @@ def fill_ball(robot, ball, believed, cosine, sine):
 
 
 @compiled
-def fill_situation(match, robots, known, r):
+def fill_match_state(match, robots, known, r):
     """Write the state of the match that robot r may know into its belief: phase, score, time, player numbers."""
     team = robots[r].team
     known.phase = match.phase
@@ -153,17 +153,17 @@ def nearest_players(robots, r, same_team, slots, rows, squares):
 
 
 @compiled
-def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
+def fill_tracks(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
     """Fill `slots` tracks, starting with index `first`, with the nearest team-mates or opponents, nearest first."""
     count = nearest_players(robots, r, same_team, slots, rows, squares)
     for slot in range(count):
-        see_player(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
+        fill_track(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
         tracks[first + slot].teammate = same_team
     clear_slots(tracks, first + count, first + slots)
 
 
 @compiled
-def see_player(robot, other, track, cosine, sine):
+def fill_track(robot, other, track, cosine, sine):
     """Fill a track with the true state of another player, relative to the robot."""
     x, y = other.x - robot.x, other.y - robot.y
     track.x, track.y = into_frame(x, y, cosine, sine)

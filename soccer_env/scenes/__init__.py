@@ -46,7 +46,7 @@ def is_user_scene(scene: Scene) -> bool:
 
 def mixture(text: str) -> Scene:
     """Return the mixture of scenes for a text such as "kick-off:0.6,MODULE:NAME:0.4"; a share left out is 1."""
-    parts = [split_share(part.strip()) for part in text.split(",")]
+    parts = [split_name_and_share(part.strip()) for part in text.split(",")]
     scenes = tuple(find_scene(name) for name, _ in parts)
     if len({name for name, _ in parts}) < len(parts):
         raise ValueError(f"scenes must be different, got {text!r}")
@@ -59,10 +59,10 @@ def mixture(text: str) -> Scene:
 
 def scene_names(text: str) -> list[str]:
     """Return the names, or MODULE:NAME, of the scenes in a text such as "kick-off:0.6,MODULE:NAME:0.4"."""
-    return [split_share(part.strip())[0] for part in text.split(",")]
+    return [split_name_and_share(part.strip())[0] for part in text.split(",")]
 
 
-def split_share(part: str) -> tuple[str, str]:
+def split_name_and_share(part: str) -> tuple[str, str]:
     """Split NAME:SHARE, NAME or MODULE:NAME:SHARE into the scene's name and its share."""
     if MODULE_PATH.fullmatch(part) and part.partition(":")[0] not in SCENES:
         return part, "1"
@@ -73,5 +73,5 @@ def split_share(part: str) -> tuple[str, str]:
 __all__ = [
     "SCENES", "SUCCESS", "SceneRandom", "Mixture", "Place", "Scene", "find_scene", "is_user_scene", "judge_drill",
     "mixture",
-    "scene_names", "put_robot", "send_away", "split_share",
+    "scene_names", "put_robot", "send_away", "split_name_and_share",
 ]  # fmt: skip

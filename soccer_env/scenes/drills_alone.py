@@ -41,7 +41,7 @@ def place_at_board(league: League, ball: Any, robots: Any, draw: SceneRandom) ->
     """Place the ball at the board of a touchline, home's robot a step away and turned to the ball."""
     side, gap = draw.side(), draw.between(0.0, AT_BOARD)
     ball["x"], ball["y"] = draw.between(-0.6, 1.1), side * (league.pitch.width / 2 - league.ball.radius - gap)
-    place_robot_inside(league, ball, robots, draw, -side * pi / 2)
+    place_robot_near_ball(league, ball, robots, draw, -side * pi / 2)
 
 
 def place_in_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
@@ -49,10 +49,10 @@ def place_in_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -
     side, radius = draw.side(), league.ball.radius
     ball["x"] = league.pitch.length / 2 - radius - draw.between(0.0, IN_CORNER)
     ball["y"] = side * (league.pitch.width / 2 - radius - draw.between(0.0, IN_CORNER))
-    place_robot_inside(league, ball, robots, draw, -side * 3 * pi / 4)
+    place_robot_near_ball(league, ball, robots, draw, -side * 3 * pi / 4)
 
 
-def place_robot_inside(league: League, ball: Any, robots: Any, draw: SceneRandom, inwards: float) -> None:
+def place_robot_near_ball(league: League, ball: Any, robots: Any, draw: SceneRandom, inwards: float) -> None:
     """Place home's robot 0.4 to 0.8 m from the ball, facing it, up to 40 degrees off the direction `inwards` [rad]."""
     seeker = last_row(robots, HOME)
     send_away(league, robots, seeker)

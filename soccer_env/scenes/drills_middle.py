@@ -55,7 +55,7 @@ def place_rolling(league: League, ball: Any, robots: Any, draw: SceneRandom) -> 
     roll(ball, course, draw.between(1.0, 3.0))
 
 
-def place_challenge(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_obstacles(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Place still obstacles on the path to the goal from home's last robot, which has the ball.  MH24"""
     dribbler, others = last_row(robots, HOME), last_rows(robots, AWAY, OBSTACLES)
     send_away(league, robots, dribbler, *others)
@@ -86,7 +86,7 @@ def place_three_v_one(league: League, ball: Any, robots: Any, draw: SceneRandom)
     place_attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
 
 
-def place_counter(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_counter_attack(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Place two home players, the last with the ball, against a player and the goalkeeper; two opponents behind."""
     side = draw.side()
     behind = [(draw.between(-1.6, -1.2), 1.5), (draw.between(-1.6, -1.2), -1.5)]
@@ -125,9 +125,9 @@ DRILLS_MIDDLE = (
     middle_size_drill("receive-pass", "a ball that rolls past home's last robot", place_rolling,
         "home gets the ball", 6.0),
     middle_size_drill("challenge-2003", "home's last robot with the ball, four still obstacles on its way",
-          place_challenge, "home gets past", 20.0, opponents=("still",) * OBSTACLES),
+          place_obstacles, "home gets past", 20.0, opponents=("still",) * OBSTACLES),
     middle_size_drill("three-v-one", "three of home's with the ball before one of away's and its goalkeeper",
           place_three_v_one, "home scores", LONGEST, opponents=("chaser", "chaser"), players=4),
     middle_size_drill("counter-attack", "two of home's with the ball run at one of away's and its goalkeeper",
-          place_counter, "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
+          place_counter_attack, "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
 )  # fmt: skip

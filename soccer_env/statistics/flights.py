@@ -32,14 +32,14 @@ def follow_ball(match, ball, robot, row, events, k, tally, trail):
         if trail.kicker >= 0:
             begin_flight(match, ball, trail.kicker, trail.kicker_team, events, k, tally, trail)
             trail.kicker = -1
-    elif trail.player >= 0 and trail.flight < 0 and is_pushed(step, ball, k, trail):
+    elif trail.player >= 0 and trail.flight < 0 and is_freed_by_push(step, ball, k, trail):
         begin_flight(match, ball, trail.player, trail.player_team, events, k, tally, trail)
     if trail.flight >= 0 and is_flight_over(step, k, trail):
         end_flight(tally, trail)
 
 
 @compiled
-def is_pushed(step, ball, k, trail):
+def is_freed_by_push(step, ball, k, trail):
     """Tell whether the ball has just come free after a push as fast as a kick, which is no dribble."""
     least = max(k.drive_forward, k.kicker_slowest)
     return ball.vx * ball.vx + ball.vy * ball.vy > least * least and step - trail.touched == seconds_to_steps(FREE, k)

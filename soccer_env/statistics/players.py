@@ -49,10 +49,10 @@ def count_player(match, ball, robots, events, r, k, tally):
             count_touch(robot.team, player, match.step, k, tally)
         if robot.has_ball == 1 or player.held_since > 0:
             count_possession(robot, player, match.step, k, tally, trail)
-        count_standing(match, ball, robot, player.contact, k, tally, trail)
-        count_moving(match, robot, r, player, k, tally)
+        count_role_near_ball(match, ball, robot, player.contact, k, tally, trail)
+        count_motion(match, robot, r, player, k, tally)
     elif player.held_since > 0:
-        end_spell(robot.team, player, k, tally)
+        count_ended_spell(robot.team, player, k, tally)
 
 
 @compiled
@@ -81,7 +81,7 @@ def count_possession(robot, player, step, k, tally, trail):
     """Begin, continue or end a robot's spell of possession."""
     if robot.has_ball == 0:
         if (step - player.held_last) * k.dt > LOST + 0.5 * k.dt:
-            end_spell(robot.team, player, k, tally)
+            count_ended_spell(robot.team, player, k, tally)
         return
     trail.has_ball |= 1 << robot.team
     if player.held_since == 0:
@@ -90,7 +90,7 @@ def count_possession(robot, player, step, k, tally, trail):
 
 
 @compiled
-def end_spell(team, player, k, tally):
+def count_ended_spell(team, player, k, tally):
     """Count the spell of possession of a robot that has lost the ball."""
     player.held_steps = player.held_last - player.held_since + 1
     player.held_since = 0
@@ -103,7 +103,7 @@ def end_spell(team, player, k, tally):
 
 
 @compiled
-def count_standing(match, ball, robot, contact, k, tally, trail):
+def count_role_near_ball(match, ball, robot, contact, k, tally, trail):
     """Count a robot as near the ball, as an idle mate or as goalkeeper; note its team's nearest robot to the ball.
 
     `contact` is the last step in which the robot touched an opponent.
@@ -158,7 +158,7 @@ def count_possession_shares(step, k, tally, trail):
 
 
 @compiled
-def count_moving(match, robot, r, player, k, tally):
+def count_motion(match, robot, r, player, k, tally):
     """Count distance covered, time stuck and position of robot r, while on the pitch with the ball in play."""
     team = robot.team
     tally.present[team] += k.dt

@@ -115,7 +115,7 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     factory = import_factory(known[name])
     changes = {**changes, **settings}
     check_factory(name, known[name], factory)
-    check_accepted(name, factory, changes)
+    check_settings_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return make_team(made)
 
@@ -180,7 +180,7 @@ def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) 
     if not (callable(made) and "strength" in signature(made).parameters):
         raise ValueError(f"team {path!r} must be a team, or a function that takes strength=, got {made!r}")
     given = parse_team(f"it@{written if at else 1.0 if strength is None else strength}")[1]
-    check_accepted(path, made, settings)
+    check_settings_accepted(path, made, settings)
     return make_team(made(strength=given, **settings))
 
 
@@ -189,7 +189,7 @@ def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
     factory = import_factory(where)
     if "path" in settings:
         raise ValueError(f"the file of team {path!r} is given by its name, not by a setting path")
-    check_accepted(path, factory, settings)
+    check_settings_accepted(path, factory, settings)
     made: Team = factory(path, **settings)
     return made
 
@@ -208,7 +208,7 @@ def check_factory(name: str, where: str, factory: Any) -> None:
         raise ValueError(f"team {name!r} must be a function that takes strength=, {where} is {factory!r}")
 
 
-def check_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
+def check_settings_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
     """Raise ValueError for settings that a team's factory does not accept."""
     accepted = signature(factory).parameters
     if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):

@@ -170,7 +170,7 @@ def match_columns(match: Match) -> list[np.ndarray]:
     ball_x, ball_y = to_field_frame(own, heading, beliefs["ball"])
     columns = [MILLI * own[0], MILLI * own[1], MILLI * heading, CENTI * beliefs["own"]["confidence"]]
     columns += [MILLI * ball_x, MILLI * ball_y, CENTI * beliefs["ball"]["confidence"], CENTI * beliefs["ball"]["age"]]
-    columns += seen_columns(match) + particle_spread(match, sign)
+    columns += sighting_columns(match) + particle_spread(match, sign)
     return columns + [CENTI * robots["command"][name] for name in ("forward", "left", "turn", "kick")]
 
 
@@ -208,7 +208,7 @@ def round_to_int16(numbers: np.ndarray) -> np.ndarray:
     return found
 
 
-def seen_columns(match: Match) -> list[np.ndarray]:
+def sighting_columns(match: Match) -> list[np.ndarray]:
     """Return four columns (R,): flags SEES, numbers of seen players and landmarks (or lines), infrared range [mm]."""
     robots = match.robots[0]
     bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)

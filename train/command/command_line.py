@@ -59,7 +59,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if name.partition("=")[0] in COMPLETION:
         return run_guarded(run_completion, words)
     if name not in COMMANDS:
-        return complain(unknown("command", name, COMMANDS))
+        return print_error(unknown("command", name, COMMANDS))
     return run_guarded(COMMANDS[name], rest)
 
 
@@ -92,10 +92,10 @@ def run_guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
         own_bug = isinstance(error, ImportError) and (error.name or "").startswith("soccer_env")
         if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
             raise
-        return complain(reason_of(error))
+        return print_error(reason_of(error))
 
 
-def complain(message: str) -> int:
+def print_error(message: str) -> int:
     """Print one line on stderr, and return the exit code for a command that cannot run."""
     print(f"soccer: {' '.join(message.split())}", file=sys.stderr)
     return WRONG
@@ -242,7 +242,7 @@ def run_train(words: list[str]) -> int:
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
     from soccer_env.train.command.compiling_beside import compile_step_beside
 
-    train, reports = training_parts()
+    train, reports = import_training()
     try:
         with compile_step_beside():
             result = train(settings)
@@ -262,7 +262,7 @@ def run_train(words: list[str]) -> int:
     return 0
 
 
-def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
+def import_training() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
     """Import and return the function `train` and the module `reports`; ValueError names packages to install."""
     try:
         import soccer_env.train.ppo.training  # noqa: F401  # imports torch and everything else that training needs

@@ -59,7 +59,7 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
             f"scene {scene.name!r} is a drill, evaluations play matches: `soccer record --scene {scene.name}` plays it "
             f"once, in Python {how} of soccer_env.train.evaluate.drills says how many of a hundred runs succeed"
         )
-    return Contest(conditions, league, *(find_team(name, teams) for name in (conditions.home, conditions.away)))
+    return Contest(conditions, league, *(team_or_name(name, teams) for name in (conditions.home, conditions.away)))
 
 
 def check_training_conditions(contest: Contest, settings: EvaluateSettings) -> None:
@@ -82,7 +82,7 @@ def differing_settings(contest: Contest) -> Iterator[tuple[str, Policy, str, str
             yield side, *difference
 
 
-def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
+def team_or_name(name: str, teams: Mapping[str, Team]) -> str | Team:
     """Return the user's team object of that name, or the name itself if the registry knows it."""
     if name in teams:
         return make_team(teams[name])

@@ -65,7 +65,7 @@ def evaluate(
         check_team_hashes(made)
     about = {"command": command_of(settings), **date_and_commit()}
     folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
-    lines = play_missing(contest, folder, settings.threads)
+    lines = play_missing_matches(contest, folder, settings.threads)
     result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=training_notes(contest))
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
@@ -85,7 +85,7 @@ def training_notes(contest: Contest) -> dict[str, str]:
     return notes
 
 
-def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
+def play_missing_matches(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
     """Play every match that is missing in the folder; return the result lines of all matches."""
     conditions = contest.conditions
     lines = list(folder.results(MATCHES, MatchLine, "match").values())
@@ -118,13 +118,13 @@ def draw_first_match(contest: Contest, folder: ResultsFolder, result: Evaluation
     line = result.lines[0]
     match = contest.start(line.side, [line.seed])
     picture, title = Picture(match.league, WIDTH), (result.conditions.home, result.conditions.away)
-    frames = [picture.draw(*moment, title=title) for moment in play_moments(match, line.steps)]
+    frames = [picture.draw(*moment, title=title) for moment in collect_moments(match, line.steps)]
     if match.state_hash(0) != line.state:
         raise RuntimeError(f"match 0 (seed {line.seed}) did not end as it did among others: a bug of soccer_env")
     save_png(contact_sheet(frames, COLUMNS), folder.path / "match.png")
 
 
-def play_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
+def collect_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
     """Play a single match to its end; return moments to draw: match record, ball and robots."""
     wanted = set(np.linspace(0, steps - 1, MOMENTS).astype(int).tolist())
     moments: list[tuple[Any, Any, Any]] = []

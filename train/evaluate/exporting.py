@@ -40,7 +40,7 @@ def export(settings: ExportSettings) -> str:
             settings.target.with_suffix(".tmp")
         )  # only the folder above: `check_targets_free` checks NAME.cdf itself
         targets = export_data(settings)
-        total = sum(size_of(path) for path in targets)
+        total = sum(size_in_bytes(path) for path in targets)
         return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
     if settings.file.is_dir():
         return export_each(settings)
@@ -52,7 +52,7 @@ def export(settings: ExportSettings) -> str:
 
 def export_each(settings: ExportSettings) -> str:
     """Export every replay below a folder to a film, page or picture; return names and size of the files in words."""
-    sources = replays_of(settings.file)
+    sources = find_replay_files(settings.file)
     targets = targets_of(settings.target, sources)
     check_target(targets[0])
     check_targets_free(targets, settings.anew)
@@ -103,7 +103,7 @@ def export_data(settings: ExportSettings) -> list[Path]:
     """
     kind = settings.target.suffix.lower()
     require_writer(kind)
-    sources = replays_of(settings.file)
+    sources = find_replay_files(settings.file)
     if kind in TABLES:
         targets = list(table_paths(settings.target).values())
     elif settings.file.is_dir():
@@ -121,7 +121,7 @@ def export_data(settings: ExportSettings) -> list[Path]:
     return targets
 
 
-def replays_of(path: Path) -> dict[str, Path]:
+def find_replay_files(path: Path) -> dict[str, Path]:
     """Return the replay files below a folder, or the single file at a path, by the names of their matches."""
     if not path.is_dir():
         return {path.stem: path}
@@ -161,6 +161,6 @@ def check_targets_free(targets: list[Path], anew: bool) -> None:
             raise ValueError(f"{target} exists already; give another --out, or --anew to write over it")
 
 
-def size_of(path: Path) -> int:
+def size_in_bytes(path: Path) -> int:
     """Return the size of a file, or the total size of a folder's files [bytes]."""
     return sum(file.stat().st_size for file in path.iterdir()) if path.is_dir() else path.stat().st_size

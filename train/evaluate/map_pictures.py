@@ -53,14 +53,14 @@ def maps_from_result(path: Path) -> Maps:
 
 def check_maps(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
     """Return maps read from a file as Maps, after checks of shapes and numbers; ValueError for invalid maps."""
-    heat = {name: array_of(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
+    heat = {name: checked_array(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
     players, passes, shots = {}, {}, {}
     for side in ("for", "against"):
         count = len(maps[f"players_{side}"])
         if not 1 <= count <= MAX_TEAM:
             raise ValueError(f"a team of {count}")
-        players[side] = array_of(maps[f"players_{side}"], (count, 3))
-        passes[side] = array_of(maps[f"passes_{side}"], (count, count))
+        players[side] = checked_array(maps[f"players_{side}"], (count, 3))
+        passes[side] = checked_array(maps[f"passes_{side}"], (count, count))
         shots[side] = [(str(shot[2]), float(shot[3]), float(shot[4])) for shot in maps[f"shots_{side}"][:MOST_SHOTS]]
         if not all(outcome in MARKS and np.isfinite([x, y]).all() for outcome, x, y in shots[side]):
             raise ValueError("a shot without a place or with an unknown outcome")
@@ -71,7 +71,7 @@ def check_maps(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
     return Maps(teams, pitch, heat, players, passes, shots)
 
 
-def array_of(values: Any, shape: tuple[int, ...]) -> np.ndarray:
+def checked_array(values: Any, shape: tuple[int, ...]) -> np.ndarray:
     """Convert nested lists to an array of the given shape; ValueError unless all values are finite numbers."""
     array = np.array(values, np.float64)
     if array.shape != shape or not np.isfinite(array).all():

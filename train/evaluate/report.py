@@ -72,7 +72,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         f"{verdict_sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
         table(("", "value", "95 % interval"), rows(result)),
         needed_matches_sentence(result),
-        *play_tables(result),
+        *statistics_tables(result),
         "## Conditions",
         table(("", ""), [(escaped(name), escaped(value)) for name, value in conditions_rows(result, about)]),
         "This command plays what is missing and writes this report again:",
@@ -111,7 +111,7 @@ def needed_matches_sentence(result: EvaluationResult) -> str:
     )
 
 
-def play_tables(result: EvaluationResult) -> list[str]:
+def statistics_tables(result: EvaluationResult) -> list[str]:
     """Return the tables of statistics and of goals in Markdown; none if the result lines have no statistics."""
     if not result.statistics:
         return []

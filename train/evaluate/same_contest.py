@@ -106,8 +106,8 @@ def rebuild_contest(
 
     ValueError for impossible conditions, for a contest that cannot be rebuilt, and for a changed team.
     """
-    values = conditions_in(stored, where, league, teams)
-    own = league or league_of(values, where)
+    values = updated_conditions(stored, where, league, teams)
+    own = league or league_of_conditions(values, where)
     check_conditions(stored, values, own)
     conditions = Conditions(**{**values, "players": tuple(values["players"]), "senses": tuple(values["senses"])})
     try:
@@ -120,10 +120,12 @@ def rebuild_contest(
             "where a file is now; a team or league object is given in Python, recheck(folder, teams={name: team})"
         ) from error
     modules = [where.get("league", ""), *scene_names(conditions.scene)]
-    return contest, differences_of(stored, {**made_with(own, contest.first, contest.second), **module_hashes(modules)})
+    return contest, version_differences(
+        stored, {**made_with(own, contest.first, contest.second), **module_hashes(modules)}
+    )
 
 
-def conditions_in(
+def updated_conditions(
     stored: StoredEvaluation, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
 ) -> dict[str, Any]:
     """Return the conditions stored in a folder, updated by `where`; ValueError for code named by the folder alone."""
@@ -151,7 +153,7 @@ def conditions_in(
     return conditions
 
 
-def league_of(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
+def league_of_conditions(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
     """Return the league that the conditions name; ValueError if it is a user's own league not named in `where`."""
     name = conditions["league"]
     if not where.get("league") and name not in LEAGUES:
@@ -186,7 +188,7 @@ def check_conditions(stored: StoredEvaluation, conditions: dict[str, Any], leagu
             raise ValueError(f"{where}: {name} must be {short_repr(meant[name])}, got {short_repr(value)}")
 
 
-def differences_of(stored: StoredEvaluation, now: dict[str, str]) -> list[str]:
+def version_differences(stored: StoredEvaluation, now: dict[str, str]) -> list[str]:
     """Describe the versions and hashes that differ from a folder's; ValueError for another team or league.
 
     If the package's code differs, another team cannot be told from a new version: this is reported as a difference.

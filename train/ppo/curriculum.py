@@ -43,7 +43,7 @@ class Curriculum:
         self.standings = {name: Standing() for name in (LEARNER, *self.names)}
         self.lineup = Lineup([*names, *self._past], names=self.names)
         self.model = PlackettLuce()
-        self._weigh()
+        self._update_weights()
 
     def take(self, results: Iterable[Any]) -> None:
         """Update the opponents' standings and weights by the results of finished episodes."""
@@ -55,8 +55,8 @@ class Curriculum:
             opponent.points = MEMORY * opponent.points + (1.0 - MEMORY) * result.points
             opponent.episodes += 1
             learner.episodes += 1
-            self._rate(learner, opponent, result.points)
-        self._weigh()
+            self._update_ratings(learner, opponent, result.points)
+        self._update_weights()
 
     def add_past(self, policy: Policy, step: int, playing: Sequence[str] = ()) -> None:
         """Replace the oldest past self by `policy`, the present learner, even in running episodes.
@@ -70,7 +70,7 @@ class Curriculum:
             self.leaving[self.past_names[oldest]] = sum(name == self.past_names[oldest] for name in playing)
             learner = self.standings[LEARNER]
             self.standings[self.past_names[oldest]] = Standing(mu=learner.mu, sigma=learner.sigma)
-            self._weigh()
+            self._update_weights()
 
     def state(self) -> dict[str, Any]:
         """Return the standings and the past selves, for a checkpoint."""
@@ -84,9 +84,9 @@ class Curriculum:
         self.filled, self.leaving = list(state["filled"]), dict(state["leaving"])
         for team, numbers in zip(self._past, state["past"], strict=True):
             team.settings[:] = numbers
-        self._weigh()
+        self._update_weights()
 
-    def _weigh(self) -> None:
+    def _update_weights(self) -> None:
         """Set each opponent's weight in proportion to p (1 - p), plus a floor; p: the learner's share of points."""
         shares = np.array([self.standings[name].points for name in self.names])
         weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares)
@@ -95,7 +95,7 @@ class Curriculum:
             weights[first_past:] *= (np.array(self.filled) > 0) / max(1, sum(step > 0 for step in self.filled))
         self.lineup.weights[:] = weights / weights.sum()
 
-    def _rate(self, learner: Standing, opponent: Standing, points: float) -> None:
+    def _update_ratings(self, learner: Standing, opponent: Standing, points: float) -> None:
         """Update the ratings of learner and opponent after an episode; `points` are the learner's, 0 to 1."""
         ranks = [1.0 - points, points]
         sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]

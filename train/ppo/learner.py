@@ -51,7 +51,7 @@ class Learner:
 
     def reset_matches(self) -> None:
         """Begin new episodes in all matches, for the first rollout."""
-        self._begin_at(self.matches.reset(), np.ones(self.model.n_envs, bool))
+        self._set_rollout_start(self.matches.reset(), np.ones(self.model.n_envs, bool))
 
     def collect_rollout(self, each_step: Callable[[], None]) -> None:
         """Collect a rollout by the policy with exploration noise; `each_step` is called after each step."""
@@ -63,7 +63,7 @@ class Learner:
 
         callback = ConvertCallback(stepped)
         callback.init_callback(model)
-        with self._weights_checked():
+        with self._explain_nan_errors():
             model.collect_rollouts(self.matches, callback, model.rollout_buffer, n_rollout_steps=model.n_steps)
 
     def update(self, actor: bool = True) -> None:
@@ -71,7 +71,7 @@ class Learner:
         for parameter in self.network.actor_parameters():
             parameter.requires_grad_(actor)
         self.model._update_current_progress_remaining(self.steps, self.settings.steps)
-        with self._weights_checked():
+        with self._explain_nan_errors():
             self.model.train()
         check_weights(self.model)
 
@@ -98,14 +98,14 @@ class Learner:
         self.network.load_state_dict(saved["network"])
         self.network.optimizer.load_state_dict(saved["optimizer"])
         self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]
-        self._begin_at(observations, saved["starts"])
+        self._set_rollout_start(observations, saved["starts"])
 
-    def _begin_at(self, observations: np.ndarray, starts: np.ndarray) -> None:
+    def _set_rollout_start(self, observations: np.ndarray, starts: np.ndarray) -> None:
         """Set the observations (rows, n) at which the next rollout begins; `starts` (rows,): an episode begins."""
         self.model._last_obs, self.model._last_episode_starts = observations, starts
 
     @contextmanager
-    def _weights_checked(self) -> Iterator[None]:
+    def _explain_nan_errors(self) -> Iterator[None]:
         """Replace torch's long error message about NaN by the one line of `check_weights`, in a `with` block."""
         try:
             yield

@@ -125,7 +125,7 @@ class SoccerVecEnv(VecEnv):
         with undo_on_error(self.matches, self.opponents, "reset"):
             seeds, apart = seeds_for(self._seed, sum(m.count for m in self.matches)), self.stagger * self.repeat
             for match in self.matches:
-                begin(match, seeds[: match.count], self._standing(match), self.first_decision, apart)
+                begin(match, seeds[: match.count], self._standing_actions(match), self.first_decision, apart)
                 seeds = seeds[match.count :]
             self.opponents[:] = [playing(match) for match in self.matches]
             self._returns[:], self._lengths[:] = 0.0, 0
@@ -173,7 +173,7 @@ class SoccerVecEnv(VecEnv):
         results: list[Result] = []
         match, learners = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
-        stand = self._standing(match)
+        stand = self._standing_actions(match)
         actions = stand.copy()
         actions[:, :learners] = self._actions[rows].reshape(match.count, learners, *self._actions.shape[1:])
         gained, over = rewards[rows].reshape(match.count, learners), np.zeros(match.count, bool)
@@ -181,12 +181,12 @@ class SoccerVecEnv(VecEnv):
             _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
             gained += np.where(over[:, None], 0.0, paid[:, :learners])
             if len(match.ended):
-                results += self._note_ends(index, terminated, over, infos)
+                results += self._write_terminal_infos(index, terminated, over, infos)
                 over[match.ended], actions[match.ended] = True, stand[match.ended]
         dones[rows] = np.repeat(over, learners)
         return results
 
-    def _note_ends(
+    def _write_terminal_infos(
         self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]
     ) -> list[Result]:
         """Write the last observations of ended matches into the infos of their rows; return the matches' results."""
@@ -209,7 +209,7 @@ class SoccerVecEnv(VecEnv):
         self.opponents[index] = playing(match)
         return results
 
-    def _standing(self, match: Match) -> np.ndarray:
+    def _standing_actions(self, match: Match) -> np.ndarray:
         """Return actions (M, R) or (M, R, 4 or 7) with which robots stand still and their heads track the ball."""
         actions = np.zeros((match.count, len(match.agents), *self._actions.shape[1:]), self._actions.dtype)
         if actions.shape[2:] == (len(FULL),):

@@ -131,7 +131,7 @@ def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") ->
     axes.axis("off")
     axes.text(0.01, -0.98, title, fontsize=10.5, fontweight="bold", va="center")
     for at, row in enumerate(rows):
-        draw_row(axes, at, row)
+        draw_interval_row(axes, at, row)
     place = len(rows)
     axes.fill_betweenx([place - 0.2, place + 0.2], LEFT, LEFT + 0.05, **BAND)
     axes.text(LEFT + 0.06, place, asked, va="center", fontsize=8.5)
@@ -143,7 +143,7 @@ def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") ->
 BAND: Any = {"color": COLOURS[2] + "40", "edgecolor": COLOURS[2], "linewidth": 0.8, "hatch": "////"}
 
 
-def draw_row(axes: Any, at: int, row: Row) -> None:
+def draw_interval_row(axes: Any, at: int, row: Row) -> None:
     """Draw one row of an interval plot: its name, its scale, and its numbers."""
     ends = [end for end in (row.value, row.low, row.high, row.least, row.most) if isfinite(end)]
     low, high = min(ends), max(ends)

@@ -47,7 +47,7 @@ class Maps:
 def draw_presence(maps: Maps) -> Any:
     """Draw heat maps: the presence of each team's robots and of the ball over the pitch."""
     drawn, axes = canvas(HEIGHTS[3], columns=3)
-    fill_presence(drawn, axes, maps)
+    plot_presence(drawn, axes, maps)
     return drawn
 
 
@@ -55,7 +55,7 @@ def draw_presence(maps: Maps) -> Any:
 def draw_network(maps: Maps) -> Any:
     """Draw pass networks: each team's players at their mean positions, with their completed passes."""
     drawn, axes = canvas(HEIGHTS[2], columns=2)
-    fill_network(drawn, axes, maps)
+    plot_network(drawn, axes, maps)
     return drawn
 
 
@@ -63,7 +63,7 @@ def draw_network(maps: Maps) -> Any:
 def draw_shots(maps: Maps) -> Any:
     """Draw shot maps: each team's shots and their outcomes."""
     drawn, axes = canvas(HEIGHTS[2] + 0.2, columns=2)
-    fill_shots(drawn, axes, maps)
+    plot_shots(drawn, axes, maps)
     return drawn
 
 
@@ -78,7 +78,7 @@ def draw_maps(maps: Maps, form: str) -> bytes:
         heights = [HEIGHTS[3], HEIGHTS[2], HEIGHTS[2] + 0.2]
         drawn = Figure(figsize=(7.6, 1.19 * sum(heights)), layout="constrained")
         parts: Any = drawn.subfigures(3, 1, height_ratios=heights)
-        for part, columns, fill in zip(parts, (3, 2, 2), (fill_presence, fill_network, fill_shots), strict=True):
+        for part, columns, fill in zip(parts, (3, 2, 2), (plot_presence, plot_network, plot_shots), strict=True):
             fill(part, part.subplots(1, columns), maps)
         file = io.BytesIO()
         unstamped: Any = {"png": {"Software": ""}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[form]
@@ -86,19 +86,19 @@ def draw_maps(maps: Maps, form: str) -> bytes:
     return file.getvalue()
 
 
-def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
+def plot_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw heat maps of the share of time spent in each cell, for each team's robots and for the ball."""
     from matplotlib.patches import Patch
 
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):
-        draw_tiles(one, maps.heat[name], maps.pitch)
+        plot_heat_cells(one, maps.heat[name], maps.pitch)
         draw_pitch(one, maps.pitch, cut_team_name(title))
     shades = [Patch(facecolor=shade(depth), label=f"{level:g}") for level, depth in zip(LEVELS, DEPTHS, strict=True)]
     part.legend(handles=shades, loc="outside lower center", ncols=len(shades), handlelength=1.2, columnspacing=1.0,
                 title="share of the time in a cell, from [%]", title_fontsize=9.0)  # fmt: skip
 
 
-def draw_tiles(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
+def plot_heat_cells(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
     """Draw the cells of a heat map; cells of equal level share one path, which keeps the file small."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
@@ -122,7 +122,7 @@ def shade(depth: float) -> str:
     return f"{COLOURS[0]}{round(255 * depth):02x}"
 
 
-def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
+def plot_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw players at their mean positions, and arrows from passer to receiver, wider for more passes."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         players, passes = maps.players[side], maps.passes[side]
@@ -139,7 +139,7 @@ def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
                 share = passes[sender, receiver] / passes.max()
                 draw_arrow(one, places[sender], places[receiver], size, share, f"{passes[sender, receiver]:g}")
         for number, place in places.items():
-            draw_badge(one, place, size, f"{number}")
+            draw_player_disc(one, place, size, f"{number}")
 
 
 def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share: float, words: str) -> None:
@@ -161,7 +161,7 @@ def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share
         axes.text(*top, words, fontsize=7.0, color=INK, zorder=4, ha="center", va="center", bbox=behind)
 
 
-def draw_badge(axes: Any, place: np.ndarray, size: float, words: str) -> None:
+def draw_player_disc(axes: Any, place: np.ndarray, size: float, words: str) -> None:
     """Draw a player as a disc with its number."""
     from matplotlib.patches import Circle
 
@@ -169,7 +169,7 @@ def draw_badge(axes: Any, place: np.ndarray, size: float, words: str) -> None:
     axes.text(*place, words, ha="center", va="center", fontsize=7.5, color=INK, zorder=6)
 
 
-def fill_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
+def plot_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw a marker at the position of each shot, with a symbol for its outcome."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         shots = maps.shots[side]

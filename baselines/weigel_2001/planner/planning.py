@@ -41,7 +41,7 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
         agrees = not again or off < settings.threshold
         worth = off if ended == ARRIVED else off + WORSE
         if i == 0 or agrees or is_kept(worth, best, settings):
-            keep_pass(i, ended, took, settings, scratch, plan)
+            copy_pass_to_plan(i, ended, took, settings, scratch, plan)
             best = worth
         if agrees:
             plan.converged = 1
@@ -58,8 +58,8 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
     half_v = int(floor((0.5 * settings.pitch_width + settings.margin) / settings.cell))
     half_v = min(half_v, (GRID // (2 * half_u + 1) - 1) // 2)  # never beyond the marks, whatever the record says
     far_x, far_y = half_u * settings.cell, half_v * settings.cell
-    plan.robot.x, plan.robot.y = clip_place(robot_x, far_x), clip_place(robot_y, far_y)
-    plan.target.x, plan.target.y = clip_place(target_x, far_x), clip_place(target_y, far_y)
+    plan.robot.x, plan.robot.y = clip_coordinate(robot_x, far_x), clip_coordinate(robot_y, far_y)
+    plan.target.x, plan.target.y = clip_coordinate(target_x, far_x), clip_coordinate(target_y, far_y)
     straight = length(plan.target.x - plan.robot.x, plan.target.y - plan.robot.y)
     plan.least_time = straight / settings.speed
     plan.side, plan.converged, plan.iterations = side, 0, 0
@@ -68,7 +68,7 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
 
 
 @compiled
-def clip_place(place, far):
+def clip_coordinate(place, far):
     """Return a coordinate clipped to the range -far to +far; NaN becomes -far."""
     if not place > -far:
         return -far
@@ -111,7 +111,7 @@ def is_kept(worth, best, settings):
 
 
 @compiled
-def keep_pass(number, ended, took, settings, scratch, plan):
+def copy_pass_to_plan(number, ended, took, settings, scratch, plan):
     """Copy the cells and the path of a pass into the plan, in order from robot to target."""
     last = scratch.count - 1
     for i in range(scratch.count):
@@ -137,7 +137,7 @@ def reflect_index(i, last):
 
 
 @compiled
-def cell_at(i, last, way):
+def cell_of_way(i, last, way):
     """Return u, v of cell i of the way; for an index beyond an end, of the reflection about that end."""
     inner, end = reflect_index(i, last)
     if end < 0:
@@ -155,7 +155,7 @@ def smooth(begin, end, settings, scratch):
     h = min(settings.smoothing, last)
     sum_u, sum_v = 0, 0
     for i in range(-h, h + 1):
-        u, v = cell_at(i, last, way)
+        u, v = cell_of_way(i, last, way)
         sum_u, sum_v = sum_u + u, sum_v + v
     first_x, first_y = begin.x - settings.cell * way[0].u, begin.y - settings.cell * way[0].v
     last_x, last_y = end.x - settings.cell * way[last].u, end.y - settings.cell * way[last].v
@@ -164,8 +164,8 @@ def smooth(begin, end, settings, scratch):
         path[i].x = settings.cell * sum_u / (2 * h + 1) + first_x + share * (last_x - first_x)
         path[i].y = settings.cell * sum_v / (2 * h + 1) + first_y + share * (last_y - first_y)
         if i < last:
-            gone_u, gone_v = cell_at(i - h, last, way)
-            u, v = cell_at(i + 1 + h, last, way)
+            gone_u, gone_v = cell_of_way(i - h, last, way)
+            u, v = cell_of_way(i + 1 + h, last, way)
             sum_u, sum_v = sum_u + u - gone_u, sum_v + v - gone_v
     path[0].x, path[0].y = begin.x, begin.y
     path[last].x, path[last].y = end.x, end.y

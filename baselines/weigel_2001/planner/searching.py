@@ -55,7 +55,7 @@ def cut_way(count, scratch):
 
 
 @compiled
-def potential_of(u, v, t, obstacles, settings, scratch):
+def potential_of_cell(u, v, t, obstacles, settings, scratch):
     """Return the potential at a cell's middle, with obstacles moved by t [s], and count the evaluation."""
     scratch.evaluations += 1
     return potential(u * settings.cell, v * settings.cell, t, scratch.goal, obstacles, settings)
@@ -68,7 +68,7 @@ def leave_minimum(obstacles, settings, scratch):
     lowest, at = inf, scratch.count - 1
     for i in range(max(scratch.count - settings.last_cells, 0), scratch.count):
         cell = scratch.way[i]
-        value = potential_of(cell.u, cell.v, obstacle_time(cell.t, settings), obstacles, settings, scratch)
+        value = potential_of_cell(cell.u, cell.v, obstacle_time(cell.t, settings), obstacles, settings, scratch)
         if value < lowest:
             lowest, at = value, i
     scratch.lowest = min(scratch.lowest, lowest)
@@ -94,7 +94,7 @@ def search_escape(obstacles, settings, scratch):
         node = pop(heap, size, nodes)
         size -= 1
         one = nodes[node]
-        if sees_end(one, obstacles, settings, scratch):
+        if has_free_line_to_end(one, obstacles, settings, scratch):
             return node, made, ARRIVED
         if one.under == 0 and one.potential < scratch.lowest - settings.gained:
             return node, made, GOES_ON
@@ -107,7 +107,7 @@ def search_escape(obstacles, settings, scratch):
 
 
 @compiled
-def sees_end(node, obstacles, settings, scratch):
+def has_free_line_to_end(node, obstacles, settings, scratch):
     """Tell whether the way's end is near a node and the straight line from the node to the end is free."""
     to_u, to_v = scratch.end_u - node.u, scratch.end_v - node.v
     away = step_length(to_u, to_v, settings)
@@ -152,7 +152,7 @@ def add_node(made, u, v, parent, obstacles, settings, scratch):
     if parent >= 0 and node.gap <= scratch.tight and node.gap <= scratch.nodes[parent].gap:
         return made
     node.u, node.v, node.parent = u, v, parent
-    node.potential = potential_of(u, v, now, obstacles, settings, scratch)
+    node.potential = potential_of_cell(u, v, now, obstacles, settings, scratch)
     index = index_of(u, v, scratch)
     node.under = scratch.marks[index]
     scratch.marks[index] = -1 - made
@@ -184,7 +184,7 @@ def append_escape(last, settings, scratch):
 
 
 @compiled
-def comes_first(a, b, nodes):
+def precedes(a, b, nodes):
     """Tell whether node a comes before node b in the queue: lower potential, or equal and older."""
     return nodes[a].potential < nodes[b].potential or (nodes[a].potential == nodes[b].potential and a < b)
 
@@ -195,7 +195,7 @@ def push(heap, size, node, nodes):
     at = size
     while at > 0:
         above = (at - 1) // 2
-        if not comes_first(node, heap[above], nodes):
+        if not precedes(node, heap[above], nodes):
             break
         heap[at] = heap[above]
         at = above
@@ -209,9 +209,9 @@ def pop(heap, size, nodes):
     first, last = heap[0], heap[size - 1]
     at, below = 0, 1
     while below < size - 1:
-        if below + 1 < size - 1 and comes_first(heap[below + 1], heap[below], nodes):
+        if below + 1 < size - 1 and precedes(heap[below + 1], heap[below], nodes):
             below += 1
-        if comes_first(last, heap[below], nodes):
+        if precedes(last, heap[below], nodes):
             break
         heap[at] = heap[below]
         at, below = below, 2 * below + 1

@@ -189,11 +189,11 @@ def fill_ball_belief(ball, memory, frame, k, w):
     ball.filtered_distance, ball.filtered_bearing = length(ball.x, ball.y), atan2(ball.y, ball.x)
     ball.confidence = confidence_in_ball(memory, frame, k, w)
     ball.age = (frame - memory.seen) * k.dt if memory.known == 1 else inf
-    ball.held = 1 if ball.age <= HELD_TIME and lies_in_pocket(x, y, k) else 0
+    ball.held = 1 if ball.age <= HELD_TIME and is_between_paws(x, y, k) else 0
 
 
 @compiled
-def lies_in_pocket(x, y, k):
+def is_between_paws(x, y, k):
     """Tell whether a ball at x, y [m], robot frame, lies between the forepaws, within reach of the kicker.
 
     This is the kicker's own rule, extended to a ball that is believed to overlap the chest.

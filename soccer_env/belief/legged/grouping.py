@@ -47,7 +47,7 @@ def is_larger(blobs, i, j):
 
 
 @compiled
-def gap_between(one, other):
+def distance_between_blobs(one, other):
     """Return the distance between the centres of two blobs [px]."""
     aside = 0.5 * (int(one.left) + int(one.right) - int(other.left) - int(other.right))
     above = 0.5 * (int(one.high) + int(one.low) - int(other.high) - int(other.low))
@@ -86,7 +86,7 @@ def larger_blob_nearby(blobs, i, grouping):
             continue
         if largest >= 0 and not is_larger(blobs, j, largest):
             continue
-        if gap_between(blobs[i], blobs[j]) < grouping * blob_size(blobs[j]):
+        if distance_between_blobs(blobs[i], blobs[j]) < grouping * blob_size(blobs[j]):
             largest = j
     return largest
 

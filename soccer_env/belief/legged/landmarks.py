@@ -108,8 +108,8 @@ def measure_landmarks(percept, view, k, s, w):
         blob = percept.landmarks[which]
         if blob.area > 0 and blob.left < edge and blob.right > -edge:
             sight = view.sights[view.count]
-            sight.x, sight.y = place_of_landmark(which, k, s)
-            numbers += read_landmark(blob, sight, blob.high < top and blob.low > -top, pan, tilt, s)
+            sight.x, sight.y = landmark_position(which, k, s)
+            numbers += measure_landmark(blob, sight, blob.high < top and blob.low > -top, pan, tilt, s)
             view.count += 1
     numbers += read_goal(percept.own_goal, view.goals[0], -1.0, edge, pan, tilt, s)
     numbers += read_goal(percept.opponent_goal, view.goals[1], 1.0, edge, pan, tilt, s)
@@ -117,7 +117,7 @@ def measure_landmarks(percept, view, k, s, w):
 
 
 @compiled
-def place_of_landmark(which, k, s):
+def landmark_position(which, k, s):
     """Return the position of a landmark's middle [m], team frame: just outside the field."""
     x = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
     y = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
@@ -125,7 +125,7 @@ def place_of_landmark(which, k, s):
 
 
 @compiled
-def read_landmark(blob, sight, whole, pan, tilt, s):
+def measure_landmark(blob, sight, whole, pan, tilt, s):
     """Compute the direction and range of a landmark from its blob; return the number of measurements.
 
     The range is that at which the landmark's known height fills the angle between the blob's upper and lower edge.

@@ -35,7 +35,7 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
     if w.obstacle == 1 and body.active == 1 and body.upright == 1 and beam_meets_player(percept, k, s, w):
         reading = range_by_infrared(percept, np.float64(percept.tilt), k) - chest_to_middle(k)
         if reading < w.obstacle_share * nearest_player_distance(percept, tracks, k, s):
-            x, y = player_place_in_beam(percept, k, s)
+            x, y = player_position_in_beam(percept, k, s)
             obstacle.distance, obstacle.bearing = length(x, y), atan2(y, x)
 
 
@@ -51,7 +51,7 @@ def beam_meets_player(percept, k, s, w):
 
 
 @compiled
-def player_place_in_beam(percept, k, s):
+def player_position_in_beam(percept, k, s):
     """Return the position x, y [m], robot frame, of the player whose chest the ranger's beam meets."""
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     ahead, left, _ = camera_place(pan, tilt, s)

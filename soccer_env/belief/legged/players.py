@@ -113,7 +113,7 @@ def remember_seen_players(percept, blobs, tracks, first, last, teammate, k, s, w
         done |= 1 << i
         if largest_blob_of_player(blobs, i, w.grouping) != i:
             continue
-        x, y = place_of_player(percept, blobs, i, k, s, w, table)
+        x, y = player_position(percept, blobs, i, k, s, w, table)
         seen += 1
         if w.slots != NEAREST:
             remember_player(tracks, likeliest_slot(tracks, first, last, x, y, w), x, y, teammate)
@@ -142,7 +142,7 @@ def remember_player(tracks, slot, x, y, teammate):
 
 
 @compiled
-def place_of_player(percept, blobs, i, k, s, w, table):
+def player_position(percept, blobs, i, k, s, w, table):
     """Return the position x, y [m], robot frame, of the player whose largest blob is i.
 
     The direction is head angles plus place in the picture (MS08); ranges count from the camera, which moves with the

@@ -42,7 +42,7 @@ def exchange_words(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
         message, frame = messages[r], np.int64(percepts[r].body.frame)
         deliver_message(message, frame)
         if percepts[r].body.active == 1 and frame % pause == 0:
-            say_word(message.reports[1 - message.latest], beliefs[r].ball)
+            write_distance_word(message.reports[1 - message.latest], beliefs[r].ball)
             send_report(message, frame, wait, draw_uniform(noise[r], RADIO) < s.audio_loss)
             deliver_message(message, frame)
     for r in rows:
@@ -50,7 +50,7 @@ def exchange_words(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
 
 
 @compiled
-def say_word(report, ball):
+def write_distance_word(report, ball):
     """Write the four-bit word for the distance to the ball into a report.  MS06"""
     seen = ball.confidence > 0.0 and ball.age < SEEN
     report.word = word_for_distance(ball.filtered_distance) if seen else SILENT

@@ -49,11 +49,11 @@ def believe_players(percept, tracks, filters, motions, frames, scratch, k, s, w)
     """
     readings, spare_tracks, spare_filters = scratch
     predict_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
-    count = read_players(percept, motions, frames, readings)
+    count = convert_sighted_players(percept, motions, frames, readings)
     mates, everyone = k.teammate_slots, k.teammate_slots + k.opponent_slots
     update_team_tracks(percept, tracks, filters, readings, count, 1, 0, mates, frames * k.dt, k, s, w)
     update_team_tracks(percept, tracks, filters, readings, count, 0, mates, everyone, frames * k.dt, k, s, w)
-    fade_players(tracks, filters, k, w)
+    fade_unseen_players(tracks, filters, k, w)
     sort_players(tracks, filters, spare_tracks, spare_filters, 0, mates)
     sort_players(tracks, filters, spare_tracks, spare_filters, mates, everyone)
 
@@ -79,7 +79,7 @@ def predict_players(tracks, filters, motion, k, s, w):
 
 
 @compiled
-def read_players(percept, motions, frames, readings):
+def convert_sighted_players(percept, motions, frames, readings):
     """Convert the players in the picture to present positions, as if they stood still; return the number of players."""
     count = 0
     while count < OTHERS and percept.players[count].seen == 1:
@@ -94,7 +94,7 @@ def read_players(percept, motions, frames, readings):
 def update_team_tracks(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
     """Update the tracks of one team, slots `first` to `last` - 1, from the readings with the team's marker.  MH06"""
     age = np.float64(percept.age)
-    measure_offsets(percept, tracks, readings, count, teammate, first, last, late)
+    measure_track_distances(percept, tracks, readings, count, teammate, first, last, late)
     while True:
         best, slot = nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
         if best < 0:
@@ -110,7 +110,7 @@ def update_team_tracks(percept, tracks, filters, readings, count, teammate, firs
 
 
 @compiled
-def measure_offsets(percept, tracks, readings, count, teammate, first, last, late):
+def measure_track_distances(percept, tracks, readings, count, teammate, first, last, late):
     """Compute the distances [m] between the readings and the tracks of a team."""
     for slot in range(first, last):
         if tracks[slot].present == 1:
@@ -177,7 +177,7 @@ def add_player(tracks, filters, x, y, teammate, first, last, age, s):
 
 
 @compiled
-def fade_players(tracks, filters, k, w):
+def fade_unseen_players(tracks, filters, k, w):
     """Lower the confidence in unseen players, forget players unseen for long, and compute distances and bearings."""
     for slot in range(tracks.shape[0]):
         track = tracks[slot]

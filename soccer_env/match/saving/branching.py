@@ -48,14 +48,14 @@ class Branching:
     @property
     def described_settings(self) -> dict[str, list[str]]:
         """Return settings and teams in words, for the error message about a save or branch with other settings."""
-        return {**self._described, "teams": fitting.describe_teams(self)}
+        return {**self._settings_in_words, "teams": fitting.describe_teams(self)}
 
     @cached_property
-    def _described(self) -> dict[str, list[str]]:
+    def _settings_in_words(self) -> dict[str, list[str]]:
         return fitting.describe_settings(self)
 
     @cached_property
-    def _fitting(self) -> WeakSet[Any]:
+    def _known_to_fit(self) -> WeakSet[Any]:
         """Return the set of other Matches already known to have compatible settings and teams, which never change."""
         return WeakSet()
 
@@ -110,9 +110,9 @@ class Branching:
         """
         numbers = branches.check_rows("rows", rows, self.count)
         other = type(self)(**self._changed_arguments(matches=len(numbers))) if into is None else into
-        if other not in self._fitting:
+        if other not in self._known_to_fit:
             branches.check_fits(self, other)
-            self._fitting.add(other)
+            self._known_to_fit.add(other)
         over = np.arange(other.count) if at is None else branches.check_rows("at", at, other.count, once=True)
         if len(numbers) not in (1, len(over)):
             raise ValueError(f"rows must be one match or as many as are overwritten, {len(over)}, got {len(numbers)}")

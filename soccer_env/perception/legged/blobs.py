@@ -35,9 +35,9 @@ def deliver_blobs(sketch, percept, state, noise, s):
     if state.scale == 0.0:
         state.scale = max(1.0 + s.scale_error * draw_normal(noise, CAMERA_NOISE), SCALE_LEAST)
     miss_pieces(sketch, BALL, noise, s.ball_miss)
-    add_spots(sketch, TEAMMATES, noise, s)
-    add_spots(sketch, OPPONENTS, noise, s)
-    add_patches(sketch)
+    add_orange_spots(sketch, TEAMMATES, noise, s)
+    add_orange_spots(sketch, OPPONENTS, noise, s)
+    add_ball_coloured_patches(sketch)
     miss_players(sketch, noise, s)
     report_blobs(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)
     report_blobs(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.sticker_miss, s)
@@ -82,7 +82,7 @@ def miss_players(sketch, noise, s):
 
 
 @compiled
-def add_spots(sketch, kind, noise, s):
+def add_orange_spots(sketch, kind, noise, s):
     """Add orange spots on some stickers, which the vision may mistake for the ball in this frame.
 
     Both teams' stickers show spots, although only one team's stickers are red: otherwise the red team would be at a
@@ -101,7 +101,7 @@ def add_spots(sketch, kind, noise, s):
 
 
 @compiled
-def add_patches(sketch):
+def add_ball_coloured_patches(sketch):
     """Add the ball-coloured patches beyond the boards to the pieces in the ball's colour."""
     for i in range(sketch.counts[PATCHES]):
         if sketch.counts[BALL] < PIECES:
@@ -121,7 +121,7 @@ def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
         miss_pieces(sketch, kind, noise, missed)
     pieces, count = sketch.pieces[kind], sketch.counts[kind]
     if count > 1:
-        count = merge(pieces, count)
+        count = merge_touching_pieces(pieces, count)
         put_largest_first(pieces, count, sketch.spare_piece)
     kept = 0
     for i in range(min(count, BLOBS)):
@@ -152,7 +152,7 @@ def report_landmarks(sketch, blobs, scale, noise, s):
 
 
 @compiled
-def merge(pieces, count):
+def merge_touching_pieces(pieces, count):
     """Merge pieces that touch or overlap, as a vision by colour does; return the number of pieces left."""
     i = 0
     while i < count:
@@ -214,8 +214,8 @@ def measure_blob(camera, piece, blob, scale, noise, s):
     rows = round_to_pixels(height * scale + s.dither * draw_bell_curve(noise), 2.0 * camera.half_height)
     u = 0.5 * (piece.left + piece.right) + s.dither * draw_bell_curve(noise)
     v = 0.5 * (piece.high + piece.low) + s.dither * draw_bell_curve(noise)
-    left = place_edge(u, columns, piece.left, piece.right, camera.half_width)
-    high = place_edge(v, rows, piece.high, piece.low, camera.half_height)
+    left = blob_edge(u, columns, piece.left, piece.right, camera.half_width)
+    high = blob_edge(v, rows, piece.high, piece.low, camera.half_height)
     blob.high, blob.low = int(high), int(high - rows)
     blob.area = int(max(floor(piece.area / (width * height) * columns * rows + 0.5), 1.0))
     if camera.handedness > 0.0:
@@ -231,7 +231,7 @@ def round_to_pixels(size, most):
 
 
 @compiled
-def place_edge(middle, count, high, low, border):
+def blob_edge(middle, count, high, low, border):
     """Return the edge of a blob of `count` pixels about `middle`, or the picture's border if the piece reaches it."""
     if high >= border - EDGE:
         return border

@@ -104,14 +104,14 @@ def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
             if in_view(camera, ahead, left, rectangle.middle, rectangle.extent):
                 update_pose_angles(poses[other], robot, camera.handedness)
                 bodies[count].teammate = teammate
-                put_trunk(camera, ahead, left, poses[other], rectangle, s, bodies[count].boxes[TRUNK])
-                put_head(camera, ahead, left, poses[other], rectangle, s, bodies[count])
+                place_trunk(camera, ahead, left, poses[other], rectangle, s, bodies[count].boxes[TRUNK])
+                place_head(camera, ahead, left, poses[other], rectangle, s, bodies[count])
                 count += 1
     return count
 
 
 @compiled
-def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
+def place_trunk(camera, ahead, left, pose, rectangle, s, trunk):
     """Place the box of a robot's trunk, for a robot whose origin is at ahead, left [m] in camera axes."""
     trunk.cosine, trunk.sine = into_frame(pose.cosine, pose.sine, camera.cosine, camera.sine)
     middle = 0.5 * (rectangle.back + rectangle.front)
@@ -122,7 +122,7 @@ def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
 
 
 @compiled
-def put_head(camera, ahead, left, pose, rectangle, s, body):
+def place_head(camera, ahead, left, pose, rectangle, s, body):
     """Place the box of a robot's head and its stickers, for a robot whose origin is at ahead, left [m] in camera axes.
 
     The head's own camera is in the middle of the face. Head and stickers move with the tilt, but stay upright.
@@ -170,15 +170,15 @@ def trace_box(camera, box, tracing, outline):
         depth = put_corner(camera, tracing.corners[i], ahead, left, box.low if i & 4 else box.high)
         nearest = min(nearest, depth)
     box.traced = 1
-    first, count = faces_seen(box)
+    first, count = visible_faces(box)
     if nearest < LENS or count == 0:
         set_convex_hull(outline, tracing.points, project_box(camera, tracing))
     else:
-        follow_edges(camera, box, tracing.corners, outline, first, count)
+        trace_visible_faces(camera, box, tracing.corners, outline, first, count)
 
 
 @compiled
-def faces_seen(box):
+def visible_faces(box):
     """Return the leftmost visible side face of a box, and the number of visible side faces: 1, 2, or 0 from inside.
 
     Faces go round counter-clockwise, face i from corner i to corner i + 1 of the ring: left, behind, right, ahead.
@@ -196,28 +196,28 @@ def faces_seen(box):
 
 
 @compiled
-def upper_corner(i):
+def upper_corner_index(i):
     """Return the index of the i-th upper corner of a box, counter-clockwise from front left: 0, 1, 3, 2."""
     return (i & 3) ^ ((i & 3) >> 1)
 
 
 @compiled
-def follow_edges(camera, box, corners, outline, first, count):
+def trace_visible_faces(camera, box, corners, outline, first, count):
     """Trace the outline of a box in front of the lens, whose faces first, ..., first + count - 1 are visible.
 
     Seen from above, the far edges of the top and the near edges of the bottom bound the box; from below, the reverse.
     """
     from_above, over_belly = camera.height > box.high, camera.height > box.low
-    right, left = upper_corner(first + count), upper_corner(first)
+    right, left = upper_corner_index(first + count), upper_corner_index(first)
     begin_outline(outline, corners[right], corners[right + LOW])
     for i in range(1, 4 - count):  # the far corners, from right to left
-        corner = upper_corner(first + count + i)
+        corner = upper_corner_index(first + count + i)
         if from_above:
             add_upper(outline, corners[corner])
         if not over_belly:
             add_lower(outline, corners[corner + LOW])
     if count == 2:  # the near corner
-        corner = upper_corner(first + 1)
+        corner = upper_corner_index(first + 1)
         if not from_above:
             add_upper(outline, corners[corner])
         if over_belly:

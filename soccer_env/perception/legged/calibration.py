@@ -102,11 +102,11 @@ def render_sizes(matches, balls, robots, constants, sensors, ranges, height, kin
         else:
             robots[0, 1].x = x
         draw_scene(matches[0], balls[0], robots[0], k, s, 0, sketches[0])
-        measure_pieces(sketches[0], kind, sizes[i])
+        measure_size_in_sketch(sketches[0], kind, sizes[i])
 
 
 @compiled
-def measure_pieces(sketch, kind, size):
+def measure_size_in_sketch(sketch, kind, size):
     """Measure the sizes [px] of the largest piece of a kind, and of the box round all its pieces."""
     size.width = size.height = size.together = nan
     largest = high = low = 0.0

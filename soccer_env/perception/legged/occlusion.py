@@ -94,7 +94,7 @@ def find_hiders(sketch, owner, own_head, apart):
                 continue  # it stands below the height of the eye and the target above, or the other way round
             if abs(box.ahead * left - box.left * ahead) > box.radius * distance + radius * box.distance:
                 continue  # it stands aside: the sine of the angle between is more than what both fill
-            if not (apart or stands_before(camera, box, target)):
+            if not (apart or box_may_hide(camera, box, target)):
                 continue
             if box.traced == 0:
                 trace_box(camera, box, sketch.body_tracing, outline)
@@ -108,7 +108,7 @@ def find_hiders(sketch, owner, own_head, apart):
 
 
 @compiled
-def stands_before(camera, box, target):
+def box_may_hide(camera, box, target):
     """Tell whether a box may hide the target: no side face of the box has camera and target both outside of it.
 
     A target that crosses the plane of a side counts as inside, which is right where the two overlap in the picture. A
@@ -172,13 +172,13 @@ def cut_into_pieces(sketch, kind, hiders):
         while end < count and columns[end].low < columns[end].high:
             end += 1
         if begin < end:
-            first = edge_between(sketch, hiders, begin, count, right, width, True)
-            last = edge_between(sketch, hiders, end, count, right, width, False)
-            join_columns(sketch, kind, columns, begin, end, first, last, width)
+            first = visible_edge(sketch, hiders, begin, count, right, width, True)
+            last = visible_edge(sketch, hiders, end, count, right, width, False)
+            add_piece_of_columns(sketch, kind, columns, begin, end, first, last, width)
 
 
 @compiled
-def join_columns(sketch, kind, columns, begin, end, first, last, width):
+def add_piece_of_columns(sketch, kind, columns, begin, end, first, last, width):
     """Add the piece that consists of columns begin, ..., end - 1, from u = first to u = last [px]."""
     bottom = columns[begin].low
     top = columns[begin].high
@@ -196,7 +196,7 @@ def join_columns(sketch, kind, columns, begin, end, first, last, width):
 
 
 @compiled
-def edge_between(sketch, hiders, column, count, right, width, opens):
+def visible_edge(sketch, hiders, column, count, right, width, opens):
     """Return the position u [px] of the edge between a visible column and a neighbouring hidden column.
 
     The edge is where a hider ends or begins between the middles of the two columns, else half-way between them.

@@ -125,7 +125,7 @@ def project_box(camera, tracing):
             count = add_point(points, count, corners[i].u, corners[i].v)
         for bit in (1, 2, 4):
             if i & bit == 0:
-                count = add_lens_cut(camera, points, count, corners[i], corners[i + bit])
+                count = add_lens_crossing(camera, points, count, corners[i], corners[i + bit])
     return count
 
 
@@ -138,7 +138,7 @@ def project_rectangle(camera, tracing):
     for i in range(4):
         if corners[i].depth >= LENS:
             count = add_point(points, count, corners[i].u, corners[i].v)
-        count = add_lens_cut(camera, points, count, corners[i], corners[(i + 1) % 4])
+        count = add_lens_crossing(camera, points, count, corners[i], corners[(i + 1) % 4])
     return count
 
 
@@ -150,7 +150,7 @@ def add_point(points, count, u, v):
 
 
 @compiled
-def add_lens_cut(camera, points, count, one, other):
+def add_lens_crossing(camera, points, count, one, other):
     """Append the point where an edge between two corners crosses the lens plane; return the number of points."""
     if (one.depth < LENS) == (other.depth < LENS):
         return count

@@ -76,16 +76,16 @@ def distance_to_boards(x, y, z, dx, dy, dz, k, s):
     end = (0.5 * k.pitch_length - (x if dx > 0.0 else -x)) / abs(dx)  # to the goal line ahead
     side = (0.5 * k.pitch_width - (y if dy > 0.0 else -y)) / abs(dy)  # to the touchline ahead
     if k.walled == 1 and side <= end:
-        return distance_if_low(side, z + side * dz, s.board_height)
+        return distance_if_within_height(side, z + side * dz, s.board_height)
     if abs(y + max(end, 0.0) * dy) > 0.5 * k.pitch_goal_width:
-        return distance_if_low(end, z + end * dz, s.board_height) if k.walled == 1 else inf
+        return distance_if_within_height(end, z + end * dz, s.board_height) if k.walled == 1 else inf
     back = end + k.pitch_goal_depth / abs(dx)
     net = (0.5 * k.pitch_goal_width - (y if dy > 0.0 else -y)) / abs(dy)
     distance = min(back, net)
-    return distance_if_low(distance, z + distance * dz, s.goal_height)
+    return distance_if_within_height(distance, z + distance * dz, s.goal_height)
 
 
 @compiled
-def distance_if_low(distance, height, most):
+def distance_if_within_height(distance, height, most):
     """Return the distance if it is positive and the ray's height there is between 0 and `most`; else inf."""
     return distance if distance >= 0.0 and 0.0 <= height <= most else inf

@@ -28,13 +28,13 @@ GAP = 0.004  # [m] a ball this near presses the switch, assumed: the gap of a to
 def feel_touch(ball, robot, touch, k, s):
     """Compute the readings of a robot's touch sensors (TOUCH).  MS06"""
     touch.head = 0
-    touch.chin = 1 if chin_touches(ball, robot, k, s) else 0
+    touch.chin = 1 if chin_touches_ball(ball, robot, k, s) else 0
     touch.back = robot.placed
-    touch.feet = standing_paws(robot)
+    touch.feet = count_standing_paws(robot)
 
 
 @compiled
-def standing_paws(robot):
+def count_standing_paws(robot):
     """Return the number of paws on the ground: 4, 2 in a trot (one diagonal), 0 lying."""
     if robot.fallen > 0.0:
         return 0
@@ -43,7 +43,7 @@ def standing_paws(robot):
 
 
 @compiled
-def chin_touches(ball, robot, k, s):
+def chin_touches_ball(ball, robot, k, s):
     """Tell whether the ball touches the chin: the lower edge of the head's face, where the mouth is."""
     reach = k.ball_radius + GAP
     x, y = ball.x - robot.x, ball.y - robot.y

@@ -86,11 +86,11 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
         if share > 0.0 and draw_uniform(noise, CAMERA) < shown:
             seems = distance + (1.0 - kept) * k.ball_radius
             measure_sighting(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
-    mistake_for_ball(sighting, s, noise, handedness)
+    add_false_ball(sighting, s, noise, handedness)
 
 
 @compiled
-def mistake_for_ball(sighting, s, noise, handedness):
+def add_false_ball(sighting, s, noise, handedness):
     """Add a rare false ball in a random direction; it replaces the sighting of the ball if it is nearer."""
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
     if rate <= 0.0 or draw_uniform(noise, FALSE_BLOBS) >= rate:
@@ -163,8 +163,8 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
     """
     clear_sighting(sighting)
     distance, middle = length(x - robot.x, -robot.y), wrap(atan2(-robot.y, x - robot.x) - robot.heading)
-    one = wrap(bearing_of(robot, x, 0.5 * k.pitch_goal_width) - middle)
-    other = wrap(bearing_of(robot, x, -0.5 * k.pitch_goal_width) - middle)
+    one = wrap(bearing_to_point(robot, x, 0.5 * k.pitch_goal_width) - middle)
+    other = wrap(bearing_to_point(robot, x, -0.5 * k.pitch_goal_width) - middle)
     half = 0.5 * abs(one - other)
     centre = middle + 0.5 * (one + other)
     aside, share = visible_part(around, count, centre, half, distance, GOAL_HEIGHT, k, s, handedness)
@@ -173,6 +173,6 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
 
 
 @compiled
-def bearing_of(robot, x, y):
+def bearing_to_point(robot, x, y):
     """Return the bearing [rad] of a point, given in the field frame, as seen from a robot."""
     return wrap(atan2(y - robot.y, x - robot.x) - robot.heading)

@@ -33,7 +33,9 @@ def ask_squad(match: Match, squad: Squad) -> np.ndarray:
     team: FunctionTeam = squad.team
     memory: np.ndarray = squad.memory.copy()
     plays = np.ones(match.count, bool) if squad.plays is None else squad.plays
-    begin_memory(memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team)
+    initialise_memory(
+        memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team
+    )
     due = np.flatnonzero(plays & (memory["wait"][:, 0] == 0) & (match.matches["over"] == 0))
     if len(due):
         rows, kept = squad.players, memory[due]
@@ -68,7 +70,7 @@ def forbid_changes(match: Match, team: str) -> Iterator[None]:
             del match.__dict__[name]
 
 
-def begin_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
+def initialise_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
     """Initialise the memory (M, P) of new episodes, marked in `fresh` (M,): robots stand until the first decision."""
     if fresh.any():
         first = memory[fresh]

@@ -61,7 +61,7 @@ def keep_replays(
     more matches have changed, for example, which match is the best. `before` begins the names of the files and differs
     between contests that share a folder. ValueError if a match ends in another state; OSError.
     """
-    earlier_keep, listed = read_list(folder)
+    earlier_keep, listed = read_kept_list(folder)
     others, earlier = split_replays(listed, lambda one: not Path(one.file).name.startswith(before))
     keep = keep.joined_with(earlier_keep)
     if not keep.kinds_in_order:
@@ -84,10 +84,10 @@ def keep_replays(
 
 def kept_in(folder: Path) -> list[Kept]:
     """Return the replays that a folder lists; none if the list is missing or damaged."""
-    return read_list(folder)[1]
+    return read_kept_list(folder)[1]
 
 
-def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
+def read_kept_list(folder: Path) -> tuple[Keep, list[Kept]]:
     """Return the kinds of replays that a folder keeps so far, and the replays listed there."""
     try:
         record = json.loads(read_regular_file(folder / REPLAYS / KEPT, LARGEST))

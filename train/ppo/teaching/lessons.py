@@ -34,7 +34,7 @@ def teaching_cases(settings: TrainSettings) -> list[Any]:
     return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
 
 
-def recording_shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
+def recordings_by_setting(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
     """Yield for each match setting: opponent, team sizes, decisions per robot to record, and settings of `Match`."""
     cases = teaching_cases(settings)
     decisions = max(1, round(60.0 * settings.minutes * settings.played.control_rate / settings.action_repeat))
@@ -53,7 +53,7 @@ def lessons(
 ) -> Rows:
     """Record the teacher's observations and actions in every match setting of the run, from fixed seeds."""
     parts = []
-    for opponent, players, decisions, given in recording_shares(settings):
+    for opponent, players, decisions, given in recordings_by_setting(settings):
         given |= {"observe": settings.observe}
         parts.append(record(settings.teacher, opponent, players, decisions, settings.action_repeat, **given))
         advance(1.0)
@@ -121,7 +121,7 @@ class Lessons:
         """Play one round of advice in every match setting; return observations and advised actions."""
         settings, parts = self.settings, []
         player = self._actor_as_team() if number or settings.start else settings.teacher
-        for opponent, players, _, given in recording_shares(settings):
+        for opponent, players, _, given in recordings_by_setting(settings):
             given["seed"] += ROUND_SEED * number
             parts.append(advised(player, settings.teacher, opponent, players, settings.action_repeat, **given))
             progress.advance(1.0)
