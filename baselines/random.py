@@ -31,7 +31,7 @@ def team(strength: float = 1.0) -> CompiledTeam:
 
 
 @compiled
-def wander(memory, noise, command, k, settings):
+def choose_random_command(memory, noise, command, k, settings):
     """Write the remembered command, or draw a new random command when the old command's time is over."""
     strength = settings.strength
     memory.seconds -= k.dt
@@ -46,4 +46,4 @@ def wander(memory, noise, command, k, settings):
     command.head = -1.0
 
 
-RANDOM = per_blind_player(wander)
+RANDOM = per_blind_player(choose_random_command)

@@ -40,7 +40,7 @@ def _guarded(
         try:
             turn = self._turn
         except AttributeError:
-            turn = self._turn = Turn(undone(self))
+            turn = self._turn = ObjectLock(undone(self))
         if turn.owner == get_ident():
             return method(self, *args, **kwargs)
         began = hold_signals()
@@ -97,7 +97,7 @@ def with_signals_held(method: F) -> F:
     return cast(F, waiting)
 
 
-class Turn:
+class ObjectLock:
     """The lock of a guarded object, its present thread, and the methods that signals cannot interrupt."""
 
     __slots__ = "acquire", "owner", "release", "sure", "undoes"

@@ -20,7 +20,7 @@ from soccer_env.match.step import step_slice
 @contextmanager
 def compile_step_beside() -> Iterator[None]:
     """Run a second compiling process during a `with` block, if the cache lacks the code for a step of a match."""
-    if config.DISABLE_JIT or not sys.executable or cores() < 2 or is_cached(step_slice):
+    if config.DISABLE_JIT or not sys.executable or count_cores() < 2 or is_cached(step_slice):
         yield
         return
     silent = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -31,7 +31,7 @@ def compile_step_beside() -> Iterator[None]:
             process.kill()
 
 
-def cores() -> int:
+def count_cores() -> int:
     """Return the number of processor cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 

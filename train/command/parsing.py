@@ -39,7 +39,7 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
 
     from soccer_env.train.command.left_out import REGISTRY
 
-    def refuse(event: Any) -> None:
+    def raise_parse_error(event: Any) -> None:
         raise ValueError(f"{describe_error(event, kind, words, default is not None)} (see soccer {name} --help)")
 
     more: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)} if default is None else {"default": default}
@@ -47,7 +47,7 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
     if {"-h", "--help"} & {*words}:
         print(cut_help_text(capture_printed_text(read), getattr(kind, "BASIC", ""), name))
         raise SystemExit(0)
-    with _errors.on_parse_error(refuse):
+    with _errors.on_parse_error(raise_parse_error):
         settings: T = read(args=["--help"] if ALL_OPTIONS in words else words)
         return settings
 

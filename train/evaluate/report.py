@@ -66,15 +66,15 @@ def percent(share: float) -> str:
 
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     """Return the report in Markdown; `about`: command, date and commit of the evaluation."""
-    home, away = escaped(result.conditions.home), escaped(result.conditions.away)
+    home, away = escape_text(result.conditions.home), escape_text(result.conditions.away)
     lines = [
         f"# {home} against {away}",
-        f"{verdict_sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
+        f"{verdict_sentence(result, escape_text)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
         table(("", "value", "95 % interval"), rows(result)),
         needed_matches_sentence(result),
         *statistics_tables(result),
         "## Conditions",
-        table(("", ""), [(escaped(name), escaped(value)) for name, value in conditions_rows(result, about)]),
+        table(("", ""), [(escape_text(name), escape_text(value)) for name, value in conditions_rows(result, about)]),
         "This command plays what is missing and writes this report again:",
         code_block(about.get("command", "")),
         "## Matches",
@@ -115,7 +115,7 @@ def statistics_tables(result: EvaluationResult) -> list[str]:
     """Return the tables of statistics and of goals in Markdown; none if the result lines have no statistics."""
     if not result.statistics:
         return []
-    head = ("", escaped(result.conditions.home), escaped(result.conditions.away))
+    head = ("", escape_text(result.conditions.home), escape_text(result.conditions.away))
     return [
         "## Play",
         "One value is of both teams together. `soccer list statistics` says what each of them is; result.json has all.",
@@ -153,7 +153,7 @@ def pairs_table(result: EvaluationResult) -> list[str]:
     ]
 
 
-def escaped(text: str) -> str:
+def escape_text(text: str) -> str:
     """Escape a team's name for Markdown and HTML, because policy files of strangers may have malicious names."""
     return re.sub(r"([\\`*\[\]<>&#~]|\b_|_\b)", r"\\\1", " ".join(text.split()))
 

@@ -22,7 +22,7 @@ LEARNER = "learner"
 
 
 @dataclass
-class Standing:
+class OpponentStanding:
     """The learner's results and rating against one opponent."""
 
     points: float = 0.5  # recent share of points that the learner won
@@ -40,7 +40,7 @@ class Curriculum:
         self._past = [team_from_policy(first) for _ in self.past_names]
         self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
         self.leaving = dict.fromkeys(self.past_names, 0)  # running episodes against a replaced past self
-        self.standings = {name: Standing() for name in (LEARNER, *self.names)}
+        self.standings = {name: OpponentStanding() for name in (LEARNER, *self.names)}
         self.lineup = Lineup([*names, *self._past], names=self.names)
         self.model = PlackettLuce()
         self._update_weights()
@@ -69,7 +69,7 @@ class Curriculum:
             self.filled[oldest] = step
             self.leaving[self.past_names[oldest]] = sum(name == self.past_names[oldest] for name in playing)
             learner = self.standings[LEARNER]
-            self.standings[self.past_names[oldest]] = Standing(mu=learner.mu, sigma=learner.sigma)
+            self.standings[self.past_names[oldest]] = OpponentStanding(mu=learner.mu, sigma=learner.sigma)
             self._update_weights()
 
     def state(self) -> dict[str, Any]:
@@ -80,7 +80,7 @@ class Curriculum:
 
     def restore(self, state: dict[str, Any]) -> None:
         """Restore the standings and the past selves from a checkpoint (a result of `state`)."""
-        self.standings = {name: Standing(**values) for name, values in state["standings"].items()}
+        self.standings = {name: OpponentStanding(**values) for name, values in state["standings"].items()}
         self.filled, self.leaving = list(state["filled"]), dict(state["leaving"])
         for team, numbers in zip(self._past, state["past"], strict=True):
             team.settings[:] = numbers
@@ -95,7 +95,7 @@ class Curriculum:
             weights[first_past:] *= (np.array(self.filled) > 0) / max(1, sum(step > 0 for step in self.filled))
         self.lineup.weights[:] = weights / weights.sum()
 
-    def _update_ratings(self, learner: Standing, opponent: Standing, points: float) -> None:
+    def _update_ratings(self, learner: OpponentStanding, opponent: OpponentStanding, points: float) -> None:
         """Update the ratings of learner and opponent after an episode; `points` are the learner's, 0 to 1."""
         ranks = [1.0 - points, points]
         sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]

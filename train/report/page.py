@@ -27,16 +27,16 @@ class ReportPage:
         """Add a paragraph to the page; text between `backticks` is code."""
         if text:
             start = '<p class="lead">' if strong else "<p>"
-            self._parts.append(f"{start}{inline(text)}</p>")
+            self._parts.append(f"{start}{to_html(text)}</p>")
 
     def section(self, title: str) -> None:
         """Begin a section, linked from the top of the page."""
         self._sections.append(title)
-        self._parts.append(f'<h2 id="section{len(self._sections)}">{inline(title)}</h2>')
+        self._parts.append(f'<h2 id="section{len(self._sections)}">{to_html(title)}</h2>')
 
     def heading(self, title: str) -> None:
         """Begin a subsection with a title."""
-        self._parts.append(f"<h3>{inline(title)}</h3>")
+        self._parts.append(f"<h3>{to_html(title)}</h3>")
 
     def table(self, head: Sequence[str], rows: Iterable[Sequence[str]], sorts: bool = False) -> None:
         """Add a table with right-aligned numbers; `sorts`: tapping a column's head sorts by that column."""
@@ -49,9 +49,9 @@ class ReportPage:
     def _table(self, head: Sequence[str], rows: list[tuple[Sequence[str], str]], kind: str = "") -> None:
         """Add a table of texts; each row may end with cells of HTML markup."""
         kinds = [alignment([texts[at] for texts, _ in rows if at < len(texts)]) for at in range(len(head))]
-        heads = "".join(f'<th scope="col"{one}>{inline(name)}</th>' for name, one in zip(head, kinds, strict=True))
+        heads = "".join(f'<th scope="col"{one}>{to_html(name)}</th>' for name, one in zip(head, kinds, strict=True))
         body = "".join(
-            f"<tr>{''.join(f'<td{one}>{inline(text)}</td>' for text, one in zip(texts, kinds, strict=False))}{end}</tr>"
+            f"<tr>{''.join(f'<td{one}>{to_html(text)}</td>' for text, one in zip(texts, kinds))}{end}</tr>"
             for texts, end in rows
         )
         top = f"<thead><tr>{heads}</tr></thead>" if any(head) else ""
@@ -63,7 +63,7 @@ class ReportPage:
         drawn = adapt_svg(svg, f"figure{self._figures}")
         drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{html.escape(caption)}"', 1)
         self._parts.append(
-            f'<figure><div class="plot" tabindex="0">{drawn}</div><figcaption>{inline(caption)}</figcaption></figure>'
+            f'<figure><div class="plot" tabindex="0">{drawn}</div><figcaption>{to_html(caption)}</figcaption></figure>'
         )
 
     def command(self, text: str) -> None:
@@ -72,7 +72,7 @@ class ReportPage:
 
     def fold(self, summary: str) -> None:
         """Begin a folded part that the reader can open; `unfold` ends it."""
-        self._parts.append(f"<details><summary>{inline(summary)}</summary>")
+        self._parts.append(f"<details><summary>{to_html(summary)}</summary>")
 
     def unfold(self) -> None:
         """End the folded part that `fold` began."""
@@ -80,10 +80,10 @@ class ReportPage:
 
     def html(self) -> str:
         """Return the whole page as HTML."""
-        names = "".join(f'<a href="#section{n}">{inline(name)}</a>' for n, name in enumerate(self._sections, 1))
+        names = "".join(f'<a href="#section{n}">{to_html(name)}</a>' for n, name in enumerate(self._sections, 1))
         filled = {
             "TITLE": html.escape(self._title),
-            "WHAT": inline(self._what),
+            "WHAT": to_html(self._what),
             "STYLE": style(),
             "SECTIONS": names,
             "BODY": "\n".join(self._parts),
@@ -95,7 +95,7 @@ class ReportPage:
         return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
 
 
-def inline(text: str) -> str:
+def to_html(text: str) -> str:
     """Escape a text for HTML, and turn text between `backticks` into code."""
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(text))
 
@@ -108,7 +108,7 @@ def alignment(texts: Sequence[str]) -> str:
 
 def link(words: str, file: str) -> str:
     """Return an HTML link to a file beside the page."""
-    return f'<a href="{html.escape(quote(file))}">{inline(words)}</a>'
+    return f'<a href="{html.escape(quote(file))}">{to_html(words)}</a>'
 
 
 def style() -> str:

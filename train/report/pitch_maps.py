@@ -93,7 +93,9 @@ def plot_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):
         plot_heat_cells(one, maps.heat[name], maps.pitch)
         draw_pitch(one, maps.pitch, cut_team_name(title))
-    shades = [Patch(facecolor=shade(depth), label=f"{level:g}") for level, depth in zip(LEVELS, DEPTHS, strict=True)]
+    shades = [
+        Patch(facecolor=heat_colour(depth), label=f"{level:g}") for level, depth in zip(LEVELS, DEPTHS, strict=True)
+    ]
     part.legend(handles=shades, loc="outside lower center", ncols=len(shades), handlelength=1.2, columnspacing=1.0,
                 title="share of the time in a cell, from [%]", title_fontsize=9.0)  # fmt: skip
 
@@ -114,10 +116,10 @@ def plot_heat_cells(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> Non
             vertices = (cells[:, None] + corners) * cell
             codes = np.tile([Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY], len(cells))
             path = Path(vertices.reshape(-1, 2), codes)
-            axes.add_patch(PathPatch(path, facecolor=shade(depth), edgecolor="none", zorder=1))
+            axes.add_patch(PathPatch(path, facecolor=heat_colour(depth), edgecolor="none", zorder=1))
 
 
-def shade(depth: float) -> str:
+def heat_colour(depth: float) -> str:
     """Return the colour of heat maps with an opacity `depth` of 0 to 1."""
     return f"{COLOURS[0]}{round(255 * depth):02x}"
 

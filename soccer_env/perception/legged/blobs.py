@@ -130,7 +130,7 @@ def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
             continue
         place = kept
         while place > 0 and blobs[place].area > blobs[place - 1].area:
-            swap(blobs, place, place - 1, sketch.spare_blob)
+            swap_records(blobs, place, place - 1, sketch.spare_blob)
             place -= 1
         kept += 1
     for i in range(kept, BLOBS):
@@ -192,11 +192,11 @@ def put_largest_first(pieces, count, spare):
             if pieces[i].area > pieces[largest].area:
                 largest = i
         if largest > place:
-            swap(pieces, place, largest, spare)
+            swap_records(pieces, place, largest, spare)
 
 
 @compiled
-def swap(things, one, other, spare):
+def swap_records(things, one, other, spare):
     """Swap two records of an array by index; `spare` is a scratch record (1,)."""
     spare[0] = things[one]
     things[one] = things[other]

@@ -98,9 +98,9 @@ def find_hiders(sketch, owner, own_head, apart):
                 continue
             if box.traced == 0:
                 trace_box(camera, box, sketch.body_tracing, outline)
-            if not overlap(outline, target.outline):
+            if not boxes_overlap(outline, target.outline):
                 continue
-            if covers(outline, target.outline):
+            if covers_box(outline, target.outline):
                 return HIDDEN
             sketch.hiders[count] = 2 * i + part
             count += 1
@@ -130,13 +130,13 @@ def box_may_hide(camera, box, target):
 
 
 @compiled
-def overlap(one, other):
+def boxes_overlap(one, other):
     """Tell whether the bounding boxes of two outlines overlap in the picture."""
     return one.right < other.left and other.right < one.left and one.low < other.high and other.low < one.high
 
 
 @compiled
-def covers(outline, other):
+def covers_box(outline, other):
     """Tell whether an outline contains the whole bounding box of another outline."""
     if outline.right > other.right or outline.left < other.left:
         return False
