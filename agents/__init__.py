@@ -1,4 +1,4 @@
-"""Play learned teams: networks, policy files and the bundled policies.
+"""Teams that play trained policies: networks, policy files and the bundled policies.
 
 learned.py      a policy as a team
 policy.py       a policy: a network, and the facts that must agree before it may play

@@ -32,18 +32,18 @@ SHAPE = 6  # numbers of the shape
 
 @dataclass(frozen=True)
 class Layout:
-    """The number of entries in each part of an observation; slots come last, team-mates first."""
+    """The number of entries in each part of an observation; slots of other players come last, team-mates first."""
 
     fixed: int  # entries that belong to no slot
     slots: tuple[int, int]  # of team-mates and opponents
     entries: tuple[int, int]  # of a slot of each
 
     def shapes(self, width: int) -> tuple[tuple[int, ...], ...]:
-        """Return the shape of each of TENSORS for attention of this width."""
+        """Return the shape of each attention tensor (TENSORS) for attention of this width."""
         return tuple(shape for size in self.entries for shape in ((width, size), (width,), (width, self.fixed)))
 
     def features(self, width: int) -> int:
-        """Return the number of inputs of the first layer after attention of this width."""
+        """Return the number of inputs to the first layer after attention of this width."""
         return self.fixed + len(PLAYERS) * width
 
 
@@ -75,22 +75,22 @@ def layout_of(inputs: Sequence[Entry]) -> Layout:
 
 
 def _without_name_and_slot(entry: Entry) -> Entry:
-    """Return an entry without name and slot: equal for the same entry of all slots."""
+    """Return an entry without its name and slot, so that the same entry of all slots compares equal."""
     return replace(entry, name="", slot=None)
 
 
 def attention_width(hidden: Sequence[int]) -> int:
-    """Return the width of attention for a network with these hidden layers."""
+    """Return the width of attention in a network with these hidden layers."""
     return max(NARROWEST, hidden[0] // SHARE)
 
 
 def shape_numbers(layout: Layout, width: int) -> tuple[int, ...]:
-    """Return the numbers, SHAPE of them, that tell `attend` the layout of observations and the width of the network."""
+    """Return the SHAPE numbers that tell `attend` the layout of observations and the width of attention."""
     return (layout.fixed, width, *layout.slots, *layout.entries)
 
 
 def flatten_tensors(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """Return TENSORS as `attend` reads them: column by column, Q, W, b of team-mates, then of opponents."""
+    """Return the attention tensors in the order that `attend` reads: column by column, team-mates first."""
     parts: list[np.ndarray] = []
     for first in range(0, len(tensors), 3):
         weight, bias, query = tensors[first : first + 3]
@@ -100,7 +100,7 @@ def flatten_tensors(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
 
 @compiled
 def observation_size(numbers, shape):
-    """Return the number of entries of an observation, whose shape begins at index `shape`."""
+    """Return the number of entries of an observation; its layout's numbers begin at index `shape`."""
     count = numbers[shape + FIXED]
     for kind in range(2):
         count += numbers[shape + SLOTS + kind] * numbers[shape + ENTRIES + kind]
@@ -109,7 +109,7 @@ def observation_size(numbers, shape):
 
 @compiled
 def attend(numbers, shape, start, smooth, scratch):
-    """Write both pooled vectors after the fixed entries of scratch[2]; return the index after the last number read.
+    """Append both pooled vectors to the fixed entries in scratch[2]; return the next unread index of `numbers`.
 
     scratch[0] and scratch[1] are working space; `smooth` is True for tanh.
     """
@@ -140,7 +140,7 @@ def write_query(numbers, at, fixed, width, scratch):
 
 @compiled
 def pool_players(numbers, at, first, slots, entries, width, to, smooth, scratch):
-    """Write the pooled vector of a kind of player into scratch[1] from `to` on; scratch[0] holds q and then each e.
+    """Write the pooled vector of team-mates or of opponents into scratch[1], starting at index `to`.
 
     The weights are relative to the largest so far, so that no exponential overflows.
     """
@@ -166,7 +166,7 @@ def pool_players(numbers, at, first, slots, entries, width, to, smooth, scratch)
 
 @compiled
 def encode(numbers, at, slot, entries, width, smooth, scratch):
-    """Write the encoding e of one slot into scratch[0], after q."""
+    """Write the encoding e of one slot into scratch[0], after the query q."""
     bias = at + entries * width
     for j in range(width):
         scratch[0, width + j] = numbers[bias + j]

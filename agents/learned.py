@@ -1,4 +1,4 @@
-"""Teams that play a trained policy: `learned`, the bundled one, and every policy file.
+"""Teams that play a trained policy: the bundled team `learned`, and the teams of policy files.
 
 A decision is kept for `action_repeat` control steps. The walk of a legged robot is latched when a gait step ends, so
 decisions come just early enough for that: the first one `first_decision_step` control steps into an episode.
@@ -30,22 +30,22 @@ HEAD = 4  # index of the head mode in an action
 
 
 class LearnedTeam(ObservingTeam):
-    """A team that plays a policy."""
+    """A team that plays a trained policy."""
 
     policy: Policy
 
     def __reduce__(self) -> Made:
-        """Pickle or copy the team as the content of its policy file."""
+        """Pickle or copy the team as the bytes of its policy file."""
         return rebuild_team, (dump(self.policy), bool(self.settings[AT_ONCE]))
 
     def check_league(self, league: League) -> None:
-        """Raise ValueError if the policy does not play this league; warn if its rules differ from the training."""
+        """Raise ValueError if the policy cannot play in this league; warn if the rules differ from the training."""
         self.policy.check_plays(league)
         self.policy.warn_of_other_rules(league)
 
 
 def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:
-    """Return the team that plays a policy; `at_once`: its first decision is in the first step of an episode."""
+    """Return a team that plays a policy; `at_once`: it decides in the first step of an episode."""
     made = LearnedTeam(
         policy.name, decide_slice, MEMORY, pack_policy(policy, at_once), (policy.family,), observe=policy.observe
     )
@@ -54,12 +54,12 @@ def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:
 
 
 def rebuild_team(data: bytes, at_once: bool) -> LearnedTeam:
-    """Rebuild a pickled team from the content of its policy's file."""
+    """Rebuild a pickled team from the bytes of its policy file."""
     return team_from_policy(parse(data, "a pickled team"), at_once)
 
 
 def from_file(path: str | Path) -> LearnedTeam:
-    """Return the team of a policy file; ValueError for a wrong file."""
+    """Return the team of a policy file; ValueError for an invalid file."""
     policy = load(Path(path))
     return team_from_policy(policy, policy.at_once)
 
@@ -69,7 +69,7 @@ def from_zip(
     activation: str | None = None, at_once: bool = True, pose: str | None = None, senses: str | None = None,
     rules: str | None = None,
 ) -> LearnedTeam:  # fmt: skip
-    """Return the team of a zip that stable-baselines3 saved after training through one of our APIs with these settings.
+    """Return the team of a stable-baselines3 zip whose policy was trained through this package with these settings.
 
     at_once: episodes began with a decision, as in the APIs; False for `train.vec_env.SoccerVecEnv`. pose, senses,
     rules: of the training; None: unknown, and evaluations then set neither pose nor senses.
@@ -84,20 +84,20 @@ def from_zip(
 
 
 def team(strength: float = 1.0) -> LearnedTeam:
-    """Return the bundled team; ValueError for a strength, which a learned team does not have."""
+    """Return the bundled team; ValueError for a strength, since a learned team has none."""
     if strength != 1.0:
         raise ValueError(f"team 'learned' has no strength, got {strength:g}")
     return from_file(BUNDLED)
 
 
 def first_decision_step(delay_steps: int, repeat: int) -> int:
-    """Return the number of control steps until the first decision, whose delayed motion begins a gait step."""
+    """Return the control steps before the first decision, so that its delayed motion begins a gait step."""
     return -delay_steps % repeat
 
 
 @compiled
 def decide_slice(observations, memory, commands, players, constants, numbers, first, last):
-    """Command every player of a slice of matches; memory (M, P) has a column for each of `players`."""
+    """Write the commands of all players of a slice of matches; memory (M, P) has a column for each of `players`."""
     repeat, size = int(numbers[REPEAT]), action_size(numbers)
     delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
     scratch = np.empty((3, widest_layer(numbers)))
@@ -117,7 +117,7 @@ def decide_slice(observations, memory, commands, players, constants, numbers, fi
 
 @compiled
 def write_action(command, action):
-    """Write an action into a command."""
+    """Write an action of the policy into a robot's command."""
     command.forward, command.left, command.turn = action[0], action[1], action[2]
     command.kick = action[3]
     command.head = action[HEAD]

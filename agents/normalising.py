@@ -1,4 +1,4 @@
-"""Normalisation of a policy's observations before its network, as by VecNormalize.
+"""Normalisation of a policy's observations before its network, as by stable-baselines3's VecNormalize.
 
     x' = min(max((x - mean) / deviation, -limit), limit)         of each input
 
@@ -19,7 +19,7 @@ LEAST = 1e-12  # of a deviation
 
 
 def normaliser_table(normaliser: Any) -> dict[str, Any]:
-    """Return the table of the normaliser of the training; {} for None.
+    """Return the policy-file table of the normaliser used in training; {} for None.
 
     normaliser: a table of KEYS, VecNormalize of stable-baselines3, or an object whose `obs_rms` has `mean` and `var`,
     such as Gymnasium's NormalizeObservation: x' = (x - mean) / sqrt(var + epsilon), clipped at its `clip_obs`, if any.
@@ -44,7 +44,7 @@ def normaliser_table(normaliser: Any) -> dict[str, Any]:
 
 
 def check_normalise(table: object, inputs: int) -> float:
-    """Return the largest possible input of the network; ValueError unless the table is empty or has KEYS."""
+    """Return the largest possible input to the network; ValueError unless the table is empty or has KEYS."""
     if not isinstance(table, Mapping) or (table and set(table) != set(KEYS)):
         raise ValueError(f"normalise must be empty or a table of {', '.join(KEYS)}, got {short_repr(table)}")
     if not table:
@@ -61,7 +61,7 @@ def check_normalise(table: object, inputs: int) -> float:
 
 
 def check_number(key: str, value: object, least: float) -> None:
-    """Raise ValueError unless a value is a Python number from `least` to MOST."""
+    """Raise ValueError unless a value of the table is a Python number from `least` to MOST."""
     if type(value) not in (int, float) or not isfinite(value) or not least <= value <= MOST:  # type: ignore[arg-type, operator]
         raise ValueError(f"normalise[{key!r}] must hold numbers from {least:g} to {MOST:g}, got {short_repr(value)}")
 

@@ -1,4 +1,4 @@
-"""Checks of untrusted ONNX files: a network whose time and memory are known before it plays.
+"""Safety checks of untrusted ONNX files, so that running time and memory of the network are known before it plays.
 
     file         at most 16 MiB, all of its weights inside
     operators    those of OPERATORS, of the standard opset; so no loops, no random numbers, no code of other libraries
@@ -37,7 +37,7 @@ INSIDE = "export it with the weights inside, as by torch.onnx.export(..., extern
 
 
 def checked_model(content: bytes) -> Any:
-    """Return the model of an ONNX file, without unknown and unneeded fields; ValueError if it is unsafe."""
+    """Parse an ONNX file and return its model without unneeded fields; ValueError if the model is unsafe."""
     import onnx
 
     try:
@@ -67,7 +67,7 @@ def checked_model(content: bytes) -> Any:
 
 
 def all_messages(model: Any) -> Iterator[Any]:
-    """Yield all messages in a message, with inner graphs and functions; ValueError for too many."""
+    """Yield all protobuf messages inside a message, with inner graphs and functions; ValueError if too many."""
     waiting, count = [model], 0
     while waiting:
         message = waiting.pop()
@@ -82,7 +82,7 @@ def all_messages(model: Any) -> Iterator[Any]:
 
 
 def check_operators(nodes: Any) -> None:
-    """Raise ValueError for an operator that is not one of OPERATORS."""
+    """Raise ValueError for an operator that is not in OPERATORS."""
     for node in nodes:
         if node.domain not in ("", "ai.onnx") or node.op_type not in OPERATORS:
             name = f"{node.domain}.{node.op_type}" if node.domain else node.op_type
@@ -91,7 +91,7 @@ def check_operators(nodes: Any) -> None:
 
 
 def check_input(model: Any) -> None:
-    """Raise ValueError unless a model has one input (B, n), where n is a number."""
+    """Raise ValueError unless a model has exactly one input, of shape (B, n) with a fixed n."""
     axes = {one.name: [axis.dim_param or axis.dim_value for axis in declared_axes(one)] for one in inputs_of(model)}
     if [len(sizes) for sizes in axes.values()] != [2]:
         got = ", ".join(f"{name} {sizes}" for name, sizes in axes.items())
@@ -102,18 +102,18 @@ def check_input(model: Any) -> None:
 
 
 def inputs_of(model: Any) -> list[Any]:
-    """Return the inputs of a model that are no weights."""
+    """Return the inputs of a model, leaving out weights."""
     weights = {tensor.name for tensor in model.graph.initializer}
     return [one for one in model.graph.input if one.name not in weights]
 
 
 def declared_axes(value: Any) -> Any:
-    """Return the list of axes that the file declares for an array."""
+    """Return the axes that an ONNX file declares for an array."""
     return value.type.tensor_type.shape.dim
 
 
 def check_sizes(model: Any, rows: int) -> None:
-    """Raise ValueError unless all arrays and all work of a model for this number of rows are known and bounded."""
+    """Raise ValueError unless all array sizes and all work of a model for `rows` rows are known and limited."""
     import onnx
 
     pinned = onnx.ModelProto()
@@ -130,7 +130,7 @@ def check_sizes(model: Any, rows: int) -> None:
     }
     arrays |= {weight.name: (tuple(weight.dims), weight.data_type) for weight in graph.initializer}
     for name in (name for node in graph.node for name in node.output if name and name not in arrays):
-        refuse_unknown_size(name)
+        raise_unknown_size(name)
     for name, (_, kind) in arrays.items():
         if kind not in NUMBERS:
             raise ValueError(f"{short_repr(name)} holds no numbers")
@@ -141,13 +141,13 @@ def check_sizes(model: Any, rows: int) -> None:
 
 
 def check_cost(cost: int, what: str, once: int, each: int, rows: int) -> None:
-    """Raise ValueError if a cost exceeds its limit: `once`, plus `each` for every row."""
+    """Raise ValueError if a cost exceeds its limit: `once`, plus `each` per row."""
     if cost > once + each * rows:
         raise ValueError(f"computes {cost} {what} for {rows} rows, the limit is {once + each * rows}")
 
 
 def check_divisions(graph: Any, kinds: dict[str, int]) -> None:
-    """Raise ValueError for a division of whole numbers by anything but positive constants: 0 ends the process."""
+    """Raise ValueError for a division of whole numbers except by positive constants: 0 would end the process."""
     from onnx.numpy_helper import to_array
 
     constants = {weight.name: weight for weight in graph.initializer}
@@ -164,7 +164,7 @@ def axis_sizes(value: Any) -> tuple[int, ...]:
     kind = value.type.tensor_type
     axes = tuple(axis.dim_value if axis.HasField("dim_value") else -1 for axis in kind.shape.dim)
     if not kind.HasField("shape") or min(axes, default=0) < 0:
-        refuse_unknown_size(value.name)
+        raise_unknown_size(value.name)
     return axes
 
 
@@ -174,7 +174,7 @@ def element_type(value: Any) -> int:
     return kind
 
 
-def refuse_unknown_size(name: str) -> NoReturn:
+def raise_unknown_size(name: str) -> NoReturn:
     """Raise ValueError for an array whose size does not follow from the size of the observations."""
     raise ValueError(
         f"the size of {short_repr(name)} is not known before it plays: export it for a fixed size, simplified (onnxsim)"
@@ -182,7 +182,7 @@ def refuse_unknown_size(name: str) -> NoReturn:
 
 
 def count_multiplications(node: Any, sizes: dict[str, tuple[int, ...]]) -> int:
-    """Return the number of multiplications in a product of matrices; 0 for other operators."""
+    """Return the number of multiplications in a matrix product; 0 for other operators."""
     if node.op_type not in ("MatMul", "Gemm"):
         return 0
     first = sizes[node.input[0]]

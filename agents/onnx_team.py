@@ -1,4 +1,4 @@
-"""Policies in ONNX files as teams: networks that any library exports, run by onnxruntime (the extra `onnx`).
+"""Teams from ONNX files: networks that any library exports, run by onnxruntime (the extra `onnx`).
 
     input     one: observations (B, n), or (1, n)
     output    the first: actions (B, 4 or 7); twice as many numbers, the first half being means; values of our discrete
@@ -24,7 +24,7 @@ HALVES = (2 * len(BOX), 2 * len(FULL))
 
 
 class OnnxPolicy:
-    """The network of an ONNX file as a function of observations (B, n); ValueError names a misfit."""
+    """A function of observations (B, n) that runs an ONNX network; ValueError if inputs or outputs do not fit."""
 
     def __init__(self, content: bytes, where: str) -> None:
         try:
@@ -51,7 +51,7 @@ class OnnxPolicy:
         return OnnxPolicy, (self.content, self.where)
 
     def __call__(self, observations: np.ndarray) -> np.ndarray:
-        """Return actions (B, 4 or 7), or discrete actions (B,)."""
+        """Return actions (B, 4 or 7), or indices of discrete actions (B,), for observations (B, n)."""
         if self._width != observations.shape[1]:
             taken = f"takes {self._width} inputs, the observation has {observations.shape[1]}"
             raise ValueError(f"policy file {self.where!r}: {taken}: give observe= as in its training")
@@ -65,19 +65,19 @@ class OnnxPolicy:
         return outputs
 
     def _run(self, rows: np.ndarray) -> np.ndarray:
-        """Return the first output for rows (B, n)."""
+        """Return the first output of the network for rows (B, n)."""
         self._check(len(rows))
         first: np.ndarray = self._asked(lambda: self._session.run(None, {self._input.name: rows})[0])
         return first
 
     def _check(self, rows: int) -> None:
-        """Raise ValueError unless time and memory for this number of rows are bounded."""
+        """Raise ValueError unless time and memory for this number of rows are limited."""
         if rows not in self._known:
             self._asked(partial(check_sizes, self._model, rows))
             self._known.add(rows)
 
     def _asked(self, ask: Callable[[], Any]) -> Any:
-        """Return the result of a call to onnxruntime; its many kinds of errors become a ValueError of one line."""
+        """Call onnxruntime and return the result; any of its errors becomes a ValueError of one line."""
         try:
             return ask()
         except Exception as error:
@@ -85,7 +85,7 @@ class OnnxPolicy:
 
 
 def from_onnx(path: str | Path, observe: str = "belief", action_repeat: int = 1, at_once: bool = True) -> FunctionTeam:
-    """Return the team of an ONNX file, with the settings of `team_of_function`."""
+    """Return a team that plays an ONNX file, with the settings of `team_of_function`."""
     content = read_limited_file(path, MAX_FILE)
     policy = OnnxPolicy(content, short_path(path))
     fingerprint = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"

@@ -1,4 +1,4 @@
-"""The network of a learned team, computed row by row in compiled code.
+"""The network of a learned team, computed for one observation at a time in compiled code.
 
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
@@ -34,7 +34,7 @@ ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices
 
 
 def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
-    """Return the numbers (n,) float64 of a policy's network; `at_once`: decide in an episode's first step."""
+    """Return the network of a policy as numbers (n,) float64; `at_once`: decide in an episode's first step."""
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
     output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
@@ -85,7 +85,7 @@ def act(numbers, row, action, scratch):
 
 @compiled
 def normalise(numbers, scale, inputs, scratch):
-    """Subtract the means of the inputs in scratch[2], divide by their deviations and clip at the limit."""
+    """Normalise the inputs in scratch[2]: subtract means, divide by deviations, clip at the limit."""
     if numbers[NORMALISED] == 0.0:
         return
     limit = numbers[scale]
@@ -96,7 +96,7 @@ def normalise(numbers, scale, inputs, scratch):
 
 @compiled
 def choose_action(outputs, action, scratch):
-    """Write the discrete action with the largest output in scratch[0]; of equal outputs the first counts."""
+    """Write the discrete action with the largest output in scratch[0]; the first of equal outputs wins."""
     best = 0
     for i in range(1, outputs):
         if scratch[0, i] > scratch[0, best]:
@@ -107,7 +107,7 @@ def choose_action(outputs, action, scratch):
 
 @compiled
 def forward(numbers, layers, start, scratch):
-    """Compute the network for the inputs in scratch[2] and write the outputs into scratch[0]."""
+    """Compute the network's outputs for the inputs in scratch[2], and write them into scratch[0]."""
     smooth, at = numbers[NETWORK] % 2.0 == 0.0, start
     if numbers[NETWORK] >= ATTENTION:
         at = attend(numbers, SIZES + layers + 1, start, smooth, scratch)
@@ -128,7 +128,7 @@ def forward(numbers, layers, start, scratch):
 
 @compiled
 def input_size(numbers):
-    """Return the number of entries of an observation."""
+    """Return the number of entries of an observation of this network."""
     if numbers[NETWORK] >= ATTENTION:
         return observation_size(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES])
@@ -136,11 +136,11 @@ def input_size(numbers):
 
 @compiled
 def action_size(numbers):
-    """Return the length of an action."""
+    """Return the length of an action of this network."""
     return CHOICE if numbers[OUTPUT] == CHOSEN else int(numbers[SIZES + int(numbers[LAYERS])])
 
 
 @compiled
 def widest_layer(numbers):
-    """Return the width of the widest layer, inputs, outputs and the observation included."""
+    """Return the width of the widest layer, including inputs and outputs."""
     return max(input_size(numbers), int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max()))

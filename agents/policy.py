@@ -1,4 +1,4 @@
-"""A policy: a trained network, and all facts that must agree before it may play.
+"""A policy: a trained network, and all properties that must agree with a match before the policy may play in it.
 
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
       -> normalised, if `normalise` is set                                 normalising.py
@@ -47,7 +47,7 @@ INPUT = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Policy:
-    """A trained network, and all facts that must agree before it may play.
+    """A trained network, and all properties that must agree with a match before the policy may play in it.
 
     ValueError names a wrong field. The arrays are read-only copies. Two policies are equal if `policy_file.dump` gives
     the same bytes.
@@ -118,15 +118,15 @@ class Policy:
 
     @property
     def entries(self) -> list[Entry]:
-        """Return the meaning of each input, as far as its name tells."""
+        """Return the entry (meaning) of each input, as far as known from its name."""
         return entries_named(self.observe, self.inputs)
 
     def warn_of_other_rules(self, league: League) -> None:
-        """Warn, once in a process, if a league's rules differ from the rules of the training."""
+        """Warn, once per process, if a league's rules differ from the rules of the training."""
         tell_of_rules(self.name, self.rules, league.rules)
 
     def check_plays(self, league: League) -> None:
-        """Raise ValueError unless family, control rate and layout of a league agree with the policy.
+        """Raise ValueError unless family, control rate and observation layout of a league agree with the policy.
 
         Name and numbers of the league do not matter: a policy may play variants.
         """
@@ -153,17 +153,17 @@ class Policy:
 
 
 def training_fields(league: League) -> dict[str, Any]:
-    """Return the fields of a policy for the league and the rules of its training."""
+    """Return the fields of a policy that record the league and the rules of its training."""
     return {**league_fields(league), "rules": recorded(league.rules)}
 
 
 def league_fields(league: League) -> dict[str, Any]:
-    """Return the fields of a policy for its league."""
+    """Return the fields of a policy that record its league."""
     return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
 
 
 def _check_text(what: str, value: object, pattern: re.Pattern[str]) -> None:
-    """Raise ValueError unless a value is a short plain text."""
+    """Raise ValueError unless a value is a short plain text that matches `pattern`."""
     if not isinstance(value, str) or not pattern.fullmatch(value):
         kinds = "letters, digits and _" if pattern is INPUT else "letters, digits, spaces and . _ + -"
         raise_not_allowed(what, f"1 to 64 characters ({kinds})", value)
@@ -176,7 +176,7 @@ def _check_whole_number(what: str, value: object, most: int) -> None:
 
 
 def _check_inputs(inputs: object) -> None:
-    """Raise ValueError unless the inputs are 1 to MAX_INPUTS names, each once."""
+    """Raise ValueError unless the inputs are 1 to MAX_INPUTS different names."""
     if not isinstance(inputs, tuple) or not 1 <= len(inputs) <= MAX_INPUTS:
         size = len(inputs) if isinstance(inputs, tuple) else short_repr(inputs)
         raise ValueError(f"inputs must be a tuple of 1 to {MAX_INPUTS} names, got {size}")
@@ -189,7 +189,7 @@ def _check_inputs(inputs: object) -> None:
 
 
 def _check_origin(made: object) -> None:
-    """Raise ValueError unless `made` is a small table of plain texts."""
+    """Raise ValueError unless `made`, the origin of a policy, is a small table of plain texts."""
     if not isinstance(made, Mapping) or len(made) > MAX_MADE:
         got = len(made) if isinstance(made, Mapping) else short_repr(made)
         raise ValueError(f"made must be a mapping of at most {MAX_MADE} texts, got {got}")
@@ -210,7 +210,7 @@ def _check_array(what: str, array: object) -> None:
 
 
 def _check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> int:
-    """Return the number of inputs of the first layer; ValueError unless attention fits kind and inputs."""
+    """Return the number of inputs to the first layer; ValueError unless attention fits kind and inputs."""
     if not isinstance(attention, tuple) or len(attention) != (len(TENSORS) if kind == "attention" else 0):
         size = f"{len(attention)} arrays" if isinstance(attention, tuple) else type(attention).__name__
         wanted = f"of {', '.join(TENSORS)}" if kind == "attention" else "without arrays"
@@ -232,7 +232,7 @@ def _check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> i
 
 
 def _check_layers(weights: object, biases: object, inputs: int, outputs: int, numbers: int) -> None:
-    """Raise ValueError unless the layers chain from the inputs to the outputs, within the limits and finite."""
+    """Raise ValueError unless the layers connect inputs to outputs, within the limits and with finite numbers."""
     if not (isinstance(weights, tuple) and isinstance(biases, tuple) and len(weights) == len(biases)):
         raise ValueError("weights and biases must be tuples of the same length, one array for each layer")
     if not 1 <= len(weights) <= MAX_LAYERS:
@@ -256,7 +256,7 @@ def _check_layers(weights: object, biases: object, inputs: int, outputs: int, nu
 
 
 def _check_attention_overflow(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
-    """Return the largest possible input of the first layer; ValueError if attention could overflow."""
+    """Return the largest possible input to the first layer; ValueError if attention could overflow."""
     largest = entering
     for first in range(0, len(attention), 3):
         weight, bias, query = (np.abs(array.astype(np.float64)) for array in attention[first : first + 3])
@@ -274,7 +274,7 @@ def _check_attention_overflow(attention: tuple[np.ndarray, ...], activation: str
 def _check_unit_overflow(
     weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str, largest: float
 ) -> None:
-    """Raise ValueError if inputs up to `largest` could make a unit overflow."""
+    """Raise ValueError if inputs up to `largest` could make a unit of the network overflow."""
     for number, (weight, bias) in enumerate(zip(weights, biases)):
         reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
         _check_below_limit(f"layer{number}", reached.max())
@@ -282,7 +282,7 @@ def _check_unit_overflow(
 
 
 def _check_below_limit(what: str, reached: float) -> None:
-    """Raise ValueError unless the largest value of the units stays below the limit."""
+    """Raise ValueError unless the largest value that units can reach stays below the limit."""
     if not reached < MAX_ACTIVITY:
         raise ValueError(f"{what} must stay below {MAX_ACTIVITY:g}, its units could reach {reached:g}")
 

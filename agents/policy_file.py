@@ -1,4 +1,4 @@
-"""Policy files: one safetensors file for each policy; reading one never runs code.
+"""Policy files: each is one safetensors file, and reading it never runs code.
 
     8 bytes    length of the header [bytes], little-endian
     header     JSON: {"__metadata__": {"soccer_env.policy": TEXT}, "layer0.weight": {"dtype": "F32", "shape": ...}, ...}
@@ -57,7 +57,7 @@ TENSOR = {"dtype", "shape", "data_offsets"}
 
 
 def dump(policy: Policy) -> bytes:
-    """Return the content of a policy's file; equal policies give equal bytes.
+    """Return the bytes of a policy's file; equal policies give equal bytes.
 
     The lowest version from 3 on that can hold the policy is written, so that older versions of the package can read it.
     """
@@ -81,18 +81,18 @@ def load(path: str | os.PathLike[str]) -> Policy:
 
 
 def parse(data: bytes, where: str) -> Policy:
-    """Return the policy of a file's content; ValueError names `where` and the reason."""
+    """Return the policy in the bytes of a file; ValueError names the file (`where`) and the reason."""
     try:
         header = _header(data)
         table = _read_policy_fields(header)
         _check_tensors(header, _attention_tensor_names(table))
-        return _policy(table, tensors_of(data))
+        return _policy_from_tensors(table, tensors_of(data))
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
 
 
 def read_limited_file(path: str | os.PathLike[str], limit: int) -> bytes:
-    """Return the content of a regular file of at most `limit` bytes; ValueError, which names it, for other files."""
+    """Return the bytes of a regular file of at most `limit` bytes; otherwise ValueError names the file."""
     try:
         return whole_files.read_regular_file(path, limit)
     except (OSError, ValueError, TypeError) as error:
@@ -101,14 +101,14 @@ def read_limited_file(path: str | os.PathLike[str], limit: int) -> bytes:
 
 
 def one_line(reason: object) -> str:
-    """Return an error's text as one line of at most 300 characters."""
+    """Shorten an error's text to one line of at most 300 characters."""
     text = " ".join(str(reason).split())
     text = "".join(letter if letter.isprintable() else "?" for letter in text)
     return text if len(text) <= 300 else f"{text[:297]}..."
 
 
 def strict_json(data: bytes | str, what: str, finite: bool = True) -> Any:
-    """Parse JSON; ValueError for duplicate keys, long numbers, deep nesting and, if `finite`, NaN and infinity."""
+    """Parse JSON; ValueError for duplicate keys, long numbers, deep nesting and, if `finite`, NaN or infinity."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         table = dict(pairs)
@@ -143,7 +143,7 @@ def short_path(path: object) -> str:
 
 
 def _header(data: bytes) -> dict[str, Any]:
-    """Return the header of a safetensors file as a table."""
+    """Return the JSON header of a safetensors file as a dict."""
     if len(data) > MAX_FILE:
         raise ValueError(f"has {len(data)} bytes, more than the limit of {MAX_FILE}")
     if len(data) < PREFIX:
@@ -160,7 +160,7 @@ def _header(data: bytes) -> dict[str, Any]:
 
 
 def _read_policy_fields(header: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the fields of the policy, checked against the schema."""
+    """Return the fields of the policy from a header, checked against the schema."""
     metadata = header.get("__metadata__")
     if not isinstance(metadata, dict) or set(metadata) != {KEY} or not isinstance(metadata[KEY], str):
         raise ValueError(f"is no policy file: its metadata must be a text {KEY!r} and nothing else")
@@ -186,7 +186,7 @@ def _read_policy_fields(header: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _upgrade_table(table: dict[str, Any], version: int) -> dict[str, Any]:
-    """Return the fields of an older file, completed: no rules, and the league by its name."""
+    """Return the fields of an older file version, completed to the present version."""
     unexpected = [key for key in LACKS[version] if key in table]
     if unexpected:
         raise ValueError(f"{KEY} has an unknown key {unexpected[0]!r} for version {version}")
@@ -201,7 +201,7 @@ def _upgrade_table(table: dict[str, Any], version: int) -> dict[str, Any]:
 
 
 def describe_maker(table: Mapping[str, Any]) -> str:
-    """Describe which version of the package made a policy, if its file names one, and the present version."""
+    """Describe the package version that made a policy, if its file names one, and the present version."""
     made = table.get("made")
     by = made.get("soccer_env") if isinstance(made, dict) else None
     origin = f", made by soccer_env {one_line(by)[:40]}" if isinstance(by, str) else ""
@@ -209,12 +209,12 @@ def describe_maker(table: Mapping[str, Any]) -> str:
 
 
 def _attention_tensor_names(table: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return the names of a policy's tensors other than layers: the tensors of attention."""
+    """Return the names of a policy's tensors that belong to attention instead of layers."""
     return TENSORS if table["kind"] == "attention" else ()
 
 
 def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
-    """Raise ValueError unless the tensors are layers of float32, named from layer0 on, and `more`."""
+    """Raise ValueError unless the tensors are float32 layers, named from layer0 on, and those named in `more`."""
     entries = {name: entry for name, entry in header.items() if name != "__metadata__"}
     layers = min(max(0, len(entries) - len(more)) // 2, MAX_LAYERS)
     expected = {f"layer{number}.{part}" for number in range(layers) for part in ("weight", "bias")} | set(more)
@@ -233,8 +233,8 @@ def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
             raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {short_repr(shape)}")
 
 
-def _policy(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
-    """Return the policy of a checked table and its tensors."""
+def _policy_from_tensors(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
+    """Return the policy made from a checked table and its tensors."""
     layers = range((len(tensors) - len(_attention_tensor_names(table))) // 2)
     return Policy(
         **{key: table[key] for key in SCHEMA if key not in ("version", "inputs")},

@@ -1,4 +1,4 @@
-"""The rules that a policy was trained under, kept in its file, and a warning if it plays under other rules.
+"""The rules that a policy was trained under, stored in its file, and a warning if it plays under other rules.
 
 Under other rules a policy behaves as in its training, and may for example hold a ball that must not be held. The logger
 `soccer_env.agents` warns of that once.
@@ -23,13 +23,13 @@ LOG = logging.getLogger("soccer_env.agents")
 
 
 def league_with_rules(league: str | League, rules: str) -> League:
-    """Return a league with these rules."""
+    """Return the league with other rules."""
     preset = find_league(league)
     return replace(preset, rules=rule_set(preset.rules, rules))
 
 
 def recorded(rules: Rules) -> dict[str, Any]:
-    """Return the entries of rules in a policy file: every switch and number by name, and the name of the set."""
+    """Return the rules as stored in a policy file: every switch and number by name, and the name of the set."""
     return {item.name: getattr(rules, item.name) for item in fields(Rules) if item.name != "half_minutes"}
 
 
@@ -49,7 +49,7 @@ def check_rules_table(rules: object) -> None:
 
 
 def rule_differences(known: Mapping[str, Any], rules: Rules) -> list[str]:
-    """Return each rule that differs as "pushing (on, off)": in the policy and here; switches first."""
+    """Return each rule that differs, such as "pushing (on, off)": value in the policy, then in the league."""
     here = {name: value for name, value in recorded(rules).items() if name not in NOT_RULES}
     names = [*SWITCHES, *(name for name in here if name not in SWITCHES), *(name for name in known if name not in here)]
     return [
@@ -67,7 +67,7 @@ def rule_in_words(value: Any) -> str:
 
 
 def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
-    """Warn, once in a process, if a policy plays under rules that differ from its training or are unknown."""
+    """Warn, once per process, if a policy plays under rules that are unknown or differ from its training."""
     if not known:
         warn_once(
             f"policy {name!r} does not say under which rules it was trained, and now plays under {rules.name!r}; to "
@@ -84,5 +84,5 @@ def tell_of_rules(name: str, known: Mapping[str, Any], rules: Rules) -> None:
 
 @cache
 def warn_once(text: str) -> None:
-    """Log a warning, the first time only."""
+    """Log a warning, but each text only once."""
     LOG.warning(text)

@@ -1,4 +1,4 @@
-"""The parameters of the actor in a stable-baselines3 policy, for each algorithm with MlpPolicy.
+"""The parameters of the actor in a stable-baselines3 policy, for each supported algorithm with MlpPolicy.
 
 PPO, A2C     mlp_extractor.policy_net.0, .2 ..., action_net      mean, or values of discrete actions; tanh
 SAC          actor.latent_pi.0, .2 ..., actor.mu                 mean, squashed by tanh; relu
@@ -22,7 +22,7 @@ NAMES = "PPO, A2C, SAC, TD3, DDPG and DQN"
 
 
 class Algorithm(NamedTuple):
-    """The stored form of an algorithm's actor, and the meaning of its outputs."""
+    """The names of an algorithm's actor parameters, and the meaning of the actor's outputs."""
 
     hidden: str  # prefix of a layer's number
     last: str  # the layer after the hidden layers, "" if there is none
@@ -45,7 +45,7 @@ ALGORITHMS = (
 
 
 def algorithm_of(state: Mapping[str, np.ndarray]) -> Algorithm:
-    """Return the algorithm that saved these parameters; ValueError names the first parameter that fits no algorithm."""
+    """Return the algorithm that saved these parameters; ValueError names the first parameter that does not fit."""
     for one in ALGORITHMS:
         if f"{one.last or one.hidden + '0'}.weight" in state:
             for key in state:
@@ -58,12 +58,12 @@ def algorithm_of(state: Mapping[str, np.ndarray]) -> Algorithm:
 
 
 def is_discrete(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> bool:
-    """Tell whether the outputs are values of discrete actions."""
+    """Tell whether the actor's outputs are values of discrete actions."""
     return "log_std" not in state if algorithm.discrete is None else algorithm.discrete
 
 
 def layers_of(algorithm: Algorithm, state: Mapping[str, np.ndarray]) -> tuple[Layers, Layers]:
-    """Return weights and biases of the actor's layers."""
+    """Return the weights and the biases of the actor's layers."""
     indices = [
         key.removeprefix(algorithm.hidden).partition(".")[0] for key in state if key.startswith(algorithm.hidden)
     ]

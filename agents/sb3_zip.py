@@ -1,4 +1,4 @@
-"""Zips of stable-baselines3: only their parameters are read, and nothing in them is ever run.
+"""Policies in zips of stable-baselines3: only their parameters are read, and nothing in them is ever run.
 
     policy.pth    torch's archive of the parameters. Its pickle may name only tensors of float32 (ALLOWED, OPCODES:
                   checked without running it), its records are copied into a new archive, which
@@ -66,7 +66,7 @@ def load_sb3(
     name: str | None = None, activation: str | None = None, at_once: bool = False, normalise: Any = None,
     pose: str | None = None, senses: str | None = None, rules: str | None = None,
 ) -> Policy:  # fmt: skip
-    """Return the policy of a stable-baselines3 zip trained in a league on `observe`.
+    """Return the policy of a stable-baselines3 zip that was trained in a league on the observation `observe`.
 
     `name`: default the file's name. `activation`: for zips of users' own policy classes that do not name theirs; None:
     from the zip, else from the algorithm. `normalise`: the VecNormalize of the training, see
@@ -79,7 +79,7 @@ def load_sb3(
         check_choice("activation", activation, ACTIVATIONS)
     content = read_limited_file(path, MAX_FILE)
     try:
-        read = _network(content, activation)
+        read = _network_fields(content, activation)
         inputs = entry_names(preset, observe)
         if read["weights"][0].shape[1] != len(inputs):
             taken = read["weights"][0].shape[1]
@@ -88,7 +88,7 @@ def load_sb3(
             raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}: {hint}")
         return Policy(
             **read, **(league_fields if rules is None else training_fields)(preset),
-            name=_stem(path) if name is None else name,
+            name=_policy_name(path) if name is None else name,
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
             at_once=at_once, normalise=normaliser_table(normalise), **known_senses(senses, pose),
         )  # fmt: skip
@@ -109,10 +109,10 @@ def convert_sb3(path: str | os.PathLike[str], out: str | os.PathLike[str], **set
     return policy
 
 
-def _network(content: bytes, activation: str | None) -> dict[str, Any]:
-    """Return the fields of a policy that its zip holds: the network, the kind of actions, and the origin."""
+def _network_fields(content: bytes, activation: str | None) -> dict[str, Any]:
+    """Return the fields of a policy stored in its zip: the network, the kind of actions, and the origin."""
     settings = _read_run_settings(content)
-    state = _parameters(_member(content, "policy.pth", MAX_MEMBER))
+    state = _read_parameters(_read_member(content, "policy.pth", MAX_MEMBER))
     algorithm = algorithm_of(state)
     weights, biases = layers_of(algorithm, state)
     discrete = is_discrete(algorithm, state)
@@ -121,7 +121,7 @@ def _network(content: bytes, activation: str | None) -> dict[str, Any]:
     kwargs = settings["policy_kwargs"]
     return {
         "actions": "discrete" if discrete else _action_kind(len(biases[-1])),
-        "activation": _activation(kwargs, activation, algorithm.activation),
+        "activation": _activation_name(kwargs, activation, algorithm.activation),
         "squash": algorithm.squash or (str(kwargs.get("squash_output", False)) == "True" and not discrete),
         "weights": weights,
         "biases": biases,
@@ -129,13 +129,13 @@ def _network(content: bytes, activation: str | None) -> dict[str, Any]:
     }
 
 
-def _member(content: bytes, name: str, limit: int) -> bytes:
-    """Return one member of a zip, unpacked in memory after a check of its size."""
-    return _members(content, lambda member: member == name, limit, f"member {name!r}")[name]
+def _read_member(content: bytes, name: str, limit: int) -> bytes:
+    """Return one member of a zip, unpacked in memory after its size is checked."""
+    return _read_members(content, lambda member: member == name, limit, f"member {name!r}")[name]
 
 
-def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, bytes]:
-    """Return the members of a zip with wanted names: at least one, each once, at most `limit` bytes together."""
+def _read_members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, bytes]:
+    """Return the members of a zip with the names `wanted`: at least one, none twice, at most `limit` bytes in total."""
     if content.count(LISTED) > MAX_MEMBERS:
         raise ValueError(f"lists more than {MAX_MEMBERS} members")
     try:
@@ -156,8 +156,8 @@ def _members(content: bytes, wanted: Any, limit: int, what: str) -> dict[str, by
 
 
 def _read_run_settings(content: bytes) -> dict[str, Any]:
-    """Return the settings of the run; ValueError for an unsupported policy."""
-    settings = strict_json(_member(content, "data", MAX_DATA), "data", finite=False)
+    """Return the settings of the training run in a zip; ValueError for an unsupported policy."""
+    settings = strict_json(_read_member(content, "data", MAX_DATA), "data", finite=False)
     if not isinstance(settings, dict):
         raise ValueError("data must be a JSON object")
     for key, kinds in (("observation_space", (BOX_TYPE,)), ("action_space", (BOX_TYPE, DISCRETE_TYPE))):
@@ -181,7 +181,7 @@ def _read_run_settings(content: bytes) -> dict[str, Any]:
 
 
 def _check_actions(space: Mapping[str, Any]) -> None:
-    """Raise ValueError unless an action space is ours: discrete, or numbers in [-1, 1]."""
+    """Raise ValueError unless an action space belongs to this package: discrete, or numbers in [-1, 1]."""
     if space[":type:"].endswith(DISCRETE_TYPE):
         for key, wanted in DISCRETE_SPACE.items():
             if str(space.get(key)) != wanted:
@@ -195,8 +195,8 @@ def _check_actions(space: Mapping[str, Any]) -> None:
             raise ValueError(f"its actions must lie in [-1, 1], got {bound} {short_repr(words)}")
 
 
-def _activation(kwargs: Any, given: str | None, default: str) -> str:
-    """Return the activation that the zip names in plain text, else the given one, else the algorithm's."""
+def _activation_name(kwargs: Any, given: str | None, default: str) -> str:
+    """Return the activation named in plain text in the zip, else the given activation, else the algorithm's."""
     text = kwargs.get("activation_fn")
     if text is None:
         return given or default
@@ -208,8 +208,8 @@ def _activation(kwargs: Any, given: str | None, default: str) -> str:
     return named
 
 
-def _parameters(pth: bytes) -> dict[str, np.ndarray]:
-    """Return the parameters in policy.pth as arrays that share torch's memory."""
+def _read_parameters(pth: bytes) -> dict[str, np.ndarray]:
+    """Return the parameters in policy.pth as numpy arrays that share torch's memory."""
     copied = _copy_checked_records(pth)
     try:
         import torch
@@ -233,7 +233,7 @@ def _copy_checked_records(pth: bytes) -> bytes:
     if not pth.startswith(b"PK\x03\x04"):
         raise ValueError("policy.pth is not an archive of torch 1.6 or later")
     record = re.compile(r"[A-Za-z0-9_.-]{1,100}/(data\.pkl|version|byteorder|data/[0-9]{1,6})")
-    records = _members(pth, record.fullmatch, MAX_MEMBER, "tensors of policy.pth")
+    records = _read_members(pth, record.fullmatch, MAX_MEMBER, "tensors of policy.pth")
     pickles = [name for name in records if name.endswith("/data.pkl")]
     if len(pickles) != 1 or len({name.split("/")[0] for name in records}) > 1:
         raise ValueError("policy.pth must hold one data.pkl and its records in one folder")
@@ -246,7 +246,7 @@ def _copy_checked_records(pth: bytes) -> bytes:
 
 
 def _check_pickle(content: bytes) -> None:
-    """Raise ValueError unless a pickle names only tensors; the pickle is scanned, never run."""
+    """Raise ValueError unless a pickle contains only tensors; the pickle is scanned, never run."""
     if len(content) > MAX_PICKLE:
         raise ValueError(f"data.pkl of policy.pth has {len(content)} bytes, the limit is {MAX_PICKLE}")
     try:
@@ -262,13 +262,13 @@ def _check_pickle(content: bytes) -> None:
             raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode}")
 
 
-def _stem(path: str | os.PathLike[str]) -> str:
-    """Return a name for the policy, made from the name of its file."""
+def _policy_name(path: str | os.PathLike[str]) -> str:
+    """Return a name for the policy, derived from the name of its file."""
     return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
 
 
 def _action_kind(size: int) -> str:
-    """Return the kind of actions that have `size` numbers."""
+    """Return the kind of actions that consist of `size` numbers."""
     kinds = {ACTIONS[kind]: kind for kind in ("box", "full")}
     if size not in kinds:
         raise ValueError(f"gives {size} numbers as actions, must be one of {', '.join(map(str, kinds))}")
@@ -276,6 +276,6 @@ def _action_kind(size: int) -> str:
 
 
 def _origin_from_zip(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
-    """Return the origin of the policy, from plain values of the zip."""
+    """Return the origin of the policy, from plain values in the zip."""
     made = {"from": "stable-baselines3", "sha256": sha256(content).hexdigest()}
     return made | {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}

@@ -1,4 +1,4 @@
-"""The layers of a torch module: its Linear layers in order, and the one activation between them."""
+"""The layers of a torch module: its Linear layers in order, and the single activation used between them."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -15,7 +15,7 @@ OTHERWISE = "; team_of_function lets any module play"
 
 
 class Network(NamedTuple):
-    """A plain network, read from a module."""
+    """A plain feed-forward network, read from a torch module."""
 
     weights: tuple[np.ndarray, ...]  # (out, in) float32
     biases: tuple[np.ndarray, ...]  # (out,) float32
@@ -24,7 +24,7 @@ class Network(NamedTuple):
 
 
 def network_of(module: Any, activation: str | None) -> Network:
-    """Return the network of a module, or of several modules in a row; ValueError names a misfit."""
+    """Read the network of a torch module, or of several modules in a row; ValueError if it is not supported."""
     import torch
 
     if activation is not None:
@@ -34,8 +34,10 @@ def network_of(module: Any, activation: str | None) -> Network:
     if not layers or parts[0] is not layers[0]:
         raise ValueError(f"the module must begin with a Linear layer, got {class_names(parts[:1])}{OTHERWISE}")
     used, squash = activations_of(parts, activation)
-    weights = [as_numbers(layer.weight) for layer in layers]
-    biases = [np.zeros(len(w), np.float32) if x.bias is None else as_numbers(x.bias) for x, w in zip(layers, weights)]
+    weights = [parameter_array(layer.weight) for layer in layers]
+    biases = [
+        np.zeros(len(w), np.float32) if x.bias is None else parameter_array(x.bias) for x, w in zip(layers, weights)
+    ]
     if len(weights[-1]) in HALVED:
         half = len(weights[-1]) // 2
         weights[-1], biases[-1] = weights[-1][:half], biases[-1][:half]
@@ -43,7 +45,7 @@ def network_of(module: Any, activation: str | None) -> Network:
 
 
 def activations_of(parts: list[Any], given: str | None) -> tuple[str, bool]:
-    """Return the activation between the Linear layers of a chain, and whether a Tanh follows the last layer."""
+    """Return the activation between the Linear layers of a network, and whether a Tanh follows the last layer."""
     words = "".join(" " if type(part).__name__ == "Linear" else f"{type(part).__name__.lower()}," for part in parts)
     *between, last = words[1:].split(" ")  # the parts after each layer
     used = {one.removesuffix(",") or given for one in between} or {given or "tanh"}
@@ -75,18 +77,18 @@ def iterate_layers(module: Any) -> Iterator[Any]:
 
 
 def class_names(parts: list[Any]) -> str:
-    """Return the class names of modules as text."""
+    """Return the class names of modules as one text."""
     return ", ".join(type(part).__name__ for part in parts) or "nothing"
 
 
-def as_numbers(tensor: Any) -> np.ndarray:
-    """Return a parameter as an array of float32."""
+def parameter_array(tensor: Any) -> np.ndarray:
+    """Return a torch parameter as an array of float32."""
     numbers: np.ndarray = tensor.detach().cpu().float().numpy()
     return numbers
 
 
 def apply_module(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
-    """Return the outputs of `function`, which may be a module or several in a row, for observations (B, n), as in play.
+    """Return the outputs of `function`, often a torch module, for observations (B, n), in evaluation mode.
 
     Of several outputs the first counts; of a distribution its mean.
     """
@@ -110,7 +112,7 @@ def apply_module(function: Any, rows: np.ndarray, module: Any) -> np.ndarray:
 
 
 def tensor_of(output: Any) -> Any:
-    """Return the tensor in the output of a module; ValueError for an output of an unknown kind."""
+    """Return the tensor in a module's output; ValueError for an output of an unknown kind."""
     import torch
 
     if isinstance(output, (list, tuple)) and output:

@@ -1,4 +1,4 @@
-"""Policies trained by any torch library, written as policy files: `save_policy`.
+"""Write the policies that any torch library has trained as policy files: `save_policy`.
 
 The layers read from a module are compared with the module itself on the same observations, and no file is written
 unless they agree.
@@ -37,7 +37,7 @@ def save_policy(
     outputs: Callable[[Any], Any] | None = None, at_once: bool = True, name: str | None = None,
     pose: str | None = None, senses: str | None = None,
 ) -> Policy:  # fmt: skip
-    """Write the actor of a learner as a policy file and return the policy; ValueError, and no file, if it does not fit.
+    """Write a learner's actor as a policy file and return the Policy; ValueError, and no file, if it does not fit.
 
     module: a torch module, or several in a row: Linear layers with Tanh or ReLU between. 4 or 7 outputs are the mean of
     the actions, twice as many are mean and deviation (left out), 12 are values of the discrete actions. league,
@@ -69,7 +69,7 @@ def save_policy(
 
 
 def action_kind(network: Network) -> str:
-    """Return the kind of actions of a network; ValueError names the allowed numbers of outputs."""
+    """Return the kind of actions that a network outputs; ValueError names the allowed numbers of outputs."""
     size = len(network.biases[-1])
     for kind, numbers in ACTIONS.items():
         if size == numbers:
@@ -78,14 +78,14 @@ def action_kind(network: Network) -> str:
 
 
 def policy_origin(module: Any) -> dict[str, str]:
-    """Return the origin of a policy for its file."""
+    """Return the origin of a policy (libraries and versions), for its file."""
     import torch
 
     return {"from": f"torch {type(module).__name__}"[:64], "torch": torch.__version__, "soccer_env": version()}
 
 
 def compare_outputs(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], np.ndarray]) -> None:
-    """Raise ValueError unless policy and module agree (`ask`: (B, n) -> outputs of the module).
+    """Raise ValueError unless the policy and the module `ask`, (B, n) -> outputs, agree.
 
     squashed: the module's outputs have passed through tanh.
     """
@@ -108,7 +108,7 @@ def compare_outputs(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], 
 
 
 def normalise_observations(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return observations (B, n) as inputs of a policy's network, float32."""
+    """Convert observations (B, n) to inputs of a policy's network, float32."""
     table = policy.normalise
     if not table:
         return rows
@@ -117,7 +117,7 @@ def normalise_observations(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 
 def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return the outputs of a policy's network for observations (B, n), before clipping, tanh or choice."""
+    """Return the network outputs of a policy for observations (B, n), before clipping, tanh or choice."""
     values = normalise_observations(policy, rows).astype(np.float64)
     last = len(policy.weights) - 1
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
@@ -128,7 +128,7 @@ def outputs_of(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 
 def compute_actions(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return the actions (B, 4 or 7) of a policy for observations (B, n), by the kernels that play it."""
+    """Return a policy's actions (B, 4 or 7) for observations (B, n), by the kernels used in matches."""
     numbers = pack_policy(policy)
     actions = np.zeros((len(rows), action_size(numbers)))
     scratch = np.zeros((3, widest_layer(numbers)))
@@ -138,7 +138,7 @@ def compute_actions(policy: Policy, rows: np.ndarray) -> np.ndarray:
 
 
 def check_close(what: str, ours: np.ndarray, theirs: np.ndarray, tolerance: float) -> None:
-    """Raise ValueError if two arrays differ by more than a tolerance."""
+    """Raise ValueError if two arrays, from the policy and the module, differ by more than a tolerance."""
     apart = np.abs(ours - theirs)
     if not (apart <= tolerance).all():  # NaN as well
         at = tuple(int(i) for i in np.unravel_index(int(np.argmax(np.nan_to_num(apart, nan=np.inf))), apart.shape))

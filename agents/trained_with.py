@@ -1,4 +1,4 @@
-"""The senses that a policy was trained with, kept in its file, and how the senses of a match differ from them.
+"""The senses that a policy was trained with, stored in its file, and their differences from those of a match.
 
 `senses` says what filled the beliefs of its robots ("sensors" or "ideal"), `pose` where their poses came from
 ("percept" or "particles"); "": unknown, or both. Older files of `soccer train` have them in the settings of their run.
@@ -22,7 +22,7 @@ IDEAL = "ideal"
 
 
 class Difference(NamedTuple):
-    """A setting that differs from a policy's training."""
+    """A setting of a match that differs from a policy's training."""
 
     policy: Policy
     setting: str  # "senses" or "pose"
@@ -31,18 +31,18 @@ class Difference(NamedTuple):
 
 
 def check_trained_with(policy: Policy) -> None:
-    """Raise ValueError unless senses and pose of a policy are known values, or empty."""
+    """Raise ValueError unless a policy's senses and pose of training are known values or empty."""
     for setting, known in KNOWN.items():
         check_choice(setting, getattr(policy, setting), known)
 
 
 def known_senses(senses: str | None, pose: str | None) -> dict[str, Any]:
-    """Return the fields of a policy for the senses and pose of its training; None: unknown."""
+    """Return the policy fields for the senses and pose of its training; None: unknown."""
     return {"senses": senses or "", "pose": pose or ""}
 
 
 def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the fields of a policy for the settings of a run of `soccer train`; "" if unknown or both."""
+    """Return the policy fields for the senses of a `soccer train` run, given its settings; "" if unknown or both."""
     share = settings.get("ideal_share", 0.0)
     senses = IDEAL if share == 1.0 else str(settings.get("senses", ""))
     if senses not in KNOWN["senses"]:
@@ -53,7 +53,7 @@ def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def training_senses(policy: Policy) -> dict[str, str]:
-    """Return senses and pose of a policy's training, from its fields or from the settings of its run."""
+    """Return senses and pose of a policy's training, from its own fields or from the settings of its run."""
     fields = {setting: getattr(policy, setting) for setting in KNOWN}
     if any(fields.values()):
         return fields
@@ -73,7 +73,7 @@ def policies_in(team: Any) -> Iterator[Policy]:
 
 
 def training_differences(team: Any, senses: str, pose: str) -> list[Difference]:
-    """Return each difference between the training of a team's policies and the given senses and pose."""
+    """Return each difference between the training of a team's policies and these senses and pose."""
     differing = []
     for policy in policies_in(team):
         known = training_senses(policy)
@@ -85,7 +85,7 @@ def training_differences(team: Any, senses: str, pose: str) -> list[Difference]:
 
 
 def warn_if_observing_truth(policy: Policy) -> None:
-    """Warn, once in a process, if a policy observes the truth: such a policy needs ideal senses."""
+    """Warn, once per process, if a policy observes the truth, since it then needs ideal senses."""
     if policy.observe == "truth":
         warn_once(
             f"policy {policy.name!r} observes the truth: it plays only with senses='ideal' (a command takes --senses "

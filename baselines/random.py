@@ -31,8 +31,8 @@ def team(strength: float = 1.0) -> CompiledTeam:
 
 
 @compiled
-def wander(memory, noise, command, k, settings):
-    """Write the remembered command, or draw a new random command when its time is over."""
+def choose_random_command(memory, noise, command, k, settings):
+    """Write the remembered command, or draw a new random command when the old command's time is over."""
     strength = settings.strength
     memory.seconds -= k.dt
     if memory.seconds <= 0.0:
@@ -46,4 +46,4 @@ def wander(memory, noise, command, k, settings):
     command.head = -1.0
 
 
-RANDOM = per_blind_player(wander)
+RANDOM = per_blind_player(choose_random_command)

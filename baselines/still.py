@@ -18,7 +18,7 @@ def team(strength: float = 1.0) -> CompiledTeam:
 
 @compiled
 def stand_still(memory, noise, command, k, settings):
-    """Write a command that stands still."""
+    """Write a command with which the player stands still."""
     stand(command)
 
 

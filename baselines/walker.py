@@ -20,7 +20,7 @@ def team(strength: float = 1.0) -> CompiledTeam:
 
 @compiled
 def walk_on(memory, noise, command, k, settings):
-    """Walk straight ahead."""
+    """Write a command to walk straight ahead."""
     stand(command)
     command.forward = settings.strength
 

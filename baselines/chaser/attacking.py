@@ -1,4 +1,4 @@
-"""The attacker of the chaser: meet the ball, get behind it, turn it to the goal, shoot; work it loose when stuck.
+"""The attacker of the chaser: reach the ball, get behind it, turn it to the goal, shoot; free it when it is stuck.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -39,7 +39,7 @@ ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the o
 
 @compiled
 def attack(command, sight, memory, k, play):
-    """Bring the ball to the goal, with the first skill of the ladder that applies."""
+    """Bring the ball to the goal by the first applicable skill: free, turn, receive or approach it; then shoot."""
     ux, uy = choose_aim(sight, k, play)
     ux, uy = rotate_vector(ux, uy, memory.aim_error)
     if memory.sweep > 0.0:
@@ -61,7 +61,7 @@ def attack(command, sight, memory, k, play):
 
 @compiled
 def choose_aim(sight, k, play):
-    """Return the unit vector along which to play the ball: at the goal if the shot is free, else round the opponents.
+    """Return the unit vector along which to play the ball: at the goal if the shot is free, else past the opponents.
 
     A robot on wheels plays a ball near its own goal clear, never across the goal's mouth.
     """
@@ -76,7 +76,7 @@ def choose_aim(sight, k, play):
 
 @compiled
 def wants_to_shoot(sight, memory, k, play):
-    """Tell whether a kick now would go in between the posts, past the opponents."""
+    """Tell whether a kick now would send the ball between the posts, past the opponents."""
     if sight.now_ahead > sight.touch + play.kick_gap or abs(sight.now_left) > play.kick_aside or sight.now_ahead <= 0.0:
         return False
     if k.kicker_wind_up > 0.0 and sight.held == 0:
@@ -87,7 +87,7 @@ def wants_to_shoot(sight, memory, k, play):
 
 @compiled
 def ball_comes_to_me(sight, k):
-    """Tell whether the ball rolls towards a player that can move sideways and would bounce off the player."""
+    """Tell whether the ball rolls towards a player that can move sideways and would bounce off that player."""
     speed = length(sight.ball_vx, sight.ball_vy)
     if k.drive_sideways <= 0.0 or k.walled == 1 or speed < RECEIVED:
         return False
@@ -100,7 +100,7 @@ def ball_comes_to_me(sight, k):
 
 @compiled
 def receive_ball(command, sight, k, play):
-    """Receive a rolling ball: face it, move sideways into its path, and back off so that it does not bounce off."""
+    """Receive a rolling ball: face it, move sideways into its path, and back off so that the ball does not bounce."""
     speed = length(sight.ball_vx, sight.ball_vy)
     ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
@@ -117,7 +117,7 @@ def receive_ball(command, sight, k, play):
 
 @compiled
 def approach(command, sight, memory, k, play, ux, uy, most):
-    """Go to the point where the player can meet the ball: straight at it from behind, else round it first.
+    """Go to the point where the player can meet the ball: straight at the ball from behind, else round it first.
 
     `most`: allowed speed on contact [m/s]; up to `MEET` an omnidirectional base slows down for the contact, above
     `MEET` it drives into the ball.
@@ -125,7 +125,7 @@ def approach(command, sight, memory, k, play, ux, uy, most):
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = predict_ball(sight, k, clip(gap / (k.drive_forward * sight.pace), play.delay, play.lead))
     x, y = nearest_reachable_point(x, y, k)
-    ux, uy = turn_clear_of_boards(x, y, ux, uy, sight, k)
+    ux, uy = direction_clear_of_boards(x, y, ux, uy, sight, k)
     away_x, away_y = sight.x - x, sight.y - y
     away = max(length(away_x, away_y), 1e-6)
     behind = -(away_x * ux + away_y * uy) / away
@@ -142,7 +142,7 @@ def approach(command, sight, memory, k, play, ux, uy, most):
 
 @compiled
 def run_at_ball(command, sight, k, play, x, y, ux, uy, most):
-    """Run at a ball from behind it; a base that can move sideways faces the direction (ux, uy) of play."""
+    """Run at a ball from behind; a base that can move sideways faces the direction (ux, uy) in which it will play."""
     if play.square_up > 0.0:
         into = sight.touch - play.square_up
         go(command, sight, k, play, x - into * ux, y - into * uy, atan2(uy, ux), play.bump)
@@ -174,7 +174,7 @@ def run_into_ball(command, sight, k, x, y):
 
 @compiled
 def nearest_reachable_point(x, y, k):
-    """Return the point [m] nearest to a ball at (x, y) that a paw can reach while the robot rubs along the boards."""
+    """Return the point [m] nearest to a ball at (x, y) that a paw can reach while the robot touches the boards."""
     if k.walled == 0:
         return x, y
     room = k.body_tip_y + k.body_tip_radius
@@ -191,8 +191,8 @@ def lies_before_own_goal(x, y, k, far):
 
 
 @compiled
-def turn_clear_of_boards(x, y, ux, uy, sight, k):
-    """Return the direction in which to push a ball, turned so that there is room for a robot behind it.
+def direction_clear_of_boards(x, y, ux, uy, sight, k):
+    """Return the direction to push the ball, rotated away from boards so that a robot has room behind the ball.
 
     A corner leaves no such room: the player runs along one board and turns along the other with the ball. A ball in the
     mouth of the own goal is pushed along the goal line, to the side on which it lies, or away from a player beside it.
@@ -242,7 +242,7 @@ def limit_closing_speed(command, sight, k, play):
 
 @compiled
 def choose_side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
-    """Return the sense in which to go round a ball, +1 counter-clockwise: clear of a near board, else the shorter."""
+    """Choose the sense to go round a ball, +1 counter-clockwise: away from a near board, else the shorter way."""
     way = side_of(away_y * ux - away_x * uy)
     if k.walled == 1 and angle > 1.6:
         room = radius + k.body_tip_y + k.body_tip_radius
@@ -258,7 +258,7 @@ def choose_side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
 
 @compiled
 def choose_inner_side(away_x, away_y, ux, uy, inner_x, inner_y):
-    """Return the sense in which to go round a ball, +1 or -1, that never takes the player between ball and board.
+    """Return the sense in which to go round a ball, +1 or -1, that does not lead between ball and board.
 
     (away_x, away_y): the player relative to the ball [m]; (ux, uy): unit vector along which the ball will be played;
     (inner_x, inner_y): unit vector away from the board.
@@ -270,7 +270,7 @@ def choose_inner_side(away_x, away_y, ux, uy, inner_x, inner_y):
 
 @compiled
 def free_ball_from_corner(command, sight, memory, k, play):
-    """Get the ball out of a corner; after a failed attempt, step back from the ball first."""
+    """Move the ball out of a corner; after a failed attempt, step back from the ball first."""
     if memory.wriggle > 0.0:
         command.forward = -sight.pace
     else:
@@ -279,6 +279,6 @@ def free_ball_from_corner(command, sight, memory, k, play):
 
 @compiled
 def free_stuck_ball(command, sight, memory, k, play):
-    """Free a stuck ball: push against it and turn at full rate towards the remembered side."""
+    """Free a stuck ball: push against it while turning at full rate towards the remembered side."""
     push(command, sight, k, play.wriggle_ahead, 0.0, k.drive_forward)
     command.turn = memory.wriggle_side * sight.pace

@@ -1,4 +1,4 @@
-"""How the chaser gets a ball out of a corner: approach it at an angle, then turn with it along one of the boards.
+"""Getting a ball out of a corner: approach it at an angle, then turn with it along one of the boards.
 
     +-----------o+      A robot that faces the corner, rather the touchline than the end, presses the ball into it.
     |          / |      It turns inwards and walks on all the while: its outer paw rolls the ball along the end board
@@ -28,7 +28,7 @@ AWAY = 0.35  # [m] from the corner at which the ball is out of it, assumed
 
 @compiled
 def is_ball_cornered(x, y, k):
-    """Tell whether a ball at (x, y) lies in an own corner, or at the opponents' end board beside the goal."""
+    """Tell whether a ball at (x, y) lies in a corner of the own half, or at the opponents' end beside the goal."""
     if k.walled == 0:
         return False
     end, aside = end_board_gap(x, k), side_board_gap(y, k)
@@ -51,7 +51,7 @@ def side_board_gap(y, k):
 
 @compiled
 def sweep_directions(x, y, k):
-    """Return two directions [rad], team frame: of the approach to a ball in a corner, of the sweep with the ball."""
+    """Return two directions [rad], team frame: for the approach to a cornered ball, and for the sweep with the ball."""
     side = side_of(y)
     if x > 0.0:
         slant = SLANT + (SQUARE - SLANT) * clip(side_board_gap(y, k) / CORNER, 0.0, 1.0)
@@ -61,7 +61,7 @@ def sweep_directions(x, y, k):
 
 @compiled
 def approach_cornered_ball(command, sight, memory, k, play):
-    """Approach a ball in a corner: go to its line of approach, then along the line; begin the sweep on contact."""
+    """Approach a ball in a corner: go to the approach line, then along it; begin the sweep on contact."""
     way, out = sweep_directions(sight.ball_x, sight.ball_y, k)
     ux, uy = cos(way), sin(way)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
@@ -79,7 +79,7 @@ def approach_cornered_ball(command, sight, memory, k, play):
 
 @compiled
 def sweep_along_board(command, sight, memory, k):
-    """Turn with the ball towards the direction of the sweep while walking, then walk along the board."""
+    """Turn with the ball to the direction of the sweep while walking, then walk along the board."""
     memory.sweep -= sight.elapsed
     memory.stuck = 0.0
     error = wrap(memory.sweep_way - sight.heading)

@@ -1,4 +1,4 @@
-"""When the chaser looks up from the ball to the landmarks round the field, to see where it is.
+"""Glances of the chaser from the ball up to the landmarks round the field, to correct its believed pose.
 
 A head that follows the ball sees no landmark while the ball is near, and a robot that does not know which way it faces
 plays the ball anywhere. So a player that is unsure sweeps its head over the horizon for a moment on its way to the
@@ -25,7 +25,7 @@ KEEPER_ROOM = 1.0  # [m] the same for a goalkeeper, assumed
 
 @compiled
 def look_up(belief, command, memory, k, play):
-    """Send the head over the horizon for a moment if the player is unsure where it is; call it in every step."""
+    """Sweep the head over the horizon for a moment if the player is unsure of its pose; call this in every step."""
     if k.head_pan_limit <= 0.0 or belief.situation.active == 0:
         return
     if memory.glance > 0.0:

@@ -21,9 +21,9 @@ FOREVER = 60.0  # [s] any ball has stopped by then
 
 @compiled
 def keep_goal(command, sight, memory, k, play):
-    """Keep the goal, with the first skill of the ladder that applies."""
+    """Keep the goal by the first applicable skill: meet a shot, clear the ball or guard."""
     line = -0.5 * k.pitch_length + play.keeper_line * k.body_reach
-    coming, crossing = shot_crosses(sight, k, play, line)
+    coming, crossing = predict_shot_crossing(sight, k, play, line)
     if coming:
         go(command, sight, k, play, line, crossing, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), play.dive)
     elif may_clear(sight, k, play):
@@ -33,8 +33,8 @@ def keep_goal(command, sight, memory, k, play):
 
 
 @compiled
-def shot_crosses(sight, k, play, line):
-    """Return whether the ball will cross the keeper's line towards the goal, and at which y [m]."""
+def predict_shot_crossing(sight, k, play, line):
+    """Return whether the ball will cross the keeper's line towards the goal, and the y [m] of the crossing."""
     if sight.ball_vx > -play.shot_speed or sight.ball_x < line:
         return False, 0.0
     end_x, _ = predict_ball(sight, k, FOREVER)
@@ -61,7 +61,7 @@ def guard(command, sight, k, play, line):
 
 @compiled
 def bisect_shot_angle(sight, k, x):
-    """Return the y [m] at which the bisector of the angle from the ball to both posts crosses the keeper's x [m]."""
+    """Return the y [m], at the keeper's x [m], of the bisector of the angle from the ball to both posts."""
     ahead, half = -0.5 * k.pitch_length - sight.ball_x, 0.5 * k.pitch_goal_width
     left, right = length(ahead, half - sight.ball_y), length(ahead, -half - sight.ball_y)
     along = ahead / max(left, 1e-6) + ahead / max(right, 1e-6)
@@ -73,7 +73,7 @@ def bisect_shot_angle(sight, k, x):
 
 @compiled
 def may_clear(sight, k, play):
-    """Tell whether the keeper goes for the ball: it lies near the goal, and no field player is near it.
+    """Tell whether the keeper should go for the ball: it lies near the goal, and no field player is near it.
 
     The keeper clears a ball at its kicker from anywhere. In a penalty area that field players may not enter, every slow
     ball is the keeper's.
@@ -94,7 +94,7 @@ def may_clear(sight, k, play):
 
 @compiled
 def clear_ball(command, sight, memory, k, play):
-    """Play the ball away from the own goal, with a kick once the keeper faces that way.
+    """Play the ball away from the own goal, with a kick once the keeper faces away from its goal.
 
     A keeper on legs goes round a ball at its feet, on the side of its own goal, since turning with the ball would also
     carry it forward.

@@ -1,4 +1,4 @@
-"""Where the chaser's supporters stand: behind the ball, the next ones spread out in pairs.
+"""The places of the chaser's supporters: behind the ball, spread out in pairs.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -19,17 +19,17 @@ HOME_EDGE = 3.0  # [body reaches] that supporters stay off the goal lines, assum
 
 @compiled
 def support(command, sight, memory, k, play, ring, keeps_out):
-    """Stand at the place for the player's rank, and face the ball; arguments as in `support_point`."""
+    """Stand at the supporter's place for the player's rank, and face the ball; arguments as in `support_point`."""
     x, y = support_point(sight, memory, k, play, ring, keeps_out)
     go(command, sight, k, play, x, y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
 
 
 @compiled
 def support_point(sight, memory, k, play, ring, keeps_out):
-    """Return the place [m, m] for the player's rank, `ring` [m] from the ball; `keeps_out`: not in the own area."""
+    """Return the supporter's place [m, m] for a rank, `ring` [m] from the ball; `keeps_out`: not in the own area."""
     if memory.side == 0.0 or abs(sight.ball_y) > play.change_side:
         memory.side = -side_of(sight.ball_y)
-    back, aside = support_place(memory, play, ring)
+    back, aside = offset_of_rank(memory, play, ring)
     home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(home_x, home_y), 1e-6)
     home_x, home_y = home_x / away, home_y / away
@@ -47,8 +47,8 @@ def support_point(sight, memory, k, play, ring, keeps_out):
 
 
 @compiled
-def support_place(memory, play, ring):
-    """Return the distances [m] of a rank's place from the ball: back towards the own goal, and left of that direction.
+def offset_of_rank(memory, play, ring):
+    """Return a rank's distances [m] from the ball: back towards the own goal, and to the left of that direction.
 
                 3            ball  ->  opponents' goal       rank 0 goes to the ball, or stands right before it
     5                1   (0)           (mirrored while the   while the opponents take a restart; 1 covers the goal;

@@ -135,9 +135,9 @@ FOLLOWS = SKILLS_FOLLOW | {  # what a number grows with in leagues of other fami
 
 
 def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
-    """Return the team; `changes` replace NUMBERS by name, for every kind of base. ValueError for an unknown name.
+    """Return the chaser; `changes` replace settings (NUMBERS) by name, for all kinds of base.
 
-    `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`.
+    `settings` has a row for each kind of base, in the order of `DRIVE_KINDS`. ValueError for an unknown name.
     """
     check_names("setting of chaser", changes, NUMBERS)
     given = {name: 3 * (check_finite_number(f"{name} of chaser", value),) for name, value in changes.items()}
@@ -146,13 +146,13 @@ def team(strength: float = 1.0, **changes: float) -> CompiledTeam:
 
 
 def scale_settings(settings: np.ndarray, league: League) -> np.ndarray:
-    """Scale the team's settings to a league and return them."""
+    """Return the team's settings, scaled to a league."""
     return fitted(settings, league, FOLLOWS)
 
 
 @compiled
 def decide_or_repeat(belief, tracks, memory, noise, command, k, play, sight):
-    """Decide, or repeat the last decision until it is time for the next."""
+    """Make a new decision if it is due, else repeat the last command."""
     decides = must_decide(belief, memory, command, k)
     look_up(belief, command, memory, k, play)
     if not decides:
@@ -185,7 +185,7 @@ def decide(belief, command, sight, memory, noise, k, play):
 
 @compiled
 def play_in_field(situation, command, sight, memory, noise, k, play, keeps_out):
-    """Play as a field player that knows the ball's place; `keeps_out`: it must stay out of its own penalty area."""
+    """Play as a field player that knows the ball's position; `keeps_out`: must stay out of its own penalty area."""
     choose_rank(sight, memory, play)
     note_set_piece(situation, sight, memory, k)
     time_stuck_ball(sight, memory, noise, k, play)
@@ -194,7 +194,7 @@ def play_in_field(situation, command, sight, memory, noise, k, play, keeps_out):
 
 @compiled
 def play_role(situation, command, sight, memory, k, play, keeps_out):
-    """Play as taker of a restart, attacker or supporter, by the restart and the player's rank."""
+    """Play as taker of a restart, as attacker or as supporter, given the restart and the player's rank."""
     if memory.set_piece != 0.0 and situation.phase != PLAY:
         if memory.set_piece > 0.0:
             take_restart(command, situation, sight, k, play)
@@ -214,7 +214,7 @@ def play_role(situation, command, sight, memory, k, play, keeps_out):
 
 @compiled
 def path_length_to_ball(sight, play, x, y, vx, vy):
-    """Return a player's path length to behind the ball [m], less some for a player that already runs towards it."""
+    """Return the length [m] of a player's path to the point behind the ball, shortened if it runs towards the ball."""
     ahead, left = sight.ball_x - x, sight.ball_y - y
     away = max(length(ahead, left), 1e-6)
     return away + play.wrong_side * max(-ahead / away, 0.0) - play.foresight * (vx * ahead + vy * left) / away
@@ -239,7 +239,7 @@ def choose_rank(sight, memory, play):
 
 @compiled
 def time_stuck_ball(sight, memory, noise, k, play):
-    """Time how long the ball is stuck at the player's feet, and begin to free it when the patience is over."""
+    """Measure how long the ball is stuck at the player's feet, and start to free it when the patience is over."""
     memory.wriggle = max(memory.wriggle - sight.elapsed, 0.0)
     if memory.patience == 0.0:
         memory.patience = play.patience * (0.7 + 0.6 * draw_uniform(noise, TEAM))

@@ -30,12 +30,12 @@ BEHIND = 0.3  # [m] more than touching it that the place behind the ball lies fr
 
 @compiled
 def attack(command, memory, k, play, scratch):
-    """Bring the ball to the goal, with the first skill of the ladder that applies."""
+    """Bring the ball to the goal by the first applicable skill: free, dribble, receive, approach; then kick."""
     sight, skill, skills = scratch.sight, memory.skill, play.skills
     ux, uy = choose_aim(sight, k, skills)
     passes, far = False, 0.0
     if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, play)):
-        passes, ux, uy, far = pass_or_aim(sight, k, play, ux, uy)
+        passes, ux, uy, far = choose_pass_or_shot(sight, k, play, ux, uy)
     if sight.held == 1 and not passes and should_dribble(sight, k, play, ux, uy):
         ux, uy = way_round(k, play, scratch)
     ux, uy = rotate_vector(ux, uy, skill.aim_error)
@@ -57,7 +57,7 @@ def attack(command, memory, k, play, scratch):
 
 
 @compiled
-def pass_or_aim(sight, k, play, ux, uy):
+def choose_pass_or_shot(sight, k, play, ux, uy):
     """Return whether to pass, the unit vector along which to play the ball, and the distance to the mate [m].
 
     An open shot comes first; a pressed player also passes back.
@@ -73,7 +73,7 @@ def pass_or_aim(sight, k, play, ux, uy):
 
 @compiled
 def should_dribble(sight, k, play, ux, uy):
-    """Tell whether to dribble past other players: no shot along (ux, uy) is open, and the own goal is far."""
+    """Tell whether to dribble past other players: no shot along (ux, uy) is free, and the own goal is far."""
     if play.dribbles_round == 0 or length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
         return False
     reach = 0.5 * k.pitch_length - sight.ball_x < play.skills.shot_range
@@ -82,7 +82,7 @@ def should_dribble(sight, k, play, ux, uy):
 
 @compiled
 def drive_behind_ball(command, memory, k, play, scratch, ux, uy):
-    """Drive to the point behind the ball's predicted place for a push along (ux, uy), and face the ball."""
+    """Drive to the point behind the ball's predicted position from which to push along (ux, uy), facing the ball."""
     sight = scratch.sight
     seconds = meeting_time(sight, sight.x, sight.y, sight.vx, sight.vy, play.lead, k) if play.intercepts == 1 else 0.0
     x, y = predict_ball(sight, k, seconds)

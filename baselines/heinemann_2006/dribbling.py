@@ -41,7 +41,7 @@ def dribble(command, sight, memory, k, play, ux, uy):
 
 @compiled
 def way_round(k, play, scratch):
-    """Return the unit vector along which a planned path to the opponents' goal leads the ball past players.  MH24"""
+    """Return the unit vector in which to dribble along the planned path past players to the opponents' goal.  MH24"""
     sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
     note_crowd(scratch, k, play, False)
     for i in range(scratch.count):
@@ -56,11 +56,11 @@ def way_round(k, play, scratch):
 
 @compiled
 def grip_speed(play, turn):
-    """Return the top speed [m/s] at which the guide holds the ball in a turn w [rad/s]: grip / |w|, `LEAST` or more."""
+    """Return the top speed [m/s] at which the guide holds the ball at turn rate w [rad/s]: max(grip / |w|, `LEAST`)."""
     return max(play.dribble_grip / max(abs(turn), 1e-3), LEAST)
 
 
 @compiled
 def grip_turn(play, speed):
-    """Return the top turn rate [rad/s] at which the guide holds the ball at a speed v [m/s]: grip / v above `LEAST`."""
+    """Return the top turn rate [rad/s] at which the guide holds the ball at speed v [m/s]: grip / v above `LEAST`."""
     return play.dribble_turn if speed <= LEAST else min(play.dribble_turn, play.dribble_grip / speed)

@@ -1,4 +1,4 @@
-"""Drive along a plan, made anew at every decision, within the base's limits.  [Heinemann 2006, 2, 3]  MH01, MH14
+"""Drive along a path, planned anew at every decision, within the base's limits.  [Heinemann 2006, 2, 3]  MH01, MH14
 
     "With the continuous replanning this approach generates very efficient and smooth paths"    [Heinemann 2006, 3]
 
@@ -39,14 +39,14 @@ KEPT = 2  # decisions, this one and the next, for which the velocity asked for i
 
 @compiled
 def drive_to(command, memory, k, play, scratch, x, y, facing, final):
-    """Drive to a point round other robots, and face a team-frame direction [rad]; `final`: speed [m/s] on arrival."""
+    """Drive to x, y [m], past other robots, facing a direction [rad], team frame; `final`: speed [m/s] on arrival."""
     sight = scratch.sight
     if play.planner == NO_PLANNER:
         go(command, sight, k, play.skills, x, y, facing, final)
         return
     if length(x - sight.x, y - sight.y) < play.arrived and final == 0.0:
         memory.arrived = 1
-        drive_along(command, memory, k, play, sight, 0.0, 0.0, 0.0, facing)
+        command_velocity(command, memory, k, play, sight, 0.0, 0.0, 0.0, facing)
         return
     note_crowd(scratch, k, play, final > 0.0)
     plan_to(k, play, scratch, x, y)
@@ -55,7 +55,7 @@ def drive_to(command, memory, k, play, scratch, x, y, facing, final):
 
 @compiled
 def plan_to(k, play, scratch, x, y):
-    """Plan the path to a point with the league's pitch and speed and the present beliefs; fill `scratch.plan`.  MH14"""
+    """Plan the path to x, y [m], past the robots in the present belief, into `scratch.plan`.  MH14"""
     sight = scratch.sight
     fill_planner_settings(scratch, k, play)
     side = 1 if side_of(y - sight.y if y != sight.y else y) > 0.0 else -1
@@ -65,7 +65,7 @@ def plan_to(k, play, scratch, x, y):
 
 @compiled
 def fill_planner_settings(scratch, k, play):
-    """Fill in the planner's settings: the league's pitch and robot size, and this robot's pace."""
+    """Write the planner's settings into the scratch record: pitch, robot size, and the robot's speed."""
     ways = scratch.ways[0]
     scratch.ways[0] = play.ways[0]
     ways.pitch_length, ways.pitch_width = k.pitch_length, k.pitch_width
@@ -75,7 +75,7 @@ def fill_planner_settings(scratch, k, play):
 
 @compiled
 def follow(command, memory, k, play, scratch, facing, final):
-    """Drive towards a point ahead on the planned path, at a speed that the path's bends and its end allow."""
+    """Drive towards a point ahead on the planned path, at a speed that suits the path's bends and its end."""
     sight, plan, place = scratch.sight, scratch.plan[0], scratch.place[0]
     now = length(sight.vx, sight.vy)
     ahead = play.look_ahead + play.look_ahead_time * now
@@ -90,12 +90,12 @@ def follow(command, memory, k, play, scratch, facing, final):
         ahead, left = into_frame(x, y, sight.cosine, sight.sine)
         drive_differential(command, sight, k, play.skills, ahead, left, plan.length, facing, speed)
     else:
-        drive_along(command, memory, k, play, sight, x, y, min(speed, k.drive_forward * sight.pace), facing)
+        command_velocity(command, memory, k, play, sight, x, y, min(speed, k.drive_forward * sight.pace), facing)
 
 
 @compiled
 def bend_angle(x, y, then_x, then_y):
-    """Return the angle [rad], 0 or more, between two pieces of a path; 0 if either piece has no length."""
+    """Return the angle [rad], 0 or more, between two segments of a path; 0 if either has no length."""
     if length(x, y) < 1e-6 or length(then_x, then_y) < 1e-6:
         return 0.0
     return abs(atan2(x * then_y - y * then_x, x * then_x + y * then_y))
@@ -103,13 +103,13 @@ def bend_angle(x, y, then_x, then_y):
 
 @compiled
 def bend_speed(k, play, bend, far):
-    """Return the speed [m/s] at which v^2 / r in a bend (`bend` [rad] in `far` [m]) uses its share of acceleration."""
+    """Return the top speed [m/s] through a bend of `bend` [rad] in `far` [m], limited by sideways acceleration."""
     return sqrt(play.bending * k.drive_acceleration * far / max(bend, 1e-3))
 
 
 @compiled
-def drive_along(command, memory, k, play, sight, x, y, speed, facing):
-    """Bring the commanded velocity to `speed` [m/s] along the unit vector (x, y), within the acceleration.  MH01"""
+def command_velocity(command, memory, k, play, sight, x, y, speed, facing):
+    """Command `speed` [m/s] along the unit vector (x, y), approached within the base's acceleration limit.  MH01"""
     if memory.drove == 0:
         memory.drive_x, memory.drive_y = sight.vx, sight.vy
     vx, vy = speed * x - memory.drive_x, speed * y - memory.drive_y
@@ -127,13 +127,13 @@ def drive_along(command, memory, k, play, sight, x, y, speed, facing):
 
 @compiled
 def turn_limit(k, play, speed):
-    """Return the largest turn rate w [rad/s] at a speed v [m/s]: v w uses its share of the base's acceleration."""
+    """Return the largest turn rate w [rad/s] at speed v [m/s], so that v w keeps to its share of the acceleration."""
     return play.turning * k.drive_acceleration / max(speed, 1e-3)
 
 
 @compiled
 def note_crowd(scratch, k, play, fights):
-    """Fill the obstacles from the tracks; a player that fights for the ball leaves out the players at the ball."""
+    """List the tracked players as obstacles; without those at the ball if the player fights for the ball."""
     sight, count = scratch.sight, 0
     for i in range(sight.others):
         at_ball = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y) < FOUGHT_FOR
@@ -149,7 +149,7 @@ def note_crowd(scratch, k, play, fights):
 
 @compiled
 def bounded(vx, vy, play):
-    """Return a believed velocity [m/s] limited to the top speed of robots, since wrong readings can give more.  MH25"""
+    """Return a believed velocity [m/s] clipped to the top speed of robots, since readings may be wrong.  MH25"""
     if play.velocity == 0:
         return 0.0, 0.0
     speed = length(vx, vy)

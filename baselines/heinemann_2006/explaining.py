@@ -1,4 +1,4 @@
-"""What a player of heinemann-2006 and weigel-2001 tells people who watch: its role, its plan, its potential field.
+"""Explanations of heinemann-2006 and weigel-2001 for viewers: a player's role, its plan, its potential field.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -16,7 +16,7 @@ from soccer_env.types import COMMAND
 
 
 def plan(mind: DecisionInputs) -> np.ndarray:
-    """Return the path along which the player would drive now, from a new decision with a copy of its memory."""
+    """Return the path that the player would now drive, from a new decision on a copy of its memory."""
     scratch, memory = np.zeros(1, SCRATCH), mind.memory.copy()
     memory["skill"]["wait"] = 0.0
     decide_again(mind.beliefs, mind.tracks, memory, mind.noise.copy(), mind.constants, settings_of(mind), scratch)
@@ -26,29 +26,29 @@ def plan(mind: DecisionInputs) -> np.ndarray:
 
 
 def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return minus the gradient of the potential at each point, for the present places of the other robots."""
+    """Return minus the gradient of the potential at each point, given the present positions of the other robots."""
     scratch, slopes = np.zeros(1, SCRATCH), np.zeros((len(points), 2))
     scratch["place"][0, 0] = tuple(target)
-    fill_descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
+    compute_descent(mind.beliefs, mind.tracks, mind.constants, settings_of(mind), scratch, points, slopes)
     return slopes
 
 
 def settings_of(mind: DecisionInputs) -> np.ndarray:
-    """Return the player's settings for its league's kind of base, shape (1,)."""
+    """Return the player's settings for the kind of base in its league, shape (1,)."""
     kind = int(mind.constants["drive_kind"][0])
     return mind.settings[kind : kind + 1]
 
 
 @compiled
 def decide_again(beliefs, tracks, memory, noise, constants, settings, scratch):
-    """Decide as the team does, in a scratch record that the caller reads afterwards."""
+    """Make the team's decision again, in a scratch record that the caller reads afterwards."""
     command = np.zeros(1, COMMAND)
     act(beliefs[0], tracks[0], memory[0], noise[0], command[0], constants[0], settings[0], scratch[0])
 
 
 @compiled
-def fill_descent(beliefs, tracks, constants, settings, scratch, points, slopes):
-    """Fill in minus the gradient of the potential at each point.  MH10"""
+def compute_descent(beliefs, tracks, constants, settings, scratch, points, slopes):
+    """Compute minus the gradient of the potential at each point.  MH10"""
     k, play, work = constants[0], settings[0], scratch[0]
     work.sight.pace = 1.0
     fill_sight(work.sight, beliefs[0], tracks[0], k)

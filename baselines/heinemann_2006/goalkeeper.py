@@ -15,7 +15,7 @@
 from math import atan2
 
 from soccer_env.baselines.chaser.goalkeeping import clear_ball, may_clear
-from soccer_env.baselines.heinemann_2006.driving import drive_along
+from soccer_env.baselines.heinemann_2006.driving import command_velocity
 from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.settings import KEEPERS, STANCES
 from soccer_env.compiled import compiled
@@ -29,7 +29,7 @@ POINTS = 12  # of the trajectory, between the nearest one and the goal line, tha
 
 @compiled
 def keep_goal(command, memory, k, play, scratch):
-    """Keep the goal, with the first skill of the ladder that applies; "otherwise back to passive".  MH20"""
+    """Keep the goal by the first applicable skill; "otherwise back to passive".  MH20"""
     sight = scratch.sight
     facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
     if play.keeper == ACTIVE and is_shot(sight, k, play):
@@ -44,7 +44,7 @@ def keep_goal(command, memory, k, play, scratch):
 
 @compiled
 def passive_place(ball_x, ball_y, k, play):
-    """Return the passive place [m, m]: where the line from ball to goal meets the half circle or the keeper's line.
+    """Return the passive place [m, m]: where the line from ball to goal meets a half circle or the keeper's line.
 
     Never nearer to the goal line than the keeper's line, nor beyond the posts.  MH19
     """
@@ -72,7 +72,7 @@ def is_shot(sight, k, play):
 
 @compiled
 def interception(sight, k, play):
-    """Return the point [m, m] of a shot's trajectory to move to: its point nearest to the keeper.  MH20, MH21
+    """Return the point [m, m] at which to intercept a shot: the point of its path nearest to the keeper.  MH20, MH21
 
     If the ball would be there first, return the point of the trajectory before the goal line at which the keeper has
     the most time to spare, given its reaction time and acceleration.
@@ -97,13 +97,13 @@ def interception(sight, k, play):
 
 @compiled
 def distance_to_foot(x, y, ux, uy, last):
-    """Return the distance [m], 0 to `last`, along the line (ux, uy) to the foot of the perpendicular from (x, y)."""
+    """Return the distance [m], 0 to `last`, from the origin along (ux, uy) to the point nearest to (x, y)."""
     return clip(x * ux + y * uy, 0.0, last)
 
 
 @compiled
 def spare_time(sight, ux, uy, speed, along, k, play):
-    """Return by how much the keeper reaches a point of the trajectory before the ball [s]; below 0: after it.  MH21
+    """Return the time [s] by which the keeper reaches a point of the ball's path before the ball; < 0: after it.  MH21
 
     The sight already predicts the moment at which the command takes effect; a longer reaction time is added.
     """
@@ -117,11 +117,11 @@ def spare_time(sight, ux, uy, speed, along, k, play):
 
 @compiled
 def drive_straight_to(command, memory, k, play, sight, x, y, facing):
-    """Drive straight to a point, limited only by the base's acceleration: nobody else is in the goal area."""
+    """Drive straight to a point, limited only by the base's acceleration, since no other robot is in the goal area."""
     dx, dy = x - sight.x, y - sight.y
     away = length(dx, dy)
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         go(command, sight, k, play.skills, x, y, facing, 0.0)
         return
     speed = min(braking_speed(k, play.skills, away), k.drive_forward * sight.pace)
-    drive_along(command, memory, k, play, sight, dx / max(away, 1e-9), dy / max(away, 1e-9), speed, facing)
+    command_velocity(command, memory, k, play, sight, dx / max(away, 1e-9), dy / max(away, 1e-9), speed, facing)

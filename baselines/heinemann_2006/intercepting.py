@@ -1,4 +1,4 @@
-"""Where and when a player can meet a rolling ball.  [Heinemann 2006, 1, 4]  MH20, MH21, MH22
+"""The point and time at which a player can meet a rolling ball.  [Heinemann 2006, 1, 4]  MH20, MH21, MH22
 
     "we developed robot control algorithms that are incorporating the velocity of the objects for ball interception as
     goal keeper or pass receiver and for path planning"    [Heinemann 2006, 1]

@@ -1,4 +1,4 @@
-"""What a player of heinemann-2006 remembers between two decisions, and the scratch arrays of a decision."""
+"""The memory of a player of heinemann-2006 between two decisions, and the scratch arrays of a decision."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Pass to a team-mate, no harder than it can receive, and stand open for a pass.  MH04, MH22
+"""Pass to a team-mate, no harder than it can receive, and stand free for a pass.  MH04, MH22
 
     "the robot can control the kicking strength of this device in real-time, in order to pass the ball to a team-mate
     instead of kicking it at full strength"    [Heinemann 2006, 2]
@@ -26,7 +26,7 @@ STAY = 0.3  # [1] metres towards the goal that a metre less to drive is worth, a
 
 @compiled
 def choose_pass(sight, k, play, pressed):
-    """Return the unit vector to the best mate for a pass, its distance [m], and the pass's worth [m]; -inf for none."""
+    """Return the unit vector to the best mate for a pass, its distance [m], and the pass's value [m]; -inf for none."""
     best, best_x, best_y, best_far = -inf, 1.0, 0.0, 0.0
     if play.passes == 0:
         return best_x, best_y, best_far, best
@@ -52,7 +52,7 @@ def choose_pass(sight, k, play, pressed):
 
 @compiled
 def predict_pass_target(sight, k, i):
-    """Return the predicted place [m, m] of another player when a pass arrives, held inside the pitch."""
+    """Return the predicted position [m, m] of player i when a pass would arrive, kept inside the pitch."""
     edge_x, edge_y = 0.5 * k.pitch_length - EDGE, 0.5 * k.pitch_width - EDGE
     x, y = sight.other_x[i] + LED * sight.other_vx[i], sight.other_y[i] + LED * sight.other_vy[i]
     return clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
@@ -102,7 +102,7 @@ def own_team_is_nearer(sight):
 
 @compiled
 def open_place(sight, skill, k):
-    """Return the place [m, m] at which a supporter is open for a pass: ahead of the ball, on its side, lane free."""
+    """Return the position [m, m] where a supporter is free for a pass: ahead of the ball, with a clear lane."""
     side = skill.side if skill.rank % 2 == 0 else -skill.side
     edge_x, edge_y = 0.5 * k.pitch_length - 2.0 * EDGE, 0.5 * k.pitch_width - EDGE
     best, best_x, best_y = -inf, sight.x, sight.y

@@ -1,4 +1,4 @@
-"""How a player of heinemann-2006 acts: restarts first, then its role.  MH05, MH23
+"""The actions of a player of heinemann-2006: restarts first, then its role.  MH05, MH23
 
 A player that has stood still for long, away from its place and without the ball, drives a quarter circle round the
 ball: a path may end at a ring of robots, or a player may wait for an opponent to move, and both may last.
@@ -63,7 +63,7 @@ def decide(belief, command, memory, noise, k, play, scratch):
 
 @compiled
 def hear(situation, told, memory, sight, play):
-    """Fill in the state of the match as the referee box has sent it by radio, with the radio's delay.  MH05"""
+    """Write the state of the match that the referee box sent by radio, with the radio's delay, into `told`.  MH05"""
     heard, said = memory.heard, memory.said
     memory.said_age = 0.0 if is_new_call(situation, said) else memory.said_age + sight.elapsed
     said.phase, said.placing = situation.phase, situation.placing
@@ -78,14 +78,14 @@ def hear(situation, told, memory, sight, play):
 
 @compiled
 def is_new_call(situation, said):
-    """Tell whether the referee has made a call since the last call that the player has heard."""
+    """Tell whether the referee has made a new call since the last call that the player heard."""
     same = situation.phase == said.phase and situation.placing == said.placing and situation.ours == said.ours
     return not same or situation.phase_clock < said.clock
 
 
 @compiled
 def play_role(situation, command, memory, k, play, scratch):
-    """Play in the field: take part in a restart, else play the role."""
+    """Play as a field player: take part in a restart, else play the role."""
     sight, skill = scratch.sight, memory.skill
     if skill.set_piece != 0.0 and situation.phase != PLAY:
         if skill.set_piece > 0.0:
@@ -108,7 +108,7 @@ def play_role(situation, command, memory, k, play, scratch):
 
 @compiled
 def stand_ready(command, memory, k, play, scratch, ring):
-    """Drive to the role's place, at least `ring` [m] from the ball, facing the ball all the while."""
+    """Drive to the role's position, at least `ring` [m] from the ball, facing the ball all the time."""
     sight = scratch.sight
     x, y = support_point(sight, memory.skill, k, play.skills, ring, False)
     if play.stands_open == 1 and ring == 0.0 and memory.skill.rank >= 2 and own_team_is_nearer(sight):
@@ -119,7 +119,7 @@ def stand_ready(command, memory, k, play, scratch, ring):
 
 @compiled
 def note_standing(situation, memory, sight):
-    """Update the time for which a field player has stood still in play, without the ball and away from its place."""
+    """Update the time for which a field player has stood still in play, without the ball and out of position."""
     memory.detour = max(memory.detour - sight.elapsed, 0.0)
     waits = (memory.arrived == 1 and memory.skill.rank > 0) or sight.held == 1
     if waits or situation.phase != PLAY or length(sight.x - memory.stands_x, sight.y - memory.stands_y) > STAYS:

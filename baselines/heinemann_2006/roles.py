@@ -1,4 +1,4 @@
-"""Who attacks, who defends and who supports: each player decides from the shared beliefs, with hysteresis.  MH23
+"""Choice of attacker, defender and supporters: each player decides from the shared beliefs, with hysteresis.  MH23
 
 The attacker is the field player with the shortest path to behind the ball or, if the ball rolls, the player that can
 meet it first; the defender is the other player nearest to a place between ball and goal; the rest support.
@@ -19,7 +19,7 @@ MOUTH = 2.0  # [m] before the middle of the goal that a defender's place is reck
 
 @compiled
 def choose_role(sight, memory, k, play):
-    """Take the rank of `right_rank` and its role, once the rank has been unchanged for long enough."""
+    """Adopt the rank that `right_rank` returns, and its role, once that rank has been stable for long enough."""
     rank = right_rank(sight, memory, k, play)
     memory.role_age = memory.role_age + sight.elapsed if rank != memory.skill.rank else 0.0
     if memory.role_age > play.role_time or memory.begun == 0:
@@ -29,7 +29,7 @@ def choose_role(sight, memory, k, play):
 
 @compiled
 def right_rank(sight, memory, k, play):
-    """Return the player's rank: 0 attacks, 1 defends, 2 and up support, by distance from the defender's place."""
+    """Compute the player's present rank: 0 attacks, 1 defends, 2 and up support."""
     keeps = play.role_gain
     own = way_there(sight, k, play, sight.x, sight.y, sight.vx, sight.vy)
     own -= keeps if memory.begun == 1 and memory.skill.rank == 0 else 0.0
@@ -54,7 +54,7 @@ def right_rank(sight, memory, k, play):
 
 @compiled
 def way_there(sight, k, play, x, y, vx, vy):
-    """Return a player's path length [m] to the ball; for a rolling ball, the meeting time times the top speed.  MH22"""
+    """Return a player's path length [m] to the ball; to a rolling ball, the meeting time times top speed.  MH22"""
     if play.intercepts == 0 or length(sight.ball_vx, sight.ball_vy) < ROLLS:
         return path_length_to_ball(sight, play.skills, x, y, vx, vy)
     return k.drive_forward * meeting_time(sight, x, y, vx, vy, play.lead, k)

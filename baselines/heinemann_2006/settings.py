@@ -23,7 +23,7 @@ FAR = (0.01, 20.0)
 
 @dataclass(frozen=True)
 class HeinemannSettings(Options):
-    """How heinemann-2006 decides; `make_team("heinemann-2006", planner="static")` changes a switch by name."""
+    """The settings of heinemann-2006; `make_team("heinemann-2006", planner="static")` changes a switch by name."""
 
     NAMES = {"planner": PLANNERS, "keeper": KEEPERS, "stance": STANCES}
     BOUNDS = {
@@ -109,7 +109,7 @@ TEAM_SETTINGS = np.dtype(
 
 
 def settings_records(settings: HeinemannSettings) -> np.ndarray:
-    """Return the settings records that compiled code reads, one for each of `DRIVE_KINDS`."""
+    """Return the settings as records for compiled code, one for each of `DRIVE_KINDS`."""
     rows = np.zeros(len(DRIVE_KINDS), TEAM_SETTINGS)
     own = settings.record()
     for name in own.dtype.names or ():

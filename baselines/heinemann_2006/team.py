@@ -19,7 +19,7 @@ EXPLAINS = "soccer_env.baselines.heinemann_2006.explaining:EXPLANATION"
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
+    """Return heinemann-2006; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
     return make_variant("heinemann-2006", {"strength": strength, **changes})
 
 
@@ -36,7 +36,7 @@ def make_variant(name: str, changes: dict[str, Any]) -> CompiledTeam:
 
 @compiled
 def act(belief, tracks, memory, noise, command, k, play, scratch):
-    """Decide, or repeat the last decision until it is time for the next."""
+    """Make a new decision if it is due, else repeat the last command."""
     if not must_decide(belief, memory.skill, command, k):
         return
     weakness, skills = 1.0 - play.strength, play.skills
@@ -50,7 +50,7 @@ def act(belief, tracks, memory, noise, command, k, play, scratch):
 
 @compiled
 def wait_for_cycle(sight, skill, k, play):
-    """Set the wait until the next decision to one cycle, where a cycle is longer than a control step.  MH03"""
+    """Set the wait until the next decision to one control cycle, if a cycle is longer than a control step.  MH03"""
     if play.cycle > 1.5 * k.dt:
         skill.wait = max(skill.wait, play.cycle - 0.5 * k.dt)
         sight.elapsed = max(sight.elapsed, play.cycle)

@@ -21,6 +21,6 @@ Files:
 `sacks-2001-tuned` the team with numbers that do better here than the paper's.
 """
 
-from soccer_env.baselines.sacks_2001.team import future, team, tuned
+from soccer_env.baselines.sacks_2001.team import team, team_with_future_work, tuned
 
-__all__ = ["future", "team", "tuned"]
+__all__ = ["team", "team_with_future_work", "tuned"]

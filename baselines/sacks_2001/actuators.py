@@ -1,4 +1,4 @@
-"""The "extended logical actuators" (XLAs): what legs and head can do.  [Sacks 2001, 2]  MS01, MS21
+"""The "extended logical actuators" (XLAs): commands to legs and head.  [Sacks 2001, 2]  MS01, MS21
 
 Each function writes a command. A walk command takes effect when the gait's present step ends.
 
@@ -26,7 +26,7 @@ TOUCHING = 0.15  # [1] of the top speed ahead with which an orbiting robot keeps
 
 @compiled
 def walk_to_ball(command, sight, k, play, speed):
-    """Walk to the point where a rolling ball can be met, turning to that point; `speed` [m/s]."""
+    """Walk at `speed` [m/s] to the point where the player can meet a rolling ball, turning to that point."""
     gap = max(sight.distance - sight.touch, 0.0)
     x, y = predict_ball(sight, k, clip(gap / max(speed, 1e-3), LEAST_DELAY, play.lead))
     dx, dy = x - sight.x, y - sight.y
@@ -42,13 +42,13 @@ def walk_to_ball(command, sight, k, play, speed):
 
 @compiled
 def walk_back(command, sight):
-    """Take steps backwards.  MS23"""
+    """Command steps backwards.  MS23"""
     command.forward = -sight.pace
 
 
 @compiled
 def sidestep(command, sight, side):
-    """Take steps to the left (+1) or right (-1).  MS24"""
+    """Command steps to the left (side +1) or to the right (-1).  MS24"""
     command.left = side * sight.pace
 
 
@@ -70,14 +70,14 @@ def orbit(command, sight, k, play, angle, side):
 
 @compiled
 def turn_with_ball(command, sight, k, play, angle):
-    """Turn by an angle [rad] on the spot while pressing against the ball: the turn for places with no room to orbit."""
+    """Turn by an angle [rad] on the spot while pressing against the ball, where there is no room to orbit."""
     turn_by(command, sight, k, play, angle)
     command.forward = sight.pace
 
 
 @compiled
 def step_with_ball(command, sight, k, play, off, speed, turn):
-    """Push the ball in a direction `off` [rad] from straight ahead at a speed [m/s], turning by `turn` [rad].  MS45"""
+    """Push the ball at a speed [m/s] in a direction `off` [rad] from straight ahead, turning by `turn` [rad].  MS45"""
     ahead, left = speed * cos(off), speed * sin(off)
     command.forward = sight.pace * min(ahead / (k.drive_forward if ahead > 0.0 else k.drive_backward), 1.0)
     command.left = sight.pace * clip(left / max(k.drive_sideways, 1e-6), -1.0, 1.0)
@@ -95,19 +95,19 @@ def point_head(command, k, pan, tilt):
 
 @compiled
 def look_down(command, k):
-    """Look at the ball between the paws."""
+    """Point the head at the ball between the paws."""
     point_head(command, k, 0.0, POCKET_TILT)
 
 
 @compiled
 def look_ahead(command, k):
-    """Look up the field."""
+    """Point the head straight ahead, up the field."""
     point_head(command, k, 0.0, GLANCE_TILT)
 
 
 @compiled
 def glance(command, memory, own, k, play, off, elapsed):
-    """Look up from the ball for a moment while dribbling, to alternate sides of the path, then at the ball again.
+    """While dribbling, look up from the ball for a moment, alternately left and right of the path, then down again.
 
     The look lasts longer if the robot is unsure of its own pose.
     """
@@ -127,7 +127,7 @@ def glance(command, memory, own, k, play, off, elapsed):
 
 @compiled
 def look_around(command, memory, k, bearing, elapsed):
-    """Sweep the head over the field's edge, for landmarks, first towards the side of the ball."""
+    """Sweep the head over the edge of the field to find landmarks, starting on the side of the ball."""
     if memory.side == 0.0:
         memory.side = side_of(bearing)
     memory.scan += elapsed
@@ -140,7 +140,7 @@ def look_around(command, memory, k, bearing, elapsed):
 
 @compiled
 def search_for_ball(command, sight, memory, k, play, bearing, elapsed):
-    """Turn on the spot, to the side where the ball was last, and sweep the head over the field, then the feet."""
+    """Turn on the spot to the side where the ball was last seen, sweeping the head over field and feet."""
     if memory.clock == 0.0 or memory.side == 0.0:
         memory.side = side_of(bearing)
     command.turn = SEARCH_TURN * memory.side * sight.pace

@@ -1,4 +1,4 @@
-"""The times that a player notes before a decision: since a certain sighting of the ball, and since possession.  MS27
+"""Two timers of a player: since a certain sighting of the ball, and since possession of the ball.  MS27
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -20,12 +20,12 @@ AFTER_KICK = 1.0  # [s] for which a robot looks after the ball that it kicked, a
 
 @compiled
 def note_sighting(belief, memory, k, play, elapsed):
-    """Update the time since the ball was certainly seen: in several frames in a row, and on the field.
+    """Update the time since the ball was surely seen, that is in several frames in a row and on the field.
 
     A glimpse may show anything orange, such as the patches behind the boards.
     """
     ball = belief.ball
-    if ball.age > GAP or ball.confidence <= 0.0 or lies_outside(belief, k, play):
+    if ball.age > GAP or ball.confidence <= 0.0 or is_ball_outside(belief, k, play):
         memory.sightings = 0
     elif ball.age < JUST_NOW:
         memory.sightings += 1
@@ -33,8 +33,8 @@ def note_sighting(belief, memory, k, play, elapsed):
 
 
 @compiled
-def lies_outside(belief, k, play):
-    """Tell whether a robot sure of its pose believes the ball behind the boards, by more than the error of ranges."""
+def is_ball_outside(belief, k, play):
+    """Tell whether the ball is believed to lie behind the boards, clearly, by a robot that is sure of its pose."""
     own, ball = belief.own, belief.ball
     if own.confidence < play.unsure:
         return False
@@ -46,7 +46,7 @@ def lies_outside(belief, k, play):
 
 @compiled
 def note_possession(ball, memory, k, play, elapsed):
-    """Update the time since the ball was seen between the paws; a look down that does not show the ball ends it.  MS27
+    """Update the time since the ball was between the paws; a look down that shows no ball ends possession.  MS27
 
     A kick ends the possession too: the robot then looks after the ball.
     """

@@ -1,4 +1,4 @@
-"""What a player of sacks-2001 tells people who watch: its behaviour, its path, and the forces that act on it.
+"""Explanations of sacks-2001 for viewers: a player's behaviour, its path, and the forces on it.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -18,7 +18,7 @@ WAY_SHOWN = 0.5  # [m] of the way of a dribble, which has a direction and no end
 
 
 def plan(mind: DecisionInputs) -> np.ndarray:
-    """Return the path of the player's approach to the ball or of its dribble; the player plans no other paths."""
+    """Return the path of the player's approach to the ball or of its dribble; other paths are not planned."""
     own, ball, memory = mind.beliefs["own"][0], mind.beliefs["ball"][0], mind.memory[0]
     place = np.array([own["x"], own["y"]])
     if memory["behaviour"] == APPROACH:
@@ -29,7 +29,7 @@ def plan(mind: DecisionInputs) -> np.ndarray:
 
 
 def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return the total force on the robot, with its present heading, at each point; the goal replaces `target`."""
+    """Return the total force at each point on the robot, if it stood there; the goal is used in place of `target`."""
     total = np.zeros((len(points), 2))
     beliefs, tracks = mind.beliefs.copy(), mind.tracks.copy()
     force_field(mind.beliefs, mind.tracks, beliefs, tracks, mind.constants, mind.settings, points, total)
@@ -38,10 +38,10 @@ def forces(mind: DecisionInputs, target: np.ndarray, points: np.ndarray) -> np.n
 
 @compiled
 def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, settings, points, total):
-    """Fill in the force at each point, with the code that steers the team's dribbling."""
+    """Compute the force at each point, by the code that steers the team's dribbling."""
     k, play, own, moved = constants[0], settings[0], beliefs[0].own, moved_beliefs[0]
     for i in range(len(points)):
-        move_own_place(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
+        copy_with_own_position(beliefs[0], tracks[0], moved, moved_tracks[0], points[i, 0], points[i, 1])
         goal_x, goal_y = direction_to_goal(moved.own, k)
         pull_x, pull_y = goal_force(goal_x, goal_y, play)
         push_x, push_y = force_of_players(moved, moved_tracks[0], goal_x, goal_y, k, play)
@@ -51,8 +51,8 @@ def force_field(beliefs, tracks, moved_beliefs, moved_tracks, constants, setting
 
 
 @compiled
-def move_own_place(belief, tracks, moved, moved_tracks, x, y):
-    """Move the believed own place to (x, y) in `moved` and `moved_tracks`; other robots stay where they are."""
+def copy_with_own_position(belief, tracks, moved, moved_tracks, x, y):
+    """Copy a belief with the own position moved to (x, y), while other robots stay in place on the field."""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
     ahead, left = into_frame(x - belief.own.x, y - belief.own.y, cosine, sine)
     moved.own.x, moved.own.y = x, y

@@ -1,4 +1,4 @@
-"""Artificial potential fields: the forces of Khatib and Sacks's changes to them.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
+"""Artificial potential fields: Khatib's forces and the changes of Sacks.  [Sacks 2001, 4.2, 4.3]  MS38 to MS44
 
 Robot and players are points (MS44); distances are as sensed: from the camera to a player's surface (MS42). Walls are
 not sensed: their distance follows from the believed own place. Vectors are in metres of the team frame, +x towards the
@@ -19,7 +19,7 @@ NEAREST = 0.01  # [m] a nearer player repels as at this distance: no division by
 
 @compiled
 def goal_force(dx, dy, play):
-    """Return the force towards a goal that lies at (dx, dy) [m]: F = -k1 (x - xg), or of size 1.  MS38, MS40"""
+    """Return the force towards a goal that lies at (dx, dy) [m]: F = -k1 (x - xg), or a unit vector.  MS38, MS40"""
     if play.goal_force == PROPORTIONAL:
         return play.goal_gain * dx, play.goal_gain * dy  # (1)
     away = max(length(dx, dy), NEAREST)
@@ -28,7 +28,7 @@ def goal_force(dx, dy, play):
 
 @compiled
 def repulsion(distance, gain, far, play):
-    """Return the size of the force of an obstacle at a distance [m]: k2 (1/x - 1/x0) / x^(n-1), 0 beyond x0.
+    """Return the magnitude of an obstacle's force at a distance x [m]: k2 (1/x - 1/x0) / x^(n-1), 0 beyond x0.
 
     The exponent n is 3 in theory (MS38), 1 in the end (MS39). Without a cut-off x0 is infinite.
     """
@@ -42,7 +42,7 @@ def repulsion(distance, gain, far, play):
 
 @compiled
 def as_sensed(x, y, k, play):
-    """Convert a player's believed middle x, y to the vector that sensors measure [m], robot frame.  MS42
+    """Convert a player's believed middle x, y to the vector that sensors would measure [m], robot frame.  MS42
 
     The vector goes from the camera, head level, to the player's surface, half a body nearer than its middle (as in
     MS35): beliefs add both to the readings. The setting "middle" keeps the vector from middle to middle, 25 cm longer
@@ -60,7 +60,7 @@ def as_sensed(x, y, k, play):
 
 @compiled
 def player_force(dx, dy, goal_x, goal_y, play):
-    """Return the force of a player at (dx, dy) [m] as sensed, the goal at (goal_x, goal_y).  MS41, MS42
+    """Return the force of a player sensed at (dx, dy) [m], with the goal at (goal_x, goal_y).  MS41, MS42
 
     A factor max(0, cos(angle to player - angle to goal)): players beside or behind the robot do not repel.
     """
@@ -74,7 +74,7 @@ def player_force(dx, dy, goal_x, goal_y, play):
 
 @compiled
 def wall_force(y, half_width, play):
-    """Return the force [y component] of both side walls on a point at y [m]: perpendicular to them.  MS43"""
+    """Return the force of both side walls, along y and perpendicular to them, on a point at y [m].  MS43"""
     if play.walls == 0:
         return 0.0
     to_left, to_right = half_width - y, half_width + y

@@ -26,7 +26,7 @@ def is_shot(ball, play):
 
 @compiled
 def passing_distance(ball):
-    """Return how far to the left of the robot [m] a ball that rolls straight on will pass: d^2 w / speed.  MS53
+    """Return the distance [m] to the left at which a straight rolling ball will pass the robot: d^2 w / speed.  MS53
 
     The estimate needs only the radial and angular velocity relative to the robot.
     """
@@ -37,7 +37,7 @@ def passing_distance(ball):
 
 @compiled
 def meet_shot(command, sight, ball, k, play):
-    """Move sideways to the point where the ball will pass, facing the ball; block it if it passes near enough.  MS53
+    """Move sideways to the point where the ball will pass, facing the ball, and block the ball if it is near.  MS53
 
     Without angular velocity the goalkeeper uses the bearing alone and keeps the ball straight ahead.
     """
@@ -55,7 +55,7 @@ def meet_shot(command, sight, ball, k, play):
 
 @compiled
 def will_block(ball, aside, k, play):
-    """Tell whether to spread the forelegs now for a ball that will pass `aside` [m] to the left.  MS53
+    """Tell whether to spread the forelegs now against a ball that will pass `aside` [m] to the left.  MS53
 
     The legs must reach the ball, and the ball must arrive within half the time for which the legs stay spread. Where
     reactions do not depend on the ball's speed, all balls count as fast.
@@ -82,7 +82,7 @@ def guard(command, sight, k, play):
 
 @compiled
 def may_clear(sight, play, k):
-    """Tell whether the goalkeeper goes for the ball: it is slow and near the goal."""
+    """Tell whether the goalkeeper should go for the ball: the ball is slow and near the goal."""
     near = length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < play.keeper_zone
     speed = length(sight.ball_vx, sight.ball_vy)
     nearly_slow = play.keeper_speed == 1 and speed < 2.0 * SLOW and sight.distance < play.near
@@ -91,6 +91,6 @@ def may_clear(sight, play, k):
 
 @compiled
 def can_clear(situation, sight, k, play):
-    """Tell whether a goalkeeper with the ball kicks it clear now: the goalkeeper faces away from its goal."""
+    """Tell whether a goalkeeper with the ball can kick it clear now: it faces away from its own goal."""
     ux, uy = clearing_direction(sight, k)
     return play.keeper_clears == 1 and situation.keeper == 1 and faces(sight, ux, uy, CLEAR_COSINE)

@@ -1,4 +1,4 @@
-"""What a player of sacks-2001 remembers between two decisions."""
+"""The memory of a player of sacks-2001 between two decisions."""
 
 from soccer_env.guards.ranges import COUNT, ENDLESS, FLAG, LATELY, NUMBER, UNIT, Range, ranged_record
 

@@ -71,7 +71,7 @@ MOST_OFF = 2.8  # [rad] off the goal beyond which an orbit keeps the side it beg
 
 @compiled
 def decide(belief, tracks, memory, command, sight, k, play, elapsed):
-    """Choose a behaviour and do it."""
+    """Choose a behaviour and carry it out, as a command."""
     before = memory.behaviour
     note_sighting(belief, memory, k, play, elapsed)
     note_possession(belief.ball, memory, k, play, elapsed)
@@ -88,7 +88,7 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def leave_penalty_area(memory, command, sight, k, play):
-    """Walk out of the own penalty area and leave a ball in it to the goalkeeper, by the rules, not by the paper."""
+    """Walk out of the own penalty area and leave the ball to the goalkeeper, as the rules demand."""
     in_it = is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius)
     if not leave_area(command, sight, k, play, 0.0) and in_it and memory.behaviour == APPROACH:
         wait_at_area(command, sight, k, play)
@@ -96,7 +96,7 @@ def leave_penalty_area(memory, command, sight, k, play):
 
 @compiled
 def choose_behaviour(belief, tracks, memory, sight, k, play, elapsed):
-    """Return the behaviour for this moment."""
+    """Return the player's behaviour for this control step."""
     situation, ball = belief.situation, belief.ball
     recovers = BACK <= memory.behaviour <= ROTATE
     if recovers:
@@ -119,7 +119,7 @@ def choose_behaviour(belief, tracks, memory, sight, k, play, elapsed):
 
 @compiled
 def wait_for_ball(situation, memory, sight, k, play, has_ball):
-    """Return the behaviour of a player that leaves the ball to other players, or APPROACH if it goes for the ball."""
+    """Return the behaviour of a player that leaves the ball to others, or APPROACH if it should go for the ball."""
     if situation.keeper == 1 and not (has_ball or may_clear(sight, play, k)):
         return GUARD
     if required_ball_distance(situation, k) > 0.0:
@@ -131,14 +131,14 @@ def wait_for_ball(situation, memory, sight, k, play, has_ball):
 
 @compiled
 def is_kicking(memory):
-    """Tell whether the leg winds up for a kick, which the robot can no longer cancel."""
+    """Tell whether the leg is winding up for a kick, which can no longer be cancelled."""
     return (memory.behaviour == SHOOT or memory.behaviour == PASS) and memory.winding > 0.0
 
 
 @compiled
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
-    """Return an attacker's behaviour: approach the ball (or recover when stuck), or play the ball.  MS22, MS26"""
-    if not has_ball or is_contested(belief, tracks, play):
+    """Choose an attacker's behaviour: approach the ball, recover when stuck, or play the ball.  MS22, MS26"""
+    if not has_ball or is_ball_contested(belief, tracks, play):
         watch_approach(belief.ball, memory, k, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
             begin_recovery(memory, k, play)
@@ -163,8 +163,8 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
 
 
 @compiled
-def is_contested(belief, tracks, play):
-    """Tell whether an opponent stands so near ahead that it may have the ball between its paws as well.  MS27"""
+def is_ball_contested(belief, tracks, play):
+    """Tell whether an opponent is so near ahead that the ball may be between its paws as well.  MS27"""
     obstacle = belief.obstacle
     if 0.0 < obstacle.distance < play.contested_range and abs(obstacle.bearing) < play.contested_angle:
         return True
@@ -185,7 +185,7 @@ def choose_aim(sight, memory, k, play):
 
 @compiled
 def act(belief, tracks, memory, command, sight, k, play, elapsed):
-    """Command legs, kicker and head as the behaviour asks."""
+    """Command legs, kicker and head according to the chosen behaviour."""
     chosen = memory.behaviour
     if chosen == SEARCH:
         look_for_ball(belief, memory, command, sight, k, play, elapsed)
@@ -218,7 +218,7 @@ def act(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def has_time_to_look(belief, memory, k, play):
-    """Tell whether a player unsure of its pose has time to look for landmarks now: the ball is not near."""
+    """Tell whether a player unsure of its pose may look for landmarks now, because the ball is not near."""
     chosen = memory.behaviour
     if belief.own.confidence > play.unsure or is_near(belief.ball, k, play):
         return False
@@ -227,7 +227,7 @@ def has_time_to_look(belief, memory, k, play):
 
 @compiled
 def play_ball(belief, tracks, memory, command, sight, k, play, elapsed):
-    """Shoot, pass, orbit or dribble."""
+    """Play the ball at the paws: shoot, pass, orbit or dribble."""
     chosen = memory.behaviour
     look_down(command, k)
     off = wrap(choose_aim(sight, memory, k, play) - sight.heading)
@@ -249,7 +249,7 @@ def play_ball(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
-    """Push the ball along the direction that the potential field gives, chosen anew every play.replan.  MS45"""
+    """Push the ball in the direction of the potential field, computed anew every play.replan.  MS45"""
     memory.replan -= elapsed
     if memory.clock == 0.0 or memory.replan <= 0.0:
         choose_dribble_direction(belief, tracks, memory, k, play)
@@ -264,7 +264,7 @@ def dribble(belief, tracks, memory, command, sight, k, play, elapsed):
 
 @compiled
 def pass_ball(command, memory, sight, k, play):
-    """Turn with the ball to a team-mate and kick softly.  [Sacks 2001, 5]"""
+    """Turn with the ball towards a team-mate and kick softly.  [Sacks 2001, 5]"""
     if is_kicking(memory):
         command.kick = PASS_STRENGTH
         return
@@ -282,7 +282,7 @@ def pass_ball(command, memory, sight, k, play):
 
 @compiled
 def look_for_ball(belief, memory, command, sight, k, play, elapsed):
-    """Turn a full circle on the spot to find the ball; then walk to the player's own place and look again."""
+    """Turn a full circle on the spot to find the ball; then walk to the player's own position and look again."""
     if memory.turned < FULL_TURN:
         search_for_ball(command, sight, memory, k, play, belief.ball.bearing, elapsed)
         return

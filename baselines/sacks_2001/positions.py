@@ -1,4 +1,4 @@
-"""Who goes to the ball, and where the others stand.  [Sacks 2001, 1]
+"""The choice of the player that goes to the ball, and the positions of the others.  [Sacks 2001, 1]
 
 Team-mates tell each other by loudspeaker how far they are from the ball, in words of four bits (MS06). A player that
 believes itself nearer than the others say attacks; the others support.
@@ -22,7 +22,7 @@ ROW = 0.6  # [m] between one pair of supporters and the next behind it, assumed
 
 @compiled
 def choose_role(belief, memory, play, elapsed):
-    """Attack if no team-mate says that it is nearer to the ball; a new role must be right for play.role_time."""
+    """Choose to attack if no team-mate reports to be nearer to the ball; a new role must last for play.role_time."""
     ball, heard = belief.ball, belief.heard
     other = heard.distance if heard.age <= OLD_WORD else inf
     attacks = 1 if ball.filtered_distance <= other else 0
@@ -35,7 +35,7 @@ def choose_role(belief, memory, play, elapsed):
 
 @compiled
 def support(command, sight, memory, situation, k, play, ring):
-    """Stand behind the ball and to one side of it, in pairs by number, at least `ring` [m] away, and face the ball."""
+    """Stand behind and beside the ball, in pairs by number, at least `ring` [m] away, facing the ball."""
     if memory.side == 0.0 or abs(sight.ball_y) > CHANGE_SIDE:
         memory.side = -side_of(sight.ball_y)
     if ring > 0.0 and memory.attacks == 1:
@@ -55,7 +55,7 @@ def support(command, sight, memory, situation, k, play, ring):
 
 @compiled
 def wait_for_restart(command, sight, k, play, ring):
-    """Stand `ring` [m] from the ball, between ball and own goal."""
+    """Stand `ring` [m] from the ball, between the ball and the own goal."""
     home_x, home_y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
     away = max(length(home_x, home_y), 1e-6)
     x, y = sight.ball_x + ring * home_x / away, sight.ball_y + ring * home_y / away
@@ -64,7 +64,7 @@ def wait_for_restart(command, sight, k, play, ring):
 
 @compiled
 def go_home(command, sight, situation, k, play):
-    """Go to the player's own place and face up the field, to wait for a ball that a full turn did not find."""
+    """Go to the player's own position and face up the field, after a full turn did not find the ball."""
     half = 0.25 * k.pitch_width
     y = half if situation.number % 2 == 0 else -half
     x = -0.5 * k.pitch_length + EDGE * k.body_reach if situation.keeper == 1 else -0.15 * k.pitch_length

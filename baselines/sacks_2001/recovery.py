@@ -1,4 +1,4 @@
-"""How a stuck robot gets free: step back, sidestep or rotate, approach again.  [Sacks 2001, 3.4]  MS23 to MS25
+"""Recovery of a stuck robot: step back, sidestep or rotate, approach again.  [Sacks 2001, 3.4]  MS23 to MS25
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -17,7 +17,7 @@ ASIDE = 0.6  # [m] within which players count when a side is chosen, assumed
 
 @compiled
 def begin_recovery(memory, k, play):
-    """Begin the recovery with steps backwards: set the time for them and the clock.  MS23"""
+    """Begin the recovery by steps backwards: set their duration and the clock.  MS23"""
     reset_approach_counters(memory)
     memory.tries += 1
     memory.behaviour, memory.clock = BACK, 0.0
@@ -26,7 +26,7 @@ def begin_recovery(memory, k, play):
 
 @compiled
 def go_on_recovering(belief, tracks, memory, k, play, elapsed):
-    """Choose the next behaviour of the recovery when the present one is over; the last is APPROACH.  MS23, MS25"""
+    """Choose the next behaviour of the recovery when the present behaviour is over; APPROACH ends it.  MS23, MS25"""
     memory.left -= elapsed
     bearing = belief.ball.bearing
     if memory.behaviour == ROTATE and abs(bearing) < FACING:
@@ -49,14 +49,14 @@ def go_on_recovering(belief, tracks, memory, k, play, elapsed):
 
 @compiled
 def side_to_step(belief, tracks, k, play):
-    """Return the side to step to, +1 left, -1 right, that brings the ball between robot and opponents' goal.  MS24
+    """Return the side, +1 left or -1 right, whose sidestep brings the ball between robot and opponents' goal.  MS24
 
     On that side the line from the goal through the ball passes the robot. sacks-2001-future chooses the side with fewer
     players, if the numbers differ.
     """
     own, ball = belief.own, belief.ball
     if play.free_side == 1:
-        crowd = crowd_on_left(tracks, play)
+        crowd = surplus_on_left(tracks, play)
         if crowd != 0:
             return -1.0 if crowd > 0 else 1.0
     cosine, sine = cos(own.heading), sin(own.heading)
@@ -68,8 +68,8 @@ def side_to_step(belief, tracks, k, play):
 
 
 @compiled
-def crowd_on_left(tracks, play):
-    """Return the number of near players on the left less the number on the right."""
+def surplus_on_left(tracks, play):
+    """Return the number of nearby players on the left minus the number on the right."""
     crowd = 0
     for slot in range(tracks.shape[0]):
         track = tracks[slot]

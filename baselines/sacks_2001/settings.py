@@ -20,7 +20,7 @@ ANGLE = (0.0, pi)
 
 @dataclass(frozen=True)
 class SacksSettings(Options):
-    """How sacks-2001 decides; `make_team("sacks-2001", recovery=False)` changes a switch by name."""
+    """The settings of sacks-2001; `make_team("sacks-2001", recovery=False)` changes a switch by name."""
 
     NAMES = {"goal_force": GOAL_FORCES, "distance_from": DISTANCES}
     BOUNDS = {

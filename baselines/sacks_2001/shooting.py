@@ -1,4 +1,4 @@
-"""When to shoot, where, and whom to pass to.  [Sacks 2001, 4, 5]  MS26, MS53
+"""Decisions to shoot, the target of a shot, and the receiver of a pass.  [Sacks 2001, 4, 5]  MS26, MS53
 
 "Our strategy had essentially been to get to the ball, orbit to face the opponent's goal, and then shoot": without
 avoidance the team still does so, whoever stands in the way. Dribbling came in to get "around other players": while
@@ -21,7 +21,7 @@ WIDEST_PASS = 1.2  # [rad] beside straight ahead, assumed
 
 @compiled
 def choose_target(sight, k, play):
-    """Return the unit vector from the ball to the middle of the goal; with `choose_shots`, to the goal's open part."""
+    """Return the unit vector from the ball to the middle of the goal, or with `choose_shots` to its open part."""
     if play.choose_shots == 1:
         ux, uy, room = choose_shot(sight, k)
         if room > play.shot_room:
@@ -33,7 +33,7 @@ def choose_target(sight, k, play):
 
 @compiled
 def may_shoot(belief, tracks, sight, memory, k, play):
-    """Tell whether to shoot as soon as the robot faces the goal: it need not dribble round another player.  MS26"""
+    """Tell whether the robot may shoot once it faces the goal, because no player is in its way.  MS26"""
     if play.shoots == 0:
         return False
     if play.choose_shots == 1:
@@ -43,7 +43,7 @@ def may_shoot(belief, tracks, sight, memory, k, play):
 
 @compiled
 def is_somebody_in_way(belief, tracks, k, play):
-    """Tell whether any other player repels the robot on its way to the goal.  MS26, MS41"""
+    """Tell whether the force of any other player repels the robot on its way to the goal.  MS26, MS41"""
     goal_x, goal_y = direction_to_goal(belief.own, k)
     x, y = force_of_players(belief, tracks, goal_x, goal_y, k, play)
     return x != 0.0 or y != 0.0
@@ -51,7 +51,7 @@ def is_somebody_in_way(belief, tracks, k, play):
 
 @compiled
 def is_shot_open(sight, memory, k, play):
-    """Tell whether a kick straight ahead would go in between the posts, from not too far, past the opponents."""
+    """Tell whether a kick straight ahead would score: between the posts, past the opponents, within range."""
     x = 0.5 * k.pitch_length - sight.ball_x
     if length(x, sight.ball_y) > play.shot_range:
         return False
@@ -61,7 +61,7 @@ def is_shot_open(sight, memory, k, play):
 
 @compiled
 def find_pass(sight, k, play):
-    """Return the index in `sight` of the team-mate to pass to, the farthest up the field within reach; -1 for none."""
+    """Return the index in `sight` of the team-mate to pass to: the most advanced within reach, -1 for none."""
     _, _, room = choose_shot(sight, k)
     if room > play.shot_room:
         return -1

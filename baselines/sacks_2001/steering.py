@@ -1,4 +1,4 @@
-"""Where a dribbling robot goes: the total force, held near the goal's direction.  [Sacks 2001, 4.3]  MS45 to MS49
+"""The direction of a dribble: the total force, limited to near the goal's direction.  [Sacks 2001, 4.3]  MS45 to MS49
 
 forces on the robot  ->  direction  ->  at most 70 degrees off the goal (MS46, MS47)  ->  at most 45 or 55 degrees
 off straight ahead (MS48)  ->  a step of 3.5 cm (MS45)
@@ -26,7 +26,7 @@ def direction_to_goal(own, k):
 
 @compiled
 def choose_dribble_direction(belief, tracks, memory, k, play):
-    """Choose the direction of a dribble: memory.way [rad], team frame, and its side of the goal's direction."""
+    """Choose the dribble's direction memory.way [rad], team frame, and the side of the goal's direction it lies on."""
     own = belief.own
     goal_x, goal_y = direction_to_goal(own, k)
     pull_x, pull_y = goal_force(goal_x, goal_y, play)
@@ -34,16 +34,16 @@ def choose_dribble_direction(belief, tracks, memory, k, play):
     push_y += wall_force(own.y, 0.5 * k.pitch_width, play)
     off = limited(pull_x, pull_y, push_x, push_y, memory.way_side, play)
     if play.decisive == 1 and off * memory.way_side < 0.0:
-        off = abs(off) * better_side(belief, tracks, goal_x, goal_y, memory.way_side, k, play)
+        off = abs(off) * side_with_fewer_players(belief, tracks, goal_x, goal_y, memory.way_side, k, play)
     off = delay_side_change(memory, off, play)
     memory.way = wrap(atan2(goal_y, goal_x) + off)
 
 
 @compiled
 def force_of_players(belief, tracks, goal_x, goal_y, k, play):
-    """Return the sum of the players' forces, team frame; the ranger's obstacle replaces the matching player.  MS49"""
+    """Return the summed force of other players, team frame; the ranger's obstacle replaces its player.  MS49"""
     cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
-    replaced = player_behind(belief.obstacle, tracks, k, play)
+    replaced = player_of_obstacle(belief.obstacle, tracks, k, play)
     push_x = push_y = 0.0
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
@@ -62,14 +62,14 @@ def force_of_players(belief, tracks, goal_x, goal_y, k, play):
 
 @compiled
 def obstacle_as_sensed(obstacle, k, play):
-    """Return the vector [m], robot frame, to the ranger's obstacle; its length is the ranger's reading.  MS42, MS49"""
+    """Return the vector [m], robot frame, to the ranger's obstacle, as long as the ranger's reading.  MS42, MS49"""
     x, y = obstacle.distance * cos(obstacle.bearing), obstacle.distance * sin(obstacle.bearing)
     return as_sensed(x, y, k, play)
 
 
 @compiled
-def player_behind(obstacle, tracks, k, play):
-    """Return the track's slot of the player that the ranger's obstacle must be, the nearest in bearing, or -1.  MS49"""
+def player_of_obstacle(obstacle, tracks, k, play):
+    """Return the slot of the tracked player that the ranger's obstacle is, the nearest in bearing, or -1.  MS49"""
     best, nearest = -1, SAME
     if play.infrared_obstacle == 1 and obstacle.distance > 0.0:
         to_x, to_y = obstacle_as_sensed(obstacle, k, play)
@@ -83,7 +83,7 @@ def player_behind(obstacle, tracks, k, play):
 
 @compiled
 def limited(pull_x, pull_y, push_x, push_y, side, play):
-    """Return the angle [rad] from the goal's direction to the total force, left positive, within play.goal_limit.  MS46
+    """Return the angle [rad], left positive, from goal direction to total force, clipped to play.goal_limit.  MS46
 
     MS47: where the players' force points away from the goal, by more than 135 degrees, the robot keeps its side, `side`
     (+1, -1, 0 for none).
@@ -105,7 +105,7 @@ def angle_between(ax, ay, bx, by):
 
 @compiled
 def delay_side_change(memory, off, play):
-    """Return the angle off the goal's direction; it changes side only after play.patience requests in a row.  4.3.3"""
+    """Return the angle to the goal's direction; its sign changes only after play.patience requests in a row.  4.3.3"""
     if off == 0.0:
         return off
     side = side_of(off)
@@ -117,8 +117,8 @@ def delay_side_change(memory, off, play):
 
 
 @compiled
-def better_side(belief, tracks, goal_x, goal_y, side, k, play):
-    """Return the side, +1 or -1, with fewer and farther players; the present side unless it is clearly worse."""
+def side_with_fewer_players(belief, tracks, goal_x, goal_y, side, k, play):
+    """Return the side, +1 or -1, with fewer and farther players; the present side unless clearly worse."""
     left = right = 1e-6
     goal = atan2(goal_y, goal_x)
     for slot in range(tracks.shape[0]):
@@ -136,7 +136,7 @@ def better_side(belief, tracks, goal_x, goal_y, side, k, play):
 
 @compiled
 def off_ahead(belief, tracks, memory, k, play):
-    """Return the direction of the next step off straight ahead [rad], at most 45 degrees, so as to keep the ball.  MS48
+    """Return the direction [rad] of the next step from straight ahead, at most 45 degrees, to keep the ball.  MS48
 
     The limit is 55 degrees if another player stands right ahead: with less, the legs interlock.
     """
@@ -149,7 +149,7 @@ def off_ahead(belief, tracks, memory, k, play):
 
 @compiled
 def is_blocked(belief, tracks, k, play):
-    """Tell whether another player stands right ahead.  MS48"""
+    """Tell whether another player stands directly ahead.  MS48"""
     if play.infrared_obstacle == 1 and belief.obstacle.distance > 0.0:
         x, y = obstacle_as_sensed(belief.obstacle, k, play)
         if is_right_ahead(x, y, play):
@@ -171,5 +171,5 @@ def is_right_ahead(x, y, play):
 
 @compiled
 def step_speed(k, play):
-    """Return the speed [m/s] of steps of play.step_length, one in each gait step.  MS45"""
+    """Return the speed [m/s] of steps of play.step_length, one per gait step.  MS45"""
     return play.step_length / max(k.gait_steps * k.dt, k.dt)

@@ -1,4 +1,4 @@
-"""How a robot notices that it is stuck: the ball does not come nearer.  [Sacks 2001, 3.3]  MS19, MS20, MS22
+"""Detection that a robot is stuck, because the ball does not come nearer.  [Sacks 2001, 3.3]  MS19, MS20, MS22
 
 The planner tests this only while the robot tries to get to the ball (MS22).
 
@@ -16,7 +16,7 @@ ROUNDING = 1e-9
 
 @compiled
 def watch_approach(ball, memory, k, play, elapsed):
-    """Update both counters for `elapsed` [s] of approach: net readings without progress, and time near the ball.
+    """Update both counters of an approach: readings without progress, and time near the ball.
 
     MS19: +1 if the radial velocity is near zero or positive, -1 if it is significantly less than zero, never below
     zero; between the two the counter rests. The bands do not widen with the error of a velocity. However large the
@@ -41,7 +41,7 @@ def watch_approach(ball, memory, k, play, elapsed):
 
 @compiled
 def is_stuck(ball, memory, k, play):
-    """Tell whether the robot is stuck: the first counter has tripped, and near the ball the second one too.  MS20"""
+    """Tell whether the robot is stuck: the first counter is over its limit, and near the ball the second too.  MS20"""
     if memory.stuck < play.stuck_count:
         return False
     return play.two_counters == 0 or not is_near(ball, k, play) or memory.near >= play.near_time
@@ -49,13 +49,13 @@ def is_stuck(ball, memory, k, play):
 
 @compiled
 def is_near(ball, k, play):
-    """Tell whether the ball, by the steadier filtered estimate, is near enough for shorter steps.  MS20"""
+    """Tell whether the ball is near enough for shorter steps, by the filtered distance.  MS20"""
     return distance_from_camera(ball.filtered_distance, ball.filtered_bearing, k) < play.near
 
 
 @compiled
 def distance_from_camera(distance, bearing, k):
-    """Convert a ball's distance from the body's middle to its ground distance [m] from the camera, head level, ahead.
+    """Convert a ball's distance [m] from the body's middle to the distance from the camera, head level and ahead.
 
     The paper's ranges are readings, which count from the camera.
     """
@@ -64,7 +64,7 @@ def distance_from_camera(distance, bearing, k):
 
 @compiled
 def share_of_step(ball, k, play):
-    """Return the share [1] of a full step to take on the approach: proportional to the distance once the ball is near.
+    """Return the fraction [1] of a full step for the approach: proportional to the distance near the ball.
 
     "our robots take smaller steps when they get close to the ball to avoid inadvertently kicking it away, and thus the
     ball's relative velocity drops close to zero": 35 cm is where "its step size begins to decrease", `near_step` of a
@@ -76,7 +76,7 @@ def share_of_step(ball, k, play):
 
 @compiled
 def reset_approach_counters(memory):
-    """Set the counters of the approach to zero."""
+    """Reset both counters of the approach to zero."""
     memory.stuck = 0
     memory.near = 0.0
     memory.reading = 0.0

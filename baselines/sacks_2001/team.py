@@ -22,12 +22,12 @@ FUTURE = {"passes": True, "keeper_speed": True, "keeper_blocks": True, "free_sid
 
 
 def team(strength: float = 1.0, **changes: Any) -> CompiledTeam:
-    """Return the team; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
+    """Return sacks-2001; `changes` are settings by name. ValueError for an unknown name or an invalid value."""
     settings = SacksSettings().changed({"strength": strength, **changes})
     return CompiledTeam("sacks-2001", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
 
 
-def future(strength: float = 1.0, **changes: Any) -> CompiledTeam:
+def team_with_future_work(strength: float = 1.0, **changes: Any) -> CompiledTeam:
     """Return the team with the paper's future work: passes, better goalkeeper, sidesteps and decisions."""
     settings = SacksSettings().changed({"strength": strength, **FUTURE, **changes})
     return CompiledTeam("sacks-2001-future", KERNEL, MEMORY, settings.record(), FAMILIES, settings, explains=EXPLAINS)
@@ -41,7 +41,7 @@ def tuned(strength: float = 1.0, **changes: Any) -> CompiledTeam:
 
 @compiled
 def act(belief, tracks, memory, noise, command, k, play, sight):
-    """Decide, or repeat the last decision until it is time for the next."""
+    """Make a new decision if it is due, else repeat the last command."""
     if memory.begun == 0:
         memory.begun = 1
         memory.had_ball = NEVER

@@ -1,12 +1,12 @@
-"""What robots believe: percepts and memory in, beliefs and tracks out; the truth is out of reach here.
+"""Beliefs of robots, computed from percepts and memory, without access to the truth.
 
-    believing.py   The loop over matches and robots in which robots update their beliefs and talk.
-    legged/        What legged robots believe: ball, other players, obstacle and own pose, and where the head looks.
-    odometry.py    Where a remembered thing lies after the robot itself has moved.
-    omni/          What middle-size robots believe: ball and players by filters, own pose by lines, reports by radio.
-    own_pose.py    Where a robot believes itself to be: by a given pose, by particles, or by odometry.
-    particles.py   Particles: many poses at which a robot may be, moved with it and kept where they fit what it sees.
-    talk.py        What team-mates tell each other, by loudspeaker or by radio: messages that take time and get lost.
+    believing.py   The compiled loop over matches and robots that updates beliefs and exchanges messages.
+    legged/        Beliefs of legged robots: ball, other players, obstacle, own pose; control of the head.
+    odometry.py    Correction of remembered positions for the robot's own motion.
+    omni/          Beliefs of middle-size robots: ball, other players, own pose, reports by radio.
+    own_pose.py    The own pose in a robot's belief: from a given pose, from particles, or from odometry.
+    particles.py   Particles: possible poses of a robot, moved with the robot and resampled by its measurements.
+    talk.py        Messages between team-mates, by loudspeaker or by radio, which are delayed and can be lost.
 
 Each kind of robot has a folder; the modules here serve all robots. perception/ makes the percepts.
 """

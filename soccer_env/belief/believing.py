@@ -1,4 +1,4 @@
-"""The loop over matches and robots in which robots update their beliefs and talk, the same for every kind of robot.
+"""The compiled loop over matches and robots that updates beliefs and exchanges messages, shared by all kinds of robots.
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
@@ -24,7 +24,7 @@ class BeliefArrays(NamedTuple):
 
 
 class MemoryNumbers(NamedTuple):
-    """The constants and settings that beliefs read."""
+    """The constants and settings that the update of beliefs reads."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     sensors: np.ndarray  # (1,) record of the league's sensors
@@ -36,7 +36,7 @@ class MemoryNumbers(NamedTuple):
 def make_belief_kernel(
     make_scratch: Callable[..., Any], believe_robot: Callable[..., None], talk: Callable[..., None]
 ) -> Callable[..., None]:
-    """Compile and return the loop over matches and robots of one kind of robot.
+    """Compile the belief loop over matches and robots for one kind of robot; return the compiled function.
 
     believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scratch, k, s, w, table) updates one robot;
     make_scratch() returns the `scratch` arrays for it. The robot's rows are separate arguments, since each array in a

@@ -1,4 +1,4 @@
-"""Where a remembered thing lies after the robot itself has moved.  [Sacks 2001, 3.1.1, 4.1.2]  MS15, MS36"""
+"""Correction of remembered positions for the robot's own motion.  [Sacks 2001, 3.1.1, 4.1.2]  MS15, MS36"""
 
 from math import cos, sin
 
@@ -19,7 +19,7 @@ def read_odometry(odometry):
 
 @compiled
 def move_point(x, y, forward, left, turn):
-    """Convert a fixed point of the ground to the robot frame after the robot's own motion.  MS15, MS36
+    """Convert a fixed point on the ground from the old to the new robot frame, after the robot's motion.  MS15, MS36
 
     x, y: the point in the old frame [m]; forward, left: the displacement [m] in the old axes; turn [rad], left
     positive. Exact for any motion: only the first and the last pose of a rigid body count, not the path between.

@@ -1,4 +1,4 @@
-"""Where a robot believes itself to be: by a given pose, by particles, or by odometry.  MH08
+"""The own pose in a robot's belief: from a given pose, from particles, or from odometry.  MH08
 
 * it has just been placed, and was told where: that pose, with all particles put round it;
 * it senses a noisy pose (`pose="percept"`): that pose, which costs next to nothing;
@@ -53,7 +53,7 @@ POSE_MEMORY = ranged_record(
 
 @compiled
 def is_crowded(tracks, k):
-    """Return 1 if another player is believed near enough to touch the robot, else 0.
+    """Return 1 if another player is believed to be near enough to touch the robot, else 0.
 
     No sensor feels that the robot is pushed or held (MS06), but the robot sees the player that may do so.
     """
@@ -66,7 +66,7 @@ def is_crowded(tracks, k):
 
 @compiled
 def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
-    """Update the own pose from odometry or a given pose; return whether the particles are due for an update.
+    """Update the own pose by odometry or a given pose; return whether the particles must be updated now.
 
     crowded: 1 while another player may be pushing or holding the robot, which cannot feel that.
     """
@@ -80,7 +80,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
         if body.pose == POSE_TOLD and particles.shape[0] > 0:
             hand = np.float64(body.handedness)
             place_particles(particles, own, s.place_noise, s.place_turn_noise, noise, hand)
-            forget_motion(memory)
+            reset_motion(memory)
             memory.begun = 1
             memory.fast = 1.0
             memory.slow = w.pose_fit
@@ -103,7 +103,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
 
 @compiled
 def add_motion(memory, forward, left, turn, crowded):
-    """Add a frame's odometry [m, m, rad], and the time with a player near [s], to the sums of motion."""
+    """Add a frame's odometry [m, m, rad], and the time with another player nearby [s], to the accumulated motion."""
     cosine, sine = cos(memory.turn), sin(memory.turn)
     ahead, aside = out_of_frame(forward, left, cosine, sine)
     memory.ahead += ahead
@@ -116,15 +116,15 @@ def add_motion(memory, forward, left, turn, crowded):
 
 
 @compiled
-def forget_motion(memory):
-    """Reset the sums of odometry."""
+def reset_motion(memory):
+    """Reset the accumulated motion to zero."""
     memory.ahead = memory.left = memory.turn = memory.path = memory.turned = memory.crowded = 0.0
     memory.frames = 0
 
 
 @compiled
 def take_summed_motion(memory, k, w):
-    """Return the motion since the particles were moved, in the form for `move_particle`, and reset the sums.
+    """Return the motion since the last particle update, as `move_particle` takes it, and reset it to zero.
 
     The motion's deviations grow with the distance (feet and wheels slip), with time, and most of all while another
     player is near: legs and wheels do not feel that the body is pushed, turned or held.
@@ -135,19 +135,19 @@ def take_summed_motion(memory, k, w):
     spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.crowded
     turn_spread = w.pose_slip * memory.turned + w.pose_turn_drift * passed + w.pose_push_turn * memory.crowded
     stuck = w.pose_stuck if memory.crowded == 0.0 else HELD
-    forget_motion(memory)
+    reset_motion(memory)
     return ahead, left, turn, spread, turn_spread, stuck
 
 
 @compiled
 def field_half_size(k):
-    """Return half the length and half the width [m] of the area where a robot can be: pitch and band."""
+    """Return half the length and half the width [m] of the area open to robots: the pitch and the band around it."""
     return 0.5 * k.pitch_length + k.pitch_band_end, 0.5 * k.pitch_width + k.pitch_band_side
 
 
 @compiled
 def move_without_measurements(own, memory, particles, noise, hand, k, w):
-    """Move the particles after PATIENCE updates without any measurement.
+    """Move the particles by odometry alone, after PATIENCE updates without any measurement.
 
     The confidence is then the share of particles that are still near the pose.
     """
@@ -161,7 +161,7 @@ def move_without_measurements(own, memory, particles, noise, hand, k, w):
 
 @compiled
 def estimate_and_resample(own, memory, particles, seen, noise, w):
-    """Estimate the own pose from particles weighed by `seen` measurements; resample; return whether some are free.
+    """Estimate the own pose from particles weighed by `seen` measurements, and resample; return whether any are free.
 
     Free particles have weight 0 and need new poses. The confidence is the share of weight in the heaviest cluster,
     lower for a wide cluster and for a bad fit.

@@ -1,4 +1,4 @@
-"""Particles: many poses at which a robot may be, moved with it and kept where they fit what it sees.  MH08
+"""Particles: possible poses of a robot, moved with the robot and resampled by how well they fit its measurements.  MH08
 
 Monte-Carlo localisation [Fox, Burgard, Dellaert, Thrun 1999; Heinemann et al. 2006, 1, reference 2]:
 
@@ -40,13 +40,13 @@ PARTICLE = ranged_record(
 
 @compiled
 def draw_triangular(noise):
-    """Draw from the triangular distribution of mean 0 and deviation 1: cheap, and without outliers."""
+    """Draw a number from the triangular distribution of mean 0 and deviation 1: fast, and without outliers."""
     return TRIANGLE * (draw_uniform(noise, PARTICLES) + draw_uniform(noise, PARTICLES) - 1.0)
 
 
 @compiled
 def bounded_cost(square, most):
-    """Return the cost of a squared error [sd2]: half of it when small, at most half of `most` for an outlier.
+    """Return the cost of a squared error [sd2]: half the square for small errors, at most half of `most` for outliers.
 
     Half of e2 / (1 + e2 / most), the shape of the error of [Lauer, Lange, Riedmiller 2006].
     """
@@ -66,7 +66,7 @@ def place_particles(particles, own, spread, turn_spread, noise, hand):
 
 @compiled
 def scatter_particles(particles, half_length, half_width, noise, hand):
-    """Draw all particles uniformly over the field, since nothing is known."""
+    """Draw all particles uniformly over the field, for a robot that knows nothing of its pose."""
     for i in range(particles.shape[0]):
         scatter_particle(particles[i], half_length, half_width, noise, hand)
 
@@ -102,14 +102,14 @@ def move_particle(particle, motion, half_length, half_width, noise, hand):
 
 @compiled
 def move_particles(particles, motion, half_length, half_width, noise, hand):
-    """Move all particles without weighing them."""
+    """Move all particles by the robot's motion with noise, without weighing them."""
     for i in range(particles.shape[0]):
         move_particle(particles[i], motion, half_length, half_width, noise, hand)
 
 
 @compiled
 def weights_from_costs(particles):
-    """Turn costs into weights, 1 for the best; return the sum of weights, the mean cost, and the index of the best."""
+    """Replace the particles' costs by weights, 1 for the best; return sum of weights, mean cost, index of the best."""
     best = 0
     summed = 0.0
     for i in range(particles.shape[0]):
@@ -126,7 +126,7 @@ def weights_from_costs(particles):
 
 @compiled
 def share_to_redraw(memory, fit, w):
-    """Return the share of particles to draw anew, from the fit in (0, 1] of the particles to the measurements.
+    """Return the share of particles to draw anew, given how well (0 to 1) the particles fit the measurements.
 
     The share rises as the short-term average of the fit falls below the long-term average, or below the expected fit of
     a robot that knows its pose.  [Gutmann, Fox 2002; Lenser, Veloso 2000]
@@ -169,7 +169,7 @@ def cluster_near(particles, x, y, heading, w):
 
 @compiled
 def estimate_pose(particles, own, total, best, w):
-    """Take the mean of the heaviest cluster as the own pose; return the cluster's weight and squared spread [m2].
+    """Set the own pose to the mean of the heaviest cluster; return the cluster's weight and squared spread [m2].
 
     The cluster round the believed pose is left only for a clearly heavier one: the mean of two clusters would lie in
     neither.
@@ -214,7 +214,7 @@ def resample(particles, total, kept, noise):
 
 @compiled
 def draw_from_sighting(particle, sight, half_length, half_width, noise, hand):
-    """Draw a particle's pose from which a known thing is seen at its measured bearing, and at its range if known.
+    """Draw a particle's pose from which a known object would be seen at its measured bearing, and range if known.
 
     sight: x, y of the thing [m], its direction as a unit vector of the robot frame, its range [m] (0 unknown), the
     relative error of the range, and x, y of the camera in the robot frame [m].

@@ -1,4 +1,4 @@
-"""What team-mates tell each other, by loudspeaker or by radio: messages that take time and get lost.  MS06, MH05
+"""Messages between team-mates, by loudspeaker or by radio, which are delayed and can be lost.  MS06, MH05
 
 All robots speak in the same frames; a message arrives a while later at all team-mates, or is lost for all. A robot has
 one message on its way at a time: it does not speak before the last one has arrived.
@@ -25,7 +25,7 @@ REMEMBERED = 2.0  # periods for which a word counts after its arrival
 
 
 def message_dtype(kind: np.dtype) -> np.dtype:
-    """Return the dtype of a robot's messages, for a `kind` of report: words or radio reports."""
+    """Return the dtype of a robot's messages, for one `kind` of report: words or radio reports."""
     return ranged_record(
         [
             ("reports", kind, (2,)),  # the last one that arrived, and the one on its way
@@ -40,14 +40,14 @@ def message_dtype(kind: np.dtype) -> np.dtype:
 
 @compiled
 def frames_between(period, delay, k):
-    """Return the frames between two messages of a robot, and the frames that a message is on its way."""
+    """Return the number of frames between two messages of a robot, and the number of frames of a message's delay."""
     wait = int(delay / k.dt + 0.5)
     return max(int(period / k.dt + 0.5), wait, 1), wait
 
 
 @compiled
 def deliver_message(message, frame):
-    """Mark the message on its way as arrived, if it is due in this frame."""
+    """Mark a robot's message as arrived, if it is due in this frame."""
     if message.flying == 1 and frame >= message.due:
         message.latest = 1 - message.latest
         message.known = message.fresh = 1
@@ -56,14 +56,14 @@ def deliver_message(message, frame):
 
 @compiled
 def send_report(message, frame, wait, lost):
-    """Send the report that was written, due `wait` frames later, unless it is lost."""
+    """Send the written report, which arrives `wait` frames later unless it is lost."""
     message.reports[1 - message.latest].frame = frame
     message.flying, message.due = 0 if lost else 1, frame + wait
 
 
 @compiled
 def hear_word(heard, messages, r, frame, frames, k, home, rows):
-    """Fill in the word heard from the team-mate nearest to the ball, out of messages at most `frames` old.
+    """Write the word heard from the team-mate nearest to the ball, of messages at most `frames` frames old.
 
     Team-mates with equal distances and equally old messages say the same word, so that either may be taken.
     """

@@ -1,4 +1,4 @@
-"""The parts behind `soccer_env.compiled`: functions become machine code, which is kept on disk.
+"""The implementation of `soccer_env.compiled`: functions become machine code, which is cached on disk.
 
 inner.py        functions that only kernels call are compiled inside their callers
 stops.py        points at which a signal may end compiling

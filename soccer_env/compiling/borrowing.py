@@ -1,4 +1,4 @@
-"""Arrays that a kernel borrows: numba then counts no references to them.
+"""Arrays without reference counts, for speed: numba does not count references to the arrays that a kernel borrows.
 
 numba counts a reference for each array, and each view of a row, that is passed to a function that is not inlined: two
 atomic additions a call, each as slow as ten plain ones. A step of a match makes hundreds of such calls, which took a
@@ -16,13 +16,13 @@ from soccer_env.compiling.numba_parts import cgutils
 
 
 def borrow_arrays(given):
-    """Return an array, or a tuple of arrays and numbers, without owners; for use in compiled functions only."""
+    """Return an array, or a tuple of arrays and numbers, without reference counts; for compiled functions only."""
     return given
 
 
 @compiled
 def keep_alive(given):
-    """Keep a borrowed array, or a tuple of arrays, alive until here."""
+    """Keep an array, or a tuple of arrays, alive up to this call, while the array is borrowed elsewhere."""
 
 
 @overload(borrow_arrays)
@@ -39,7 +39,7 @@ def _build_without_owner(context, builder, signature, arguments):
 
 
 def _strip_owners(context, builder, kind, value):
-    """Return the LLVM value of a numba type, without the owners of its arrays."""
+    """Return the LLVM value of a numba type without the owners of its arrays, so that no references are counted."""
     if isinstance(kind, types.BaseTuple):
         kinds: Any = kind  # mypy does not know that it can be gone through
         parts = zip(kinds, cgutils.unpack_tuple(builder, value, len(kind)), strict=True)

@@ -45,7 +45,7 @@ config: Any = numba.config
 
 
 def is_cached(function: Any) -> bool:
-    """Tell whether a function with its present sources is on disk, for any types of arguments.
+    """Tell whether a compiled version of a function's present source is on disk, for any types of arguments.
 
     Also True if the function cannot be stored, because a source file has changed since this process read it.
     """
@@ -55,21 +55,21 @@ def is_cached(function: Any) -> bool:
 
 
 class _ResultFormat(BaseResult):  # type: ignore[misc]
-    """Turn compile results into picklable objects and back, as numba does, without a search for a cache folder."""
+    """The conversion of compile results to picklable objects and back, as in numba, without a cache folder."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._lineno = function.__code__.co_firstlineno
         self._locator = SimpleNamespace(_py_file=function.__code__.co_filename)  # where warnings point
 
     def rebuild(self, target_context: Any, payload: Any) -> Any:
-        """Return the compile result of a stored payload."""
+        """Return the compile result from a stored payload."""
         if payload[0][1] != INNER:
             return super().rebuild(target_context, payload)
         return super().rebuild(InnerTarget(target_context), payload)._replace(target_context=target_context)
 
 
 class SourceCache(Base):  # type: ignore[misc]
-    """The cache of one function, with the methods that numba's Dispatcher calls."""
+    """The disk cache of one compiled function, with the methods that numba's Dispatcher calls."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._function = function
@@ -81,19 +81,19 @@ class SourceCache(Base):  # type: ignore[misc]
 
     @property
     def cache_path(self) -> str:
-        """Return the first folder of the cache."""
+        """Return the cache's first folder."""
         return str(cache_folders()[0])
 
     def enable(self) -> None:
-        """Use the files on disk from now on."""
+        """Use the cache on disk from now on."""
         self._enabled = True
 
     def disable(self) -> None:
-        """Ignore the files on disk from now on."""
+        """Ignore the cache on disk from now on."""
         self._enabled = False
 
     def flush(self) -> None:
-        """Delete the files of all compiled versions of this function."""
+        """Delete the cached files of all compiled versions of this function."""
         for folder in cache_folders():
             _delete(folder.glob(f"{self.name}.*"))
 
@@ -129,7 +129,7 @@ class SourceCache(Base):  # type: ignore[misc]
                     return
 
     def _key(self, sig: Any, codegen: Any, inner: bool) -> tuple[str, Any]:
-        """Return the source hash and the full key; key None: the result must not be stored."""
+        """Return the source hash and the full cache key; a key of None means that the result must not be stored."""
         if not self._enabled or " at 0x" in str(sig):  # a function as an argument: its address changes
             return "", None
         identity = _function_hashes(self._function)
@@ -148,7 +148,7 @@ class SourceCache(Base):  # type: ignore[misc]
 
 
 def _function_hashes(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tuple[str, ...] | None:
-    """Return hashes of the sources, the byte code and the closure of a function; None if a hash is unknown."""
+    """Return the hashes of a function's sources, byte code and closure; None if one of them cannot be computed."""
     stamp = source_stamp(function.__module__, Path(function.__code__.co_filename).resolve())
     cells = tuple(_cell_hash(cell.cell_contents, (*outer, function)) for cell in function.__closure__ or ())
     if stamp is None or None in cells:
@@ -179,7 +179,7 @@ def _sha(content: bytes) -> str:
 
 @functools.cache
 def cache_folders() -> tuple[Path, ...]:
-    """Return the folders of the cache: all are read, and the first writable one is written to."""
+    """Return the cache's folders: all are searched, and the first writable folder gets new files."""
     chosen = os.environ.get("SOCCER_ENV_CACHE")
     return (Path(chosen) if chosen else _user_folder(), *_temporary_folder())
 
@@ -193,14 +193,14 @@ def _user_folder() -> Path:
 
 
 def _temporary_folder() -> Iterator[Path]:
-    """Yield a folder inside the temporary folder, unless its name is a link."""
+    """Yield a folder inside the system's temporary folder, unless the name is already taken by a link."""
     path = Path(tempfile.gettempdir()) / f"{PACKAGE}-{os.getuid() if hasattr(os, 'getuid') else 0}"
     if not path.is_symlink():
         yield path
 
 
 def _is_private(folder: Path) -> bool:
-    """Tell whether a folder exists, belongs to the user or to the system, and is not writable by everybody."""
+    """Tell whether a folder exists, belongs to the user or the system, and is not writable by everybody."""
     try:
         status = folder.stat()
     except OSError:
@@ -215,7 +215,7 @@ def _is_private(folder: Path) -> bool:
 
 @functools.cache
 def _is_safe_from_swaps(folder: Path) -> bool:
-    """Tell whether other users cannot replace the folder: parents that all may write to must be sticky."""
+    """Tell whether other users cannot replace the folder: parents writable by everybody must be sticky."""
     for above in {*folder.absolute().parents, *folder.resolve().parents}:
         status = above.stat()
         kept = status.st_mode & stat.S_ISVTX and status.st_uid in (os.getuid(), 0)
@@ -226,7 +226,7 @@ def _is_safe_from_swaps(folder: Path) -> bool:
 
 @functools.cache
 def _warn_of_unused_folder(folder: Path) -> None:
-    """Print once that a folder of the cache is not used, and why."""
+    """Print once that a folder is not used as a cache, and the reason."""
     if os.environ.get("SOCCER_ENV_QUIET", "0") in ("", "0"):
         why = "it is another user's, or anybody can write to it or above it, and compiled code in it would be executed"
         print(f"{PACKAGE}: the cache {folder} is not used: {why}", file=sys.stderr, flush=True)
@@ -244,7 +244,7 @@ def _load(path: Path, key: Any) -> Any:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Write a file that other processes see either whole or not at all."""
+    """Write a file atomically: other processes see either the whole file or none."""
     aside = path.with_name(f"{path.name}.{uuid.uuid4().hex}")
     try:
         aside.write_bytes(hashlib.sha256(content).digest() + content)
@@ -272,7 +272,7 @@ def _announce_compiling() -> None:
 
 
 class CompileProgress:
-    """Progress of compiling in this process."""
+    """The progress of compiling in this process: number of compiled functions, and times of messages."""
 
     functions = 0  # compiled versions of functions, without those from disk
     began = said = float("inf")  # [s] time of the announcement, and of the last line of progress
@@ -282,7 +282,7 @@ COMPILED = CompileProgress()
 
 
 def _count_compiled() -> None:
-    """Count a compiled function, and print the progress now and then."""
+    """Count a compiled function, and sometimes print the progress."""
     COMPILED.functions += 1
     now = time.monotonic()
     if now - COMPILED.said >= EVERY:

@@ -1,4 +1,4 @@
-"""Our functions that C calls: compiled like all kernels, and called by address.
+"""Compiled callbacks: functions of this package that C code calls by address.
 
 `@callback("void", "address", "float64")` compiles a function at its first use; C gets `function.address`. The function
 runs without the interpreter lock, and must not raise, since no caller could catch the error.
@@ -42,7 +42,7 @@ class Callback:
     @property
     @with_signals_held
     def address(self) -> int:
-        """Return the address of the machine code; with NUMBA_DISABLE_JIT=1 of a stub that calls Python."""
+        """Return the address of the machine code, or with NUMBA_DISABLE_JIT=1 of a stub that calls Python."""
         with stoppable(), _lock:
             return self._address
 

@@ -1,4 +1,4 @@
-"""Make machine code once for a function that Python calls, with all functions that it calls inside.
+"""Make machine code only for functions that Python calls; each contains the code of all functions that it calls.
 
 numba also makes machine code of each called function, although Python never calls it; that takes a third of the time to
 compile a match. Here a function that is compiled for another function stays optimised intermediate code of LLVM. If
@@ -25,12 +25,12 @@ OBJECTS = 50_000  # new objects between two garbage collections while compiling
 
 
 def is_inner_compile() -> bool:
-    """Tell whether a function is being compiled because another one calls it."""
+    """Tell whether numba is compiling a function only because another function calls it."""
     return compiling.depth > 1
 
 
 class KernelLibrary(Library):  # type: ignore[misc]
-    """The code of one of our functions; signals are delivered during long work of LLVM."""
+    """The compiled code of one function of this package; signals such as Ctrl-C are handled during long LLVM work."""
 
     def _optimize_final_module(self) -> None:
         run_stoppably(super()._optimize_final_module)
@@ -44,11 +44,11 @@ class KernelLibrary(Library):  # type: ignore[misc]
 
 
 class InnerLibrary(KernelLibrary):
-    """The code of a function that only compiled functions call: ready to be linked, not to be run."""
+    """The code of a function that only compiled functions call: it can be linked into callers, but not run alone."""
 
     @classmethod
     def of_bitcode(cls, codegen: Any, name: str, bitcode: bytes) -> InnerLibrary:
-        """Return the library of a result of `serialize_using_object_code`."""
+        """Return the library rebuilt from the bitcode of `serialize_using_object_code`."""
         library = cls(codegen, name)
         library._final_module = binding.parse_bitcode(bitcode)
         library._finalize_final_module()
@@ -60,14 +60,14 @@ class InnerLibrary(KernelLibrary):
         return self
 
     def set_env(self, name: str, environment: Any) -> None:
-        """Do nothing: the environment is set for the function in which this code runs."""
+        """Do nothing: numba sets the environment of the outermost function, which contains this code."""
 
     def get_pointer_to_function(self, name: str) -> int:
-        """Return 0: there is no machine code."""
+        """Return 0, since an inner library has no machine code."""
         return 0
 
     def serialize_using_object_code(self) -> tuple[str, str, bytes]:
-        """Return the library as the cache stores it: name, the mark INNER, and bitcode of LLVM."""
+        """Return the library in the form that the cache stores: name, the marker INNER, and LLVM bitcode."""
         return self.name, INNER, self._get_module_for_linking().as_bitcode()
 
     def _finalize_final_module(self) -> None:
@@ -76,27 +76,27 @@ class InnerLibrary(KernelLibrary):
 
 
 class InnerTarget:
-    """Stands in for the target of a compile result from the cache, and rebuilds its library as an inner library."""
+    """A stand-in for numba's target context, which rebuilds cached libraries as inner libraries."""
 
     def __init__(self, context: Any) -> None:
         self.context, self.typing_context = context, context.typing_context
         self.get_executable = context.get_executable
 
     def codegen(self) -> Any:
-        """Return this object, which unpacks libraries."""
+        """Return this object, since it also unpacks libraries."""
         return self
 
     def unserialize_library(self, state: tuple[str, str, bytes]) -> InnerLibrary:
-        """Return the library of a cached state."""
+        """Return the library rebuilt from its cached form."""
         name, _, bitcode = state
         return InnerLibrary.of_bitcode(self.context.codegen(), name, bitcode)
 
 
 class KernelCompiler(Pipeline):  # type: ignore[misc]
-    """numba's compiler, which makes no machine code of inner functions."""
+    """numba's compiler, changed to make no machine code for inner functions."""
 
     def define_pipelines(self) -> Any:
-        """Choose the kind of library, and return numba's own pipelines."""
+        """Choose the kind of library to make, and return numba's own pipelines."""
         kind = InnerLibrary if is_inner_compile() else KernelLibrary
         self.state.library = kind(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
         if is_inner_compile():
@@ -107,11 +107,11 @@ class KernelCompiler(Pipeline):  # type: ignore[misc]
 
 
 class Kernel(Dispatcher):  # type: ignore[misc]
-    """A function that compiles itself for the types that it is called with."""
+    """A function that is compiled when called, once for each combination of argument types."""
 
     @with_signals_held
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature: for Python, or as an inner function of another function."""
+        """Compile for an argument signature: to be called from Python, or inside another compiled function."""
         with stoppable():
             compiling.depth += 1
             try:
@@ -133,7 +133,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
         return entry
 
     def add_overload(self, cres: Any) -> None:
-        """Store a compile result; Python cannot call a result without machine code."""
+        """Store a compile result, and keep Python from calling a result that has no machine code."""
         if is_inner(cres):
             self.overloads[tuple(cres.signature.args)] = cres
         else:
@@ -142,7 +142,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
 
 @contextlib.contextmanager
 def collect_garbage_rarely() -> Iterator[None]:
-    """Let Python collect garbage less often: the compiler makes many objects that stay, and little garbage."""
+    """Make Python collect garbage less often in a `with`: the compiler makes many lasting objects, little garbage."""
     often = gc.get_threshold()
     gc.set_threshold(max(OBJECTS, often[0]), *often[1:])
     try:
@@ -152,11 +152,11 @@ def collect_garbage_rarely() -> Iterator[None]:
 
 
 def is_inner(result: Any) -> bool:
-    """Tell whether a compile result has no machine code."""
+    """Tell whether a compile result is that of an inner function, without machine code."""
     return result is not None and isinstance(result.library, InnerLibrary)
 
 
 def set_environments(result: Any) -> None:
-    """Give the engine the environments of all functions inside a compiled function, as numba does after loading."""
+    """Register the environments of all functions inside a compiled function, as numba does after loading."""
     for environment in result._find_referenced_environments():
         result.library.codegen.set_env(environment.env_name, environment)

@@ -1,4 +1,4 @@
-"""The private parts of numba that we use, in one place: another version may rename or change them.
+"""All private parts of numba that this package uses, collected here because other versions may rename them.
 
 pyproject.toml bounds the version; tests/repository/test_private_parts.py names the parts that a new version lacks.
 """

@@ -37,7 +37,7 @@ def _changed(file: Path) -> bool:
 
 @functools.cache
 def source_hashes(module: str, path: Path) -> dict[Path, str]:
-    """Return {file: sha256} of `path` and of every file that it imports, directly or not; once per process."""
+    """Return {file: sha256} of `path` and of all files that it imports, directly or not; cached for the process."""
     waiting = [(module, path)]
     hashes: dict[Path, str] = {}
     while waiting:
@@ -59,7 +59,7 @@ def _hash_and_imports(path: Path, module: str) -> tuple[str, frozenset[str]]:
 
 
 class _Imports(ast.NodeVisitor):
-    """Collect the modules that a file imports, also inside functions, but not for type checkers only."""
+    """A visitor that collects the modules a file imports, inside functions too, but not for type checkers only."""
 
     def __init__(self, module: str, is_package: bool) -> None:
         self.module = module
@@ -67,7 +67,7 @@ class _Imports(ast.NodeVisitor):
         self.found: set[str] = set()
 
     def visit_If(self, node: ast.If) -> None:
-        """Leave out imports under `if TYPE_CHECKING:`."""
+        """Skip imports under `if TYPE_CHECKING:`."""
         unused = ast.unparse(node.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING")
         for child in node.orelse if unused else [*node.body, *node.orelse]:
             self.visit(child)
@@ -81,7 +81,7 @@ class _Imports(ast.NodeVisitor):
                 self.found.update(".".join(parts[:n]) for n in range(1, len(parts)))
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
-        """Collect each imported name that is a submodule; for any other name the module that defines the name."""
+        """Collect each imported submodule; for any other imported name collect the module that defines the name."""
         parents = self.package.split(".")
         base = parents[: len(parents) - node.level + 1] if node.level else []
         source = ".".join([*base, *([node.module] if node.module else [])])
@@ -92,7 +92,7 @@ class _Imports(ast.NodeVisitor):
 
 @functools.cache
 def source_file(module: str, importer: str) -> Path | None:
-    """Return the source file of a module that may change between two runs, without importing it; else None.
+    """Return the source file of a module, without importing it; None if the file cannot change between two runs.
 
     Modules of this package, of the importer's package, and loaded modules that are not installed may change.
     """

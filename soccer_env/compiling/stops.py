@@ -1,4 +1,4 @@
-"""The points at which a signal may end compiling: between two passes of the compiler, nowhere else.
+"""The points at which a signal such as Ctrl-C may interrupt compiling: between two compiler passes, nowhere else.
 
 An interrupt inside numba or llvmlite is lost in a destructor, or leaves the function marked as being compiled, and
 numba then refuses it as a recursion. So signals wait while a function is compiled, and are delivered between two passes
@@ -35,7 +35,7 @@ _left: list[threading.Thread] = []  # threads that free the results of ended com
 
 
 class _StopError(BaseException):
-    """Carries the error of a signal through the compiler, which would handle an ordinary error itself."""
+    """An error that carries a signal's error through the compiler, which would catch an ordinary error itself."""
 
     def __init__(self, error: BaseException) -> None:
         super().__init__()
@@ -48,7 +48,7 @@ class _PassListener(Listener):  # type: ignore[misc]
         stop_here()
 
     def on_end(self, event: Any) -> None:
-        """Do nothing: numba also calls this after a pass that failed."""
+        """Do nothing: numba calls this even after a pass that failed."""
 
 
 register(PASS, _PassListener())
@@ -56,7 +56,7 @@ register(PASS, _PassListener())
 
 @contextlib.contextmanager
 def stoppable() -> Iterator[None]:
-    """Compile inside a `with` while signals wait; an error of `stop_here` is raised at the end of the outermost."""
+    """Allow signals to interrupt compiling inside a `with`; the error is raised at the end of the outermost `with`."""
     if compiling.stoppable:
         yield
         return
@@ -65,7 +65,7 @@ def stoppable() -> Iterator[None]:
         with _compiler_lock():
             yield
     except _StopError as stop:
-        _free_in_thread(stop)
+        _free_llvm_in_thread(stop)
         error = stop.error
     else:
         return
@@ -80,7 +80,7 @@ def stoppable() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _compiler_lock() -> Iterator[None]:
-    """Take the lock of numba's compiler, and wait for LLVM in other threads; meanwhile signals are delivered."""
+    """Take the lock of numba's compiler and wait for LLVM in other threads, while signals are still handled."""
     while _left and any(one.is_alive() for one in _left):
         _left[-1].join(LOOK)
         stop_here()
@@ -93,7 +93,7 @@ def _compiler_lock() -> Iterator[None]:
 
 
 def stop_here() -> None:
-    """Deliver the signals that have waited while this thread compiles."""
+    """Handle the signals that have arrived while this thread was compiling."""
     if not compiling.stoppable:
         return
     depth, compiling.depth, compiling.stoppable = compiling.depth, 0, False  # a handler may compile
@@ -106,7 +106,7 @@ def stop_here() -> None:
 
 
 def run_stoppably(work: Callable[[], None]) -> None:
-    """Do long work of LLVM, in another thread if signals wait, so that a signal can end the waiting."""
+    """Run a long LLVM task, in another thread if signals are held back, so that a signal can interrupt the waiting."""
     if not (compiling.stoppable and are_signals_held()):
         work()
         return
@@ -131,8 +131,8 @@ def run_stoppably(work: Callable[[], None]) -> None:
         raise raised[0]
 
 
-def _free_in_thread(stop: _StopError) -> None:
-    """Free the objects of LLVM in another thread: this thread would wait for LLVM and swallow the next interrupt."""
+def _free_llvm_in_thread(stop: _StopError) -> None:
+    """Free LLVM objects in another thread: in this thread the wait for LLVM would swallow the next interrupt."""
 
     def clear() -> None:
         if stop.worker is not None:
@@ -146,7 +146,7 @@ def _free_in_thread(stop: _StopError) -> None:
 
 
 def _join_lock_holders() -> None:
-    """Wait for threads that hold LLVM's lock, which would stay locked in a forked process."""
+    """Wait for threads that hold LLVM's lock, because the lock would stay locked in a forked process."""
     while _left:
         _left.pop().join()
 

@@ -1,4 +1,4 @@
-"""Guards: input is checked, and signals, threads, forks and errors leave no match half stepped.
+"""Guards: input is checked, and signals, threads, forks and errors never leave a match in the middle of a step.
 
 interrupts.py   hold signals such as Ctrl-C back during work that must not be interrupted
 checking.py     checks of settings, numbers and names, with one kind of message

@@ -1,4 +1,4 @@
-"""Check settings, numbers and names, with one kind of message.
+"""Check settings, numbers and names, with error messages of one form.
 
     <setting> must be <allowed values>, got <value>
     unknown <kind> <name>, did you mean <similar name>? known: <all names>
@@ -28,7 +28,7 @@ BELOW = {"at most": (operator.le, "at least"), "less than": (operator.lt, "more 
 
 
 class Range(NamedTuple):
-    """A range of allowed numbers, which are always finite."""
+    """A range of allowed finite numbers."""
 
     low: float = -inf
     high: float = inf
@@ -59,31 +59,31 @@ SHARE = Range(0.0, 1.0)
 
 
 def bounds_in_words(low: float, high: float) -> str:
-    """Return two bounds in words, such as "0 to 1"."""
+    """Return the bounds of a range in words, such as "0 to 1"."""
     return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
 
 
 def allowed_in_words(allowed: Range, whole: bool, value: Any) -> str:
-    """Return the allowed numbers in words; "a whole number, ..." if the value is in range or no number."""
+    """Return the allowed numbers in words; "a whole number, ..." if the value is in range or not a number at all."""
     text = allowed.text(whole)
     not_whole = whole and not text.startswith("a ") and (not is_number(value) or allowed.holds(value))
     return f"a whole number, {text}" if not_whole else text
 
 
 def raise_not_allowed(what: str, allowed: str, value: Any) -> NoReturn:
-    """Raise ValueError for a value that is not allowed."""
+    """Raise ValueError for a value that is not allowed, with the allowed values in words."""
     raise ValueError(f"{what} must be {allowed}, got {short_repr(value)}")
 
 
 def short_repr(value: object) -> str:
-    """Return a value as one short line, safe for untrusted files."""
+    """Return the representation of a value as one short line, safe for values from untrusted files."""
     return BRIEF.repr(value)
 
 
 def check_names(
     what: str, given: Iterable[Any], known: Iterable[str], error: type[Exception] = ValueError, more: str = ""
 ) -> None:
-    """Raise an error for the first unknown name; the message lists the known names and the most similar one."""
+    """Raise an error for the first unknown name in `given`, with the known names and the most similar name."""
     known = list(known)
     for name in given:
         if not isinstance(name, str) or name not in known:
@@ -91,7 +91,7 @@ def check_names(
 
 
 def check_choice(what: str, value: Any, choices: Iterable[Any]) -> Any:
-    """Return the value if it is one of the choices; ValueError names the choices."""
+    """Return the value if it is one of the choices; otherwise ValueError lists the choices."""
     choices = list(choices)
     if not any(isinstance(value, type(choice)) and value == choice for choice in choices):
         raise_not_allowed(what, f"one of {', '.join(map(str, choices))}", value)
@@ -99,7 +99,7 @@ def check_choice(what: str, value: Any, choices: Iterable[Any]) -> Any:
 
 
 def check_whole_number(what: str, value: Any, low: float = -inf, high: float = inf) -> int:
-    """Return the value if it is a whole number in a range; ValueError names value and range."""
+    """Return the value if it is a whole number in a range; otherwise ValueError names value and range."""
     allowed = Range(low, high)
     if not (is_number(value, whole=True) and allowed.holds(value)):
         raise_not_allowed(what, allowed_in_words(allowed, True, value), value)
@@ -107,21 +107,21 @@ def check_whole_number(what: str, value: Any, low: float = -inf, high: float = i
 
 
 def check_finite_number(what: str, value: Any, allowed: Range = ANY) -> float:
-    """Return the value if it is a finite number in a range; ValueError names value and range."""
+    """Return the value if it is a finite number in a range; otherwise ValueError names value and range."""
     if not (is_number(value) and allowed.holds(value)):
         raise_not_allowed(what, allowed.text(), value)
     return float(value)
 
 
 def is_number(value: Any, whole: bool = False) -> bool:
-    """Tell whether a value is a number of Python or numpy, not a bool; `whole`: a whole number."""
+    """Tell whether a value is a number of Python or numpy, but not a bool; `whole`: whether it is a whole number."""
     if isinstance(value, (int, np.integer)):
         return not isinstance(value, bool)
     return not whole and isinstance(value, (float, np.floating))
 
 
 class CheckedFields:
-    """A frozen dataclass that checks its fields.
+    """A base class for frozen dataclasses that check the values of their fields.
 
     bool, int, float, str, Path, Literal, None and their unions are checked by annotation; fields of other types may
     hold anything. Tables add to the tables of parent classes; `bounds` in a field's metadata replaces BOUNDS.
@@ -142,7 +142,7 @@ class CheckedFields:
 
     @classmethod
     def where(cls, name: str) -> str:
-        """Return the name that error messages give to a field."""
+        """Return the name of a field as error messages show it."""
         return f"{cls.__name__}.{name}" if cls.TITLED else name
 
     def _checked(self, name: str, kinds: tuple[Any, ...], value: Any) -> Any:
@@ -158,7 +158,7 @@ class CheckedFields:
         raise_not_allowed(self.where(name), self._words(name, kinds, value), value)
 
     def _check_order(self) -> None:
-        """Raise ValueError for the first pair of fields whose values break a relation of ORDER."""
+        """Raise ValueError for the first pair of fields whose values are not in the order that ORDER demands."""
         for one, relation, other in self.ORDER:
             value, bound = getattr(self, one), getattr(self, other)
             if not BELOW[relation][0](value, bound):
@@ -173,7 +173,7 @@ class CheckedFields:
 
     @classmethod
     def _words(cls, name: str, kinds: tuple[Any, ...], value: Any) -> str:
-        """Return the allowed values of a field in words, without the None of its default."""
+        """Return the allowed values of a field in words, leaving out None."""
         words = {bool: "True or False", str: "a text", Path: "a path"}
         numbers = allowed_in_words(cls.bounds(name), float not in kinds, value)
         words |= dict.fromkeys((int, float), numbers)
@@ -183,7 +183,7 @@ class CheckedFields:
 
 
 def convert_to_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
-    """Return whether a value is of a kind, with numbers within bounds, and the value in a plain Python type."""
+    """Return whether a value is of a kind and within bounds, and the value converted to a plain Python type."""
     if get_origin(kind) is Literal:
         return any(isinstance(value, type(choice)) and value == choice for choice in get_args(kind)), value
     if kind is bool:
@@ -198,7 +198,7 @@ def convert_to_kind(kind: Any, value: Any, bounds: Range) -> tuple[bool, Any]:
 
 @cache
 def kinds_of_fields(record: type) -> dict[str, tuple[Any, ...]]:
-    """Return the allowed kinds of each field of a settings record that can be checked."""
+    """Return, for each field of a settings class that can be checked, its allowed kinds of values."""
     annotations: dict[str, Any] = {}
     for parent in reversed(record.__mro__):
         names = vars(sys.modules[parent.__module__])
@@ -210,7 +210,7 @@ def kinds_of_fields(record: type) -> dict[str, tuple[Any, ...]]:
 
 
 def evaluate_annotation(annotation: Any, names: dict[str, Any]) -> Any:
-    """Return the type of an annotation; Any if it names something that only type checkers import."""
+    """Return the type that an annotation names; Any if only type checkers import that type."""
     try:
         return eval(annotation, names) if isinstance(annotation, str) else annotation
     except NameError:
@@ -218,17 +218,17 @@ def evaluate_annotation(annotation: Any, names: dict[str, Any]) -> Any:
 
 
 def union_members(kind: Any) -> tuple[Any, ...]:
-    """Return the members of a union; of any other kind a tuple with only the kind itself."""
+    """Return the members of a union type; for any other type a tuple of that type alone."""
     if get_origin(kind) is Annotated:
         kind = get_args(kind)[0]
     return get_args(kind) if get_origin(kind) in (Union, UnionType) else (kind,)
 
 
 def field_type_name(field: Field[Any]) -> str:
-    """Return the name of a field's type, such as "float"; without `from __future__` the field has the type itself."""
+    """Return the name of a field's type, such as "float", from an annotation that is a string or a type."""
     return field.type if isinstance(field.type, str) else field.type.__name__
 
 
 def can_be_checked(kind: Any) -> bool:
-    """Tell whether values of a kind can be checked."""
+    """Tell whether values of a kind can be checked at run time."""
     return get_origin(kind) is Literal or kind in (bool, int, float, str, Path, NoneType)

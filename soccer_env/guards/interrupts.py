@@ -1,4 +1,4 @@
-"""Hold signals back during work that must be done whole or not at all.
+"""Hold back signals such as Ctrl-C during work that must not be interrupted halfway.
 
 A signal with a handler in Python, such as Ctrl-C, raises between two instructions of the main thread and can leave a
 match in the middle of a step. In the functions by which pymunk frees a Space the error is swallowed, and half of the
@@ -32,7 +32,7 @@ _get, _set = _raw.getsignal, _raw.signal
 
 
 class _HeldSignals:
-    """The state of held signals in this process; Python runs their handlers in the main thread only."""
+    """The state of held signals in this process, whose handlers Python runs only in the main thread."""
 
     __slots__ = "arrived", "handlers", "holds", "main", "python_handlers", "stand_ins"
 
@@ -45,7 +45,7 @@ class _HeldSignals:
         self.stand_ins: Handlers = ()  # their replacements while signals wait
 
     def take(self, handlers: tuple[Any, ...]) -> None:
-        """Store the handlers to hold back; a stand-in that was left in place counts as its own handler."""
+        """Store the present signal handlers, to be held back from now on."""
         originals = [handler.handler if isinstance(handler, _WaitingHandler) else handler for handler in handlers]
         known = zip(SIGNALS, originals, strict=True)
         self.python_handlers = tuple((number, handler) for number, handler in known if callable(handler))
@@ -57,7 +57,7 @@ _HELD = _HeldSignals()
 
 
 class _WaitingHandler:
-    """Stands in for the handler of a signal: stores the signal while signals wait, else calls the handler."""
+    """A replacement for a signal handler: notes the signal while signals are held back, else calls the handler."""
 
     def __init__(self, handler: Any) -> None:
         self.handler = handler
@@ -70,7 +70,7 @@ class _WaitingHandler:
 
 
 def hold_signals() -> bool:
-    """Let signals wait from now on, in the main thread; return True if the caller must call `release_signals`."""
+    """Hold back signals in the main thread; return True if the caller must call `release_signals`."""
     held = _HELD
     if held.holds or get_ident() != held.main:
         return False
@@ -88,7 +88,7 @@ def hold_signals() -> bool:
 
 
 def release_signals(later: bool = False) -> None:
-    """Deliver the signals that have waited; later: once no destructor runs."""
+    """Stop holding back signals and deliver those that arrived; later: once no destructor is running."""
     held = _HELD
     held.holds = False  # first of all: if it stayed true, no signal would ever be delivered again
     try:
@@ -108,13 +108,13 @@ def release_signals(later: bool = False) -> None:
 
 
 def resume_signals() -> None:
-    """Deliver signals again, until the next `hold_signals`, because a user's code begins."""
+    """Stop holding back signals, until the next `hold_signals`, because a user's code begins."""
     if _HELD.holds and get_ident() == _HELD.main:
         release_signals()
 
 
 def deliver_waiting_signals() -> None:
-    """Deliver the signals that have waited; later signals wait again, even if a handler raises."""
+    """Deliver the signals that have arrived, and hold back later signals again, even if a handler raises."""
     if not (_HELD.arrived and are_signals_held()):
         return
     try:
@@ -126,7 +126,7 @@ def deliver_waiting_signals() -> None:
 
 
 def hold_signals_again() -> None:
-    """Let signals wait again while an error is raised; errors of handlers that run meanwhile are dropped."""
+    """Hold back signals while an error is being raised; errors of signal handlers meanwhile are dropped."""
     for _ in range(MOST):
         with contextlib.suppress(BaseException):
             hold_signals()
@@ -134,12 +134,12 @@ def hold_signals_again() -> None:
 
 
 def are_signals_held() -> bool:
-    """Tell whether signals wait in this thread."""
+    """Tell whether signals are held back in this thread."""
     return _HELD.holds and get_ident() == _HELD.main
 
 
 class SignalsHeld:
-    """Let signals wait until the end of the outermost `with`.
+    """A context manager that holds back signals until the end of the outermost `with`.
 
     later: deliver them soon after, not inside a destructor, where Python would print and forget their errors.
     """
@@ -157,7 +157,7 @@ class SignalsHeld:
 
 
 def send_signals(numbers: list[int]) -> None:
-    """Send all signals to this process, one after the other, even if the handler of an earlier signal raises."""
+    """Send all given signals to this process, one after the other, even if a signal handler raises."""
     if numbers:
         try:
             signal.raise_signal(numbers[0])
@@ -166,7 +166,7 @@ def send_signals(numbers: list[int]) -> None:
 
 
 def send_signals_later(numbers: list[int]) -> None:
-    """Send signals to this process from another thread, once the main thread is in no destructor."""
+    """Send signals to this process from another thread, once the main thread is not in a destructor."""
 
     def wait() -> None:
         while _in_destructor():
@@ -177,7 +177,7 @@ def send_signals_later(numbers: list[int]) -> None:
 
 
 def _in_destructor() -> bool:
-    """Tell whether the main thread is in a destructor."""
+    """Tell whether the main thread is running a destructor (`__del__`)."""
     frame = sys._current_frames().get(_HELD.main or 0)
     while frame is not None and frame.f_code.co_name != "__del__":
         frame = frame.f_back
@@ -185,7 +185,7 @@ def _in_destructor() -> bool:
 
 
 def _reset_after_fork() -> None:
-    """Record the forking thread as the main thread of the child process, and drop signals that waited."""
+    """In a forked process, record the present thread as the main thread, and drop the signals held back."""
     _HELD.main = get_ident()
     if _HELD.holds:
         _HELD.arrived = ()

@@ -1,4 +1,4 @@
-"""Public names: imported on first use, found again by copies, and messages for unknown names."""
+"""Public names that are imported on first use and pickled by name, and messages for unknown names."""
 
 import re
 import sys
@@ -22,7 +22,7 @@ Made = tuple[Callable[..., Any], tuple[Any, ...]]  # result of __reduce__
 
 
 def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return `__getattr__` and `__dir__` for a package whose public names lie in the given modules, or are modules.
+    """Return `__getattr__` and `__dir__` for a package that imports its public names on first use from `modules`.
 
     Repeat the imports for type checkers under `if TYPE_CHECKING:`.
     """
@@ -40,7 +40,7 @@ def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str]
 
 
 class FoldersBeside(MetaPathFinder):
-    """Find subpackages whose folders a checkout has beside the package, and an installation inside it.
+    """An import finder for subpackages whose folders lie beside the package in a checkout, inside when installed.
 
     An editable install has its own finder. This one serves Python that is started in a checkout without an install.
     """
@@ -50,7 +50,7 @@ class FoldersBeside(MetaPathFinder):
         self._files = {f"{package}.{name}": root / name / "__init__.py" for name in names}
 
     def find_spec(self, fullname: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Return the import spec of a subpackage beside the package; None for other modules, or outside a checkout."""
+        """Return the import spec of a subpackage beside the package; None for other modules or an installed package."""
         file = self._files.get(fullname)
         if file is None or not all(one.is_file() for one in self._files.values()):
             return None
@@ -58,7 +58,7 @@ class FoldersBeside(MetaPathFinder):
 
 
 def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", where: str = "", listed: str = "") -> str:
-    """Return the message for an unknown name, with similar and known names; `more`: other allowed values.
+    """Return an error message for an unknown name, with similar and known names; `more`: other allowed values.
 
     Of many names the first are listed, with the `soccer list` command that names all: `listed`, or that of LISTS.
 
@@ -83,7 +83,7 @@ def unknown(what: str, name: object, known: Iterable[str], *, more: str = "", wh
 
 
 def object_in_module(what: str, text: object, kind: type, near: str = "") -> Any:
-    """Return the object that MODULE:NAME names; None for text of another form; ValueError if it is no `kind`.
+    """Import and return the object that MODULE:NAME names; None for other text, ValueError if it is not of `kind`.
 
     The module is imported, and so runs, from the places where Python looks for modules or from the working folder.
 
@@ -103,7 +103,7 @@ def object_in_module(what: str, text: object, kind: type, near: str = "") -> Any
 
 
 def import_user_module(what: str, module: str) -> Any:
-    """Return a user's module; ValueError if it cannot be imported, or is one of Python's own."""
+    """Import and return a user's module; ValueError if that fails, or if it is a module of Python itself."""
     if module.partition(".")[0] in sys.stdlib_module_names:
         raise ValueError(f"{what} must stand in a module of your own, {module!r} is one of Python's")
     if getcwd() not in sys.path and "" not in sys.path:
@@ -115,7 +115,7 @@ def import_user_module(what: str, module: str) -> Any:
 
 
 def reduce_by_names(made: Any, values: dict[str, Any]) -> Made:
-    """Return the value of `__reduce__` for an object with these field values; functions of modules are stored by name.
+    """Return the value of `__reduce__` for an object with these field values; functions are stored by name.
 
     A compiled function is found again by its name, where a copy would have to be compiled again.
     """
@@ -123,7 +123,7 @@ def reduce_by_names(made: Any, values: dict[str, Any]) -> Made:
 
 
 class FunctionPlace(NamedTuple):
-    """Module and name of a function, which a pickle stores instead of the function."""
+    """Module and name of a function, pickled in place of the function."""
 
     module: str
     name: str
@@ -142,6 +142,6 @@ def function_place(value: Any) -> Any:
 
 
 def rebuild_by_names(kind: Callable[..., Any], values: dict[str, Any]) -> Any:
-    """Rebuild an object that was pickled by `reduce_by_names`."""
+    """Rebuild an object that `reduce_by_names` has pickled."""
     places = {name: value for name, value in values.items() if isinstance(value, FunctionPlace)}
     return kind(**values | {name: getattr(import_module(at.module), at.name) for name, at in places.items()})

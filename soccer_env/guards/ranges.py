@@ -1,4 +1,4 @@
-"""The allowed range of each field of a record, declared beside the field and kept in one table.
+"""The allowed range of each number in a record, declared beside the field and stored in one table.
 
 Kernels trust the numbers in records: they index and divide by them. Records from outside (a save, a replay, a pickle)
 are compared with these ranges first, by `first_out_of_range`. A record without ranges, such as the memory of a user's
@@ -14,7 +14,7 @@ import numpy as np
 
 
 class Range(NamedTuple):
-    """The least and the greatest number that a field may hold; NaN lies only in the range ANY."""
+    """The least and the greatest allowed number of a field; NaN is allowed only by the range ANY."""
 
     low: float
     high: float
@@ -47,7 +47,7 @@ RANGES: dict[np.dtype, dict[str, Range]] = {}  # by record and field; a nested r
 
 
 def ranged_record(rows: list[tuple[Any, ...]]) -> np.dtype:
-    """Return the dtype of fields (name, type, range) or (name, type, range, shape), and store their ranges.
+    """Return the record dtype of fields (name, type, range) or (name, type, range, shape), and store the ranges.
 
     A nested record has ranges of its own: (name, RECORD) or (name, RECORD, shape).
     """
@@ -62,7 +62,7 @@ def ranged_record(rows: list[tuple[Any, ...]]) -> np.dtype:
 
 
 class NumberPlace(NamedTuple):
-    """A single number in a record: its path, type, position and range."""
+    """The location of a single number in a record: its path, type, position and range."""
 
     path: str  # "command.pan"
     kind: np.dtype
@@ -71,7 +71,7 @@ class NumberPlace(NamedTuple):
 
 
 def number_places(dtype: np.dtype, path: str = "", start: int = 0) -> Iterator[NumberPlace]:
-    """Yield the place of every number of a record, including nested records and arrays."""
+    """Yield the location of every number in a record, including nested records and arrays."""
     ranges = RANGES.get(dtype, {})
     for name, (field, offset, *_) in (dtype.fields or {}).items():
         for at in range(start + offset, start + offset + field.itemsize, field.base.itemsize or 1):
@@ -95,7 +95,7 @@ class Columns(NamedTuple):
 
 @functools.lru_cache(maxsize=256)
 def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
-    """Return `Columns` for each type of the numbers of a record that have ranges, in a match of `robots` robots."""
+    """Return `Columns` for each number type in a record, in a match of `robots` robots."""
     by_type: dict[np.dtype, list[NumberPlace]] = {}
     for place in number_places(dtype):
         if place.range is not None and place.range != ANY:
@@ -104,7 +104,7 @@ def columns_of(dtype: np.dtype, robots: int) -> list[Columns]:
 
 
 def columns(dtype: np.dtype, kind: np.dtype, numbers: list[NumberPlace], robots: int) -> Columns:
-    """Return the `Columns` of some numbers of a record, all of the type `kind`, with their ranges."""
+    """Return the `Columns` of numbers that all have the type `kind`, with their ranges."""
     size = gcd(kind.itemsize, dtype.itemsize, *(place.start for place in numbers))
     starts = np.array([place.start for place in numbers]) // size
     pieces = (starts[:, None] + np.arange(kind.itemsize // size)).ravel()
@@ -119,7 +119,7 @@ def columns(dtype: np.dtype, kind: np.dtype, numbers: list[NumberPlace], robots:
 
 
 def first_out_of_range(records: np.ndarray, robots: int) -> str:
-    """Return the name of the first field that is out of its range, in a match of `robots` robots; "" if none is."""
+    """Return the name of the first field of records with a number out of its range; "" if all are in range."""
     if records.dtype == bool:
         return "" if (records.view(np.uint8) <= 1).all() else "a flag"
     if not records.size:

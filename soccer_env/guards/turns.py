@@ -1,4 +1,4 @@
-"""Methods for one thread at a time, done whole or not at all."""
+"""Guard methods: only one thread at a time runs them, and a method that fails leaves the object unchanged."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MENDS = ("reset", "load")  # methods that repair an object which an error has le
 def guard_methods(
     kind: type[T], names: Iterable[str], undone: Callable[[T], bool], note: Callable[[T, str], GoBack | None]
 ) -> type[T]:
-    """Guard some methods of a class; RuntimeError if another thread is inside one of them.
+    """Guard some methods of a class; calling one while another thread is inside one raises RuntimeError.
 
     Signals wait until a method ends. In methods that may take long, signals are delivered at once, and a method that
     raises is undone. If undone(object) is true (asked once), all calls may take long, else the first call of each
@@ -40,7 +40,7 @@ def _guarded(
         try:
             turn = self._turn
         except AttributeError:
-            turn = self._turn = Turn(undone(self))
+            turn = self._turn = ObjectLock(undone(self))
         if turn.owner == get_ident():
             return method(self, *args, **kwargs)
         began = hold_signals()
@@ -54,7 +54,7 @@ def _guarded(
                     raise RuntimeError(f"{name}: an error has cut short what was done before: call reset")
                 if name in turn.sure:
                     return method(self, *args, **kwargs)
-                result = _undone_on_error(method, note(self, name), self, *args, **kwargs)
+                result = _call_or_undo(method, note(self, name), self, *args, **kwargs)
                 if not turn.undoes:
                     turn.sure.add(name)
                 return result
@@ -68,8 +68,8 @@ def _guarded(
     return guarded
 
 
-def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
-    """Call a method while signals are delivered; let signals wait after its end, and undo the method on an error."""
+def _call_or_undo(method: Callable[..., Any], go_back: GoBack | None, *args: Any, **kwargs: Any) -> Any:
+    """Call a method that signals may interrupt; on an error, undo the changes of the method."""
     try:
         resume_signals()
         result = method(*args, **kwargs)
@@ -83,7 +83,7 @@ def _undone_on_error(method: Callable[..., Any], go_back: GoBack | None, *args: 
 
 
 def with_signals_held(method: F) -> F:
-    """Let signals wait until a method ends, unless a function that it calls delivers them."""
+    """Return a method that holds back signals until its end, unless a function that it calls delivers them."""
 
     @functools.wraps(method)
     def waiting(*args: Any, **kwargs: Any) -> Any:
@@ -97,8 +97,8 @@ def with_signals_held(method: F) -> F:
     return cast(F, waiting)
 
 
-class Turn:
-    """The thread that uses an object, and the methods that need no undoing because signals wait for their end."""
+class ObjectLock:
+    """The lock of a guarded object, its present thread, and the methods that signals cannot interrupt."""
 
     __slots__ = "acquire", "owner", "release", "sure", "undoes"
 

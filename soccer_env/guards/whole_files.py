@@ -1,4 +1,4 @@
-"""Files and folders that are written whole or not at all; reading of untrusted files up to a size limit."""
+"""Write files and folders completely or not at all, and read untrusted files up to a size limit."""
 
 import os
 import shutil
@@ -12,7 +12,7 @@ from soccer_env.guards.interrupts import SignalsHeld
 
 
 def write_atomically(path: Path, content: str | bytes) -> None:
-    """Write a file so that readers see the old or the new content, even after a power failure; OSError names it."""
+    """Write a file atomically: readers see the old or the new content, even after a power failure; OSError names it."""
     data = content.encode() if isinstance(content, str) else content
     with atomic_file(path) as aside, aside.open("xb") as file:
         file.write(data)
@@ -23,7 +23,7 @@ def write_atomically(path: Path, content: str | bytes) -> None:
 
 @contextmanager
 def atomic_file(path: Path, ending: str = ".tmp") -> Iterator[Path]:
-    """Yield a new path in the folder of `path`; at the end move the new file to `path`, or remove the file on an error.
+    """Yield a temporary path; at the end of the `with` the file replaces `path`, after an error it is removed.
 
     The name is random: nobody can place a link there, and each thread has its own file.
     """
@@ -64,7 +64,7 @@ def atomic_folder(folder: Path) -> Iterator[Path]:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Write a rename in a folder to the disk; do nothing on Windows, which cannot open folders."""
+    """Flush a rename in a folder to the disk; do nothing on Windows, which cannot open folders."""
     if os.name != "posix":
         return
     handle = os.open(folder, os.O_RDONLY)
@@ -75,7 +75,7 @@ def _sync_folder(folder: Path) -> None:
 
 
 def read_regular_file(path: str | os.PathLike[str], limit: int) -> bytes:
-    """Return the content of a regular file of at most `limit` bytes; ValueError or OSError for anything else.
+    """Return the content of a regular file of at most `limit` bytes; otherwise raise ValueError or OSError.
 
     Folders, pipes, sockets and devices are refused before and after opening, in case the path changed in between.
     """
@@ -91,7 +91,7 @@ def read_regular_file(path: str | os.PathLike[str], limit: int) -> bytes:
 
 
 def check_regular_file(status: os.stat_result, limit: int) -> None:
-    """Raise ValueError unless a file is a regular one of at most `limit` bytes."""
+    """Raise ValueError unless a file is regular and has at most `limit` bytes."""
     if stat.S_ISDIR(status.st_mode):
         raise ValueError("is a folder, not a file")
     if not stat.S_ISREG(status.st_mode):

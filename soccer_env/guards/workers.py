@@ -17,7 +17,7 @@ T = TypeVar("T")
 
 
 class Workers:
-    """Up to `threads` threads; with one thread the caller's own thread does all the work."""
+    """A pool of up to `threads` threads; with one thread all work runs in the calling thread."""
 
     def __init__(self, threads: int) -> None:
         self.threads = threads
@@ -25,7 +25,7 @@ class Workers:
         self._process = 0  # id of the process that started the threads
 
     def map(self, function: Callable[..., T], *parts: Iterable[Any]) -> list[T]:
-        """Return function(*part) for all parts, in order; an error is raised after all parts have ended."""
+        """Return function(*part) for all parts, in order; errors are raised after all parts have ended."""
         if self.threads == 1:
             return [function(*part) for part in zip(*parts, strict=True)]
         executor = self._started()
@@ -37,14 +37,14 @@ class Workers:
             raise
 
     def shutdown(self) -> None:
-        """Wait for running parts and end the threads; the next task starts new threads."""
+        """Wait for running parts and end the threads; the next `map` starts new threads."""
         with SignalsHeld():
             executor, self._executor = self._executor, None
             if executor is not None and self._process == os.getpid():
                 executor.shutdown(wait=True)
 
     def _started(self) -> ThreadPoolExecutor:
-        """Return the executor of this process, started if need be."""
+        """Return the thread pool of this process, started on first use."""
         if self._executor is None or self._process != os.getpid():
             self._executor, self._process = ThreadPoolExecutor(self.threads), os.getpid()
         return self._executor

@@ -1,4 +1,4 @@
-"""`Match`: many matches at once, as arrays, and how one control step of them is played.
+"""`Match`: many matches simulated side by side as arrays, and the stages of one control step.
 
 match.py         `Match` itself                       batch.py     the records of M matches, and how a slice is stepped
 arguments.py     each setting, declared once          settings.py  the settings with every name resolved

@@ -1,4 +1,4 @@
-"""The settings of a match, each declared once: signatures, checks, help and errors of all APIs are made from them.
+"""The settings of a match, each declared once: signatures, checks, help and errors of all APIs are generated from them.
 
     MatchSettings      how a match is played
       MatchSetup       and which teams play
@@ -48,7 +48,7 @@ Placement = Literal["instant", "drive"]
 InfoKind = Literal["flat", "full", "nested", "none"]
 StateSide = Literal["field", "home", "away"]
 SIDE_BY_SIDE = Range(1, 1 << 20)
-INFOS = '"flat" numbers, "full": and statistics of play, "nested" dicts in words, or "none" (False), the fastest'
+INFOS = '"flat" numbers, "full" (with statistics of play), "nested" dicts in words, or "none" (False), the fastest'
 
 
 def declare_setting(
@@ -65,15 +65,15 @@ def declare_setting(
 
 @dataclass(frozen=True, kw_only=True)
 class MatchSettings(CheckedFields):
-    """How a match is played."""
+    """How a match is played: the settings that do not name teams."""
 
     TITLED = False
 
     league: str | League = declare_setting("legged-2001", "a name of `soccer list leagues`, or a League")
-    home: int | None = declare_setting(None, "robots at home; None: the league's own number", TEAM_SIZE, replayed=True)
-    away: int | None = declare_setting(None, "robots away; None: the league's own number", TEAM_SIZE, replayed=True)
+    home: int | None = declare_setting(None, "home robots; None: the league's team size", TEAM_SIZE, replayed=True)
+    away: int | None = declare_setting(None, "away robots; None: the league's team size", TEAM_SIZE, replayed=True)
     max_players: int | None = declare_setting(
-        None, "rows for robots a side, spare rows are inactive; None: as many as play", TEAM_SIZE, replayed=True
+        None, "array rows for each team, unused rows are inactive; None: as many as play", TEAM_SIZE, replayed=True
     )
     observe: Literal["truth", "percepts", "belief"] | Observation = declare_setting(
         "truth",
@@ -81,30 +81,30 @@ class MatchSettings(CheckedFields):
         free=True,
     )
     senses: Senses | Mapping[str, str] | tuple[str, str] = declare_setting(
-        "sensors", 'what fills beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
+        "sensors", 'source of beliefs: "sensors" or "ideal" (the truth), or {"home": ..., "away": ...}'
     )
     pose: Pose = declare_setting(
-        "percept", 'pose of robots that use their sensors: "percept", a noisy pose, or "particles", a particle filter'
+        "percept", 'own pose of robots with sensors: "percept", a given noisy pose, or "particles", a particle filter'
     )
     sensors: Mapping[str, Any] | Options | None = declare_setting(
-        None, "{name: value} to change in the league's sensors, or an object of their class", part="league"
+        None, "{name: value}, changes to the league's sensors, or an object of their class", part="league"
     )
     memory: Mapping[str, Any] | Options | None = declare_setting(
-        None, "{name: value} to change in the league's memory of percepts, or an object of its class", part="league"
+        None, "{name: value}, changes to the league's memory of percepts, or an object of its class", part="league"
     )
     state_side: StateSide = declare_setting(
         "field",
-        'side of `state()`: "home" or "away", always playing towards +x, or in the frame of the "field"',
+        'frame of `state()`: that of "home" or "away", which then always attacks +x, or of the "field"',
         free=True,
     )
     actions: Literal["box", "full", "discrete"] | ActionKind = declare_setting(
-        "box", '"box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
+        "box", 'kind: "box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
     )
     scene: str | Scene = declare_setting(
         "kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene'
     )
     episode: Literal["match", "goal", "drill"] = declare_setting(
-        "match", 'ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
+        "match", 'it ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
     )
     rules: str | Rules | None = declare_setting(
         None,
@@ -115,28 +115,28 @@ class MatchSettings(CheckedFields):
         "default", "a name of `soccer list rewards`, or Rewards", free=True
     )
     placement: Placement = declare_setting(
-        "instant", 'at a restart robots are placed ("instant") or "drive"', replayed=True
+        "instant", 'robots reach their places at a restart at once ("instant"), or they "drive"', replayed=True
     )
     keeper: int = declare_setting(0, "number of the goalkeeper, in teams of two or more", replayed=True)
     minutes: float | None = declare_setting(
-        None, "of play, both halves together; None: the league's own", MINUTES, replayed=True
+        None, "minutes of play, both halves together; None: the league's own", MINUTES, replayed=True
     )
-    action_repeat: int = declare_setting(1, "control steps that an action is kept", Range(1, 1000), free=True)
+    action_repeat: int = declare_setting(1, "control steps for which an action is kept", Range(1, 1000), free=True)
     max_cycles: int | None = declare_setting(None, "steps until an episode is truncated; None: never", STEPS, free=True)
 
 
 @dataclass(frozen=True, kw_only=True)
 class MatchSetup(MatchSettings):
-    """How a match is played, and by which teams."""
+    """How a match is played, and which teams play the robots."""
 
     opponents: Any = declare_setting(None, "the team that plays away; learners then play home robots only")
     teammates: Any = declare_setting(None, "the team that plays all home robots but the last")
-    controllers: Mapping[str, Any] | None = declare_setting(None, "{agent or side: team} for any subset")
+    controllers: Mapping[str, Any] | None = declare_setting(None, "{agent or side: team}, for some robots or sides")
 
 
 @dataclass(frozen=True, kw_only=True)
 class MatchArguments(MatchSetup):
-    """The arguments of Match."""
+    """The arguments of the constructor of `Match`."""
 
     league: str | League = field(
         default="legged-2001", metadata=MatchSettings.__dataclass_fields__["league"].metadata, kw_only=False
@@ -144,29 +144,31 @@ class MatchArguments(MatchSetup):
     matches: int = declare_setting(1, "number of matches side by side", SIDE_BY_SIDE)
     threads: int = declare_setting(1, "threads that step the matches; results do not depend on them", THREADS)
     seed: int | None = declare_setting(None, "seed of all matches; None: drawn from the system")
-    seeds: Any = declare_setting(None, "(M,) instead of seed: one for each match")
+    seeds: Any = declare_setting(None, "seeds of the matches (M,), in place of `seed`")
     autoreset: Literal["next_step", "same_step", "off"] = declare_setting(
         "off", "when an ended match begins a new episode"
     )
     backend: Literal["c", "batch"] | None = declare_setting(
-        None, 'of the physics: "c" (compiled) or "batch"; None: the faster one'
+        None, 'code of the physics: "c" (compiled) or "batch"; None: the faster one'
     )
 
 
 @dataclass(frozen=True, kw_only=True)
 class EnvArguments(MatchSetup):
-    """The arguments of a PettingZoo env."""
+    """The arguments of a PettingZoo environment."""
 
     render_mode: Literal["rgb_array", "human"] | None = declare_setting(
         None, '"rgb_array" for frames, "human" for a window'
     )
     infos: InfoKind | bool = declare_setting("flat", INFOS)
-    overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+    overlays: Any = declare_setting(
+        None, 'drawn over frames: names as "belief,trail", or a mapping that also names a robot'
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class LearnerSetup(MatchSetup):
-    """How a match of one learner is played, and by which teams."""
+    """The settings and teams of a match with a single learner."""
 
     opponents: Any = declare_setting("chaser", "the team that plays away")
     teammates: Any = declare_setting("chaser", "the team that plays the other home robots")
@@ -179,18 +181,20 @@ class LearnerSetup(MatchSetup):
 
 @dataclass(frozen=True, kw_only=True)
 class SoloArguments(LearnerSetup):
-    """The arguments of a Gymnasium Env."""
+    """The arguments of a Gymnasium `Env`, in which one learner plays one match."""
 
-    overlays: Any = declare_setting(None, 'over frames: names as "belief,trail", or a mapping that also names a robot')
+    overlays: Any = declare_setting(
+        None, 'drawn over frames: names as "belief,trail", or a mapping that also names a robot'
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class VectorArguments(LearnerSetup):
-    """The arguments of a Gymnasium VectorEnv."""
+    """The arguments of a Gymnasium `VectorEnv`, in which one learner plays many matches at once."""
 
     num_envs: int = field(default=1, metadata={"text": "matches side by side", "bounds": SIDE_BY_SIDE}, kw_only=False)
     max_episode_steps: int | None = declare_setting(
-        None, "Gymnasium's word for max_cycles; the lower limit counts", STEPS
+        None, "Gymnasium's name for max_cycles; the lower limit counts", STEPS
     )
     autoreset_mode: Literal["NextStep", "SameStep", "next_step", "same_step"] | AutoresetMode = declare_setting(
         "NextStep", '"NextStep", "SameStep" or Gymnasium\'s AutoresetMode'
@@ -203,7 +207,7 @@ REPLAYED = tuple(item.name for item in fields(MatchSettings) if item.metadata["r
 
 
 def select_fields(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[str, Any]:
-    """Return the arguments that are also fields of the class `kind`, as a dict by name."""
+    """Select the arguments that are fields of the dataclass `kind`; return them as a dict by name."""
     return {item.name: getattr(arguments, item.name) for item in fields(kind)}
 
 
@@ -211,7 +215,7 @@ def select_fields(arguments: MatchSettings, kind: type[MatchSettings]) -> dict[s
 
 
 def takes_fields_of(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callable[P, T]]:
-    """Return a decorator: callers pass the fields of `kind`, the function gets a `kind`; TypeError for other names."""
+    """Return a decorator: callers pass the fields of `kind` by name, the decorated function gets a `kind` object."""
 
     def decorate(function: Callable[[A], T]) -> Callable[P, T]:
         @functools.wraps(function)
@@ -227,7 +231,7 @@ def takes_fields_of(kind: Callable[P, A]) -> Callable[[Callable[[A], T]], Callab
 def init_takes_fields_of(
     kind: Callable[P, A],
 ) -> Callable[[Callable[[Any, A], None]], Callable[Concatenate[Any, P], None]]:
-    """Return a decorator for an `__init__` that takes one `kind`; the decorator works as that of `takes_fields_of`."""
+    """Return a decorator like `takes_fields_of`, for an `__init__` that takes one object of class `kind`."""
 
     def decorate(function: Callable[[Any, A], None]) -> Callable[Concatenate[Any, P], None]:
         @functools.wraps(function)
@@ -241,13 +245,13 @@ def init_takes_fields_of(
 
 
 def gather_arguments(kind: Any, values: tuple[Any, ...], named: dict[str, Any]) -> Any:
-    """Collect the positional and named arguments of a call in an instance of `kind`."""
+    """Collect the positional and named arguments of a call into an instance of the dataclass `kind`."""
     check_names("setting", named, [item.name for item in fields(kind)], TypeError)
     return kind(*values, **named)
 
 
 def document_signature(call: Any, kind: Any, *first: inspect.Parameter) -> None:
-    """Give a function the signature of `kind`, and a line of help for each field."""
+    """Give a function the signature of the dataclass `kind`, and a line of help for each field."""
     parameters = inspect.signature(kind).parameters.values()
     returned = call.__annotations__.get("return")
     call.__signature__ = inspect.Signature([*first, *parameters], return_annotation=returned)
@@ -256,7 +260,7 @@ def document_signature(call: Any, kind: Any, *first: inspect.Parameter) -> None:
 
 
 def setting_help(item: Field[Any]) -> list[str]:
-    """Return the lines of help of one setting."""
+    """Return the help text of one setting, as lines."""
     text = f"{item.name} = {item.default!r}: {item.metadata['text']}."
     return textwrap.wrap(text, 100, subsequent_indent="    ")
 
@@ -265,12 +269,12 @@ def setting_help(item: Field[Any]) -> list[str]:
 
 
 def reduce_by_settings(make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return the value of `__reduce__` for an object that `make(**settings)` builds."""
+    """Return the value of `__reduce__` that pickles an object as the call `make(**settings)`."""
     return rebuild_from_settings, (version(), make, settings)
 
 
 def rebuild_from_settings(made_by: str, make: Callable[..., Any], settings: dict[str, Any]) -> Any:
-    """Rebuild a pickled object; if this version cannot, ValueError names the version that pickled the object."""
+    """Rebuild a pickled object; on failure ValueError names the package version that pickled the object."""
     try:
         return make(**settings)
     except (TypeError, ValueError) as error:

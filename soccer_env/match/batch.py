@@ -1,4 +1,4 @@
-"""MatchBatch: the records of M matches with their Spaces, and the stages of a step for a slice of matches.
+"""MatchBatch: the records of M matches with their pymunk Spaces, and the stages of a step for a slice of matches.
 
     act -> sense -> tell -> believe -> observe
 
@@ -46,7 +46,7 @@ Advance = Callable[[float, np.ndarray, int, int], None]  # steps the Spaces: dt 
 
 
 class MatchBatch:
-    """M matches of R robots each: records (M,) and (M, R), rewards (M, R), observations (M, R, n)."""
+    """The records of M matches of R robots: records (M,) and (M, R), rewards (M, R), observations (M, R, n)."""
 
     def __init__(self, settings: Settings, matches: int, robots: int, observed: int, backend: Backend | None) -> None:
         self.settings = settings
@@ -60,9 +60,9 @@ class MatchBatch:
         self.senses: Senses | None = None  # where a team or a learner uses its sensors
         self.physics = SpaceBatch(matches, robots + 1, backend)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
-        self._make_outcome(observed)
+        self._allocate_outcome(observed)
 
-    def _make_outcome(self, observed: int) -> None:
+    def _allocate_outcome(self, observed: int) -> None:
         """Allocate the arrays for learners, and bundle all arrays that a step reads and writes."""
         count, robots = self.robots.shape
         terms = COUNT + len(self.settings.rewards.extra)  # a user's own terms come after ours
@@ -80,19 +80,19 @@ class MatchBatch:
         self._step = self._truth, tuple(physics), tuple(outcome), tuple(numbers)
 
     def use_sensors(self, sides: tuple[int, ...]) -> None:
-        """Let the robots of some teams (HOME, AWAY) use their sensors from now on."""
+        """Switch the robots of some teams (HOME, AWAY) from true poses to simulated sensors, from now on."""
         self.senses = Senses(self.settings, self.world, self.constants, self.beliefs, self.tracks, sides)
 
     # Starting
 
     def discount(self, last: bool) -> None:
-        """Set whether shaping discounts in the next control step; `last`: this step is the last step of an action."""
+        """Set whether shaping rewards discount in the next control step; `last`: the last step of an action."""
         if last != self._discounts:
             self.weights["gamma"] = self.settings.rewards.gamma if last else 1.0
             self._discounts = last  # last of all: an error before this line changes nothing
 
     def start(self, m: int, seed: int, episode: int) -> None:
-        """Begin an episode in match m, in a Space of its own."""
+        """Begin an episode in match m, with a new physics Space."""
         at = slice(m, m + 1)
         records = self.matches[at], self.balls[at], self.robots[at]
         start_match(self.settings, self.constants, *records, seed, episode)
@@ -104,7 +104,7 @@ class MatchBatch:
         self.terminated[m] = self.truncated[m] = False
 
     def sense_first_frame(self, m: int) -> None:
-        """Let the robots of a new episode sense, believe and observe."""
+        """Compute the first percepts, beliefs and observations of a new episode of match m."""
         record, ball = self.matches[m], self.balls[m].copy()
         shows = self.settings.scene.of_episode(int(record["seed"]), int(record["episode"])).shows
         if shows is not None:
@@ -115,7 +115,7 @@ class MatchBatch:
         self.observe_anew(m, m + 1)
 
     def build_spaces(self, rows: Iterable[int]) -> None:
-        """Rebuild the Spaces of some matches from their records; a Space is built once, and reset after that."""
+        """Rebuild the physics Spaces of the matches `rows` from their records; existing Spaces are reset and reused."""
         used, league = [], self.settings.league
         for m in rows:
             if self.physics.reusable(m):
@@ -132,7 +132,7 @@ class MatchBatch:
     # One control step of a slice of matches
 
     def act(self, first: int, last: int) -> None:
-        """Carry out the commands: drive, physics, referee, restarts, rewards."""
+        """Carry out the commands of a slice of matches: drive, physics, referee, restarts, rewards."""
         if self.senses is not None:
             self.senses.asleep[first:last] = self.matches["over"][first:last]
         if self.physics.backend == "c":
@@ -141,7 +141,7 @@ class MatchBatch:
             self.act_in_stages(first, last, self.physics.step_slice)
 
     def act_in_stages(self, first: int, last: int, advance: Advance) -> None:
-        """Carry out the commands as `act` does, but call `advance` for the physics between two compiled halves."""
+        """Carry out the commands as `act` does, but let `advance` run the physics between two compiled halves."""
         count = len(self.matches)
         before, substeps = np.zeros((count, *POTENTIALS)), np.zeros(count, np.int64)
         begin_slice(*self._step, before, substeps, first, last)
@@ -153,13 +153,13 @@ class MatchBatch:
         self._check(int(np.argmax(results == BROKEN)) if (results == BROKEN).any() else -1)
 
     def _check(self, broken: int) -> None:
-        """Raise RuntimeError if a match is `broken` (-1: none): its physics gave numbers that are not finite, a bug."""
+        """Raise RuntimeError if the physics of match `broken` gave numbers that are not finite; -1: no match."""
         if broken >= 0:
             step = self.matches["step"][broken]
             raise RuntimeError(f"the physics of match {broken} broke down at step {step}; please report this")
 
     def sense(self, first: int, last: int) -> None:
-        """Let the robots that use their sensors perceive the world."""
+        """Compute the percepts of the robots that use their sensors, for a slice of matches."""
         if self.senses is not None:
             self.senses.sense(first, last)
 
@@ -174,14 +174,14 @@ class MatchBatch:
             self.senses.believe(first, last)
 
     def observe(self, first: int, last: int) -> None:
-        """Write the observations of learners, unless they observe the truth, which `act` has written."""
+        """Write the learners' observations, except observations of the truth, which `act` has already written."""
         if not self._sees_truth:
             self.observe_anew(first, last)
 
     # Reading
 
     def read(self, rows: np.ndarray, first: int, last: int) -> None:
-        """Fill the beliefs of the robots among `rows` that have ideal senses; the others are filled already."""
+        """Fill the beliefs of robots with ideal senses among `rows` from the truth; others are filled already."""
         ideal = rows[self.ideal[rows]]
         if len(ideal):
             believe_truth_slice(self._truth, self.beliefs, self.tracks, self.constants, ideal, first, last)
@@ -194,12 +194,12 @@ class MatchBatch:
         return self.beliefs, self.tracks
 
     def observe_anew(self, first: int, last: int) -> None:
-        """Write the observations of a slice of matches from their current records."""
+        """Write the observations of a slice of matches again, from the current records."""
         if self.observations.shape[2]:
             self.write_observations(self.observations, self.settings.observe, self.everyone, first, last)
 
     def write_observations(self, out: np.ndarray, observe: Any, rows: np.ndarray, first: int, last: int) -> None:
-        """Write observations of a slice into out (M, R, n): of the truth for all robots, else only for `rows`."""
+        """Write observations into out (M, R, n): of the truth for all robots, of other kinds only for `rows`."""
         if observe == "truth":
             observe_slice(self.matches, self.balls, self.robots, out, self.constants, first, last)
             return
@@ -215,12 +215,12 @@ class MatchBatch:
 
     @property
     def believing(self) -> np.ndarray:
-        """Return flags (R,) of the robots that have beliefs."""
+        """Return flags (R,): 1 for each robot that has beliefs."""
         return self.ideal if self.senses is None else self.ideal | self.senses.believes
 
 
 class ActionSums:
-    """The rewards and events of the control steps of one action, added up."""
+    """Sums of the rewards, and the latest events, over the control steps of one action."""
 
     def __init__(self, batch: MatchBatch) -> None:
         self._rewards = batch.rewards, batch.terms
@@ -229,7 +229,7 @@ class ActionSums:
         self._latest: list[np.ndarray] = []
 
     def add(self) -> None:
-        """Add the rewards and events of the last control step."""
+        """Add the rewards and events of the last control step to the sums."""
         if not self._sums:
             self._sums = [values.copy() for values in self._rewards]
             self._latest = [events.copy() for events, _ in self._events]
@@ -237,18 +237,18 @@ class ActionSums:
         for total, values in zip(self._sums, self._rewards, strict=True):
             total += values
         for latest, (events, quiet) in zip(self._latest, self._events, strict=True):
-            keep_latest(latest, events, quiet)
+            overwrite_happened_events(latest, events, quiet)
 
     def replace_last_step(self) -> None:
-        """Replace the rewards and events of the last control step by the sums."""
+        """Replace the rewards and events of the last control step by those of the whole action."""
         for total, values in zip(self._sums, self._rewards, strict=True):
             values[:] = total
         for latest, (events, _) in zip(self._latest, self._events, strict=True):
             events[:] = latest
 
 
-def keep_latest(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
-    """Copy the events that happened in `new` into `kept`."""
+def overwrite_happened_events(kept: np.ndarray, new: np.ndarray, quiet: np.ndarray) -> None:
+    """Overwrite each field of `kept` in which `new` reports an event, that is differs from `quiet`."""
     for name in new.dtype.names or ():
         happened = new[name] != quiet[name]
         kept[name][happened] = new[name][happened]

@@ -1,4 +1,4 @@
-"""How an episode of one match begins: empty records, noise streams, the kick-off formation, then the scene.
+"""Begin an episode of one match: empty records, noise streams, the kick-off formation, then the scene.
 
 The seed chooses the side that kicks off first; the other side kicks off the second half. In a drill home kicks off.
 Two matches of one seed with swapped teams begin with a kick-off by the same side, so that each team kicks off first
@@ -28,7 +28,7 @@ PLAY = int(Phase.PLAY)
 
 @compiled
 def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
-    """Fill the records of one match (robots (R,) with team, number, keeper and active set) for the first kick-off."""
+    """Initialise the records of one match for the first kick-off; team, number, keeper and active are already set."""
     match.seed, match.episode = seed, episode
     start_streams(match.noise, seed, episode, 0)
     match.handedness = match.home_direction = 1.0
@@ -48,13 +48,13 @@ def begin_episode(match, ball, robots, k, seed, episode, half_length, drill):
 
 @compiled
 def note_possession(ball, robots, k):
-    """Set `has_ball` of each robot of a match."""
+    """Set `has_ball` of each robot of a match to whether the robot has the ball."""
     for r in range(robots.shape[0]):
         robots[r].has_ball = 1 if robots[r].active == 1 and holds_ball(robots[r], k, ball.x, ball.y) else 0
 
 
-def line_up(settings: Settings, robots: np.ndarray) -> None:
-    """Set team, number and goalkeeper of the robots (R,) of one match; park the rows without a player."""
+def assign_players_to_rows(settings: Settings, robots: np.ndarray) -> None:
+    """Set team, number and goalkeeper of the robots (R,) of one match; park unused rows off the field."""
     home_rows = settings.rows[HOME]
     for r in range(len(robots)):
         team, number = (HOME, r) if r < home_rows else (AWAY, r - home_rows)
@@ -72,7 +72,7 @@ def start_match(
     """Begin an episode in the records of one match: match (1,), ball (1,), robots (1, R)."""
     for record in (match, ball, robots):
         record[...] = np.zeros((), record.dtype)
-    line_up(settings, robots[0])
+    assign_players_to_rows(settings, robots[0])
     scene = settings.scene.of_episode(seed, episode)
     drill = int(scene.place is not None)
     begin_single_episode(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
@@ -92,7 +92,7 @@ def start_match(
 def check_scene_numbers(scene: str, settings: Settings, ball: Any, robots: np.ndarray) -> None:
     """Raise ValueError if a user's scene left a number that is not finite, or changed team, number or goalkeeper."""
     lined_up = np.zeros(robots.shape[1], robots.dtype)
-    line_up(settings, lined_up)
+    assign_players_to_rows(settings, lined_up)
     for who, record in (("the ball", ball[0]), *zip(settings.agents, robots[0], strict=True)):
         for name in record.dtype.names:
             if record.dtype[name].kind == "f" and not np.isfinite(record[name]).all():
@@ -125,11 +125,11 @@ def check_scene_room(scene: str, settings: Settings, ball: Any, robots: np.ndarr
 
 @compiled
 def begin_single_episode(matches, balls, robots, constants, seed, episode, half_length, drill):
-    """Call `begin_episode` for a single match, given as (1,) arrays."""
+    """Call `begin_episode` for a single match, whose records have shape (1,)."""
     begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length, drill)
 
 
 @compiled
 def note_single_possession(balls, robots, constants):
-    """Call `note_possession` for a single match, given as (1,) arrays."""
+    """Call `note_possession` for a single match, whose records have shape (1,)."""
     note_possession(balls[0], robots[0], constants[0])

@@ -1,4 +1,4 @@
-"""Match: M matches side by side, reset and step, without dicts.
+"""Match: M matches side by side, with `reset` and `step` on arrays instead of dicts.
 
     decide -> act -> sense -> tell -> believe -> observe
               drive, physics, referee, restart, rewards
@@ -22,7 +22,7 @@ from soccer_env.match.saving import Branching, guard_match_methods
 from soccer_env.match.senses import sensing_sides
 from soccer_env.match.settings import make_settings
 from soccer_env.match.squads import TeamArrays, assign_teams, choose_teams, make_squads, run_compiled, run_python
-from soccer_env.match.user_code import UserObservations, UserTerms
+from soccer_env.match.user_code import UserObservations, UserRewardTerms
 from soccer_env.match.views import Views
 from soccer_env.observations import layout
 from soccer_env.observations.own import index_arrays
@@ -41,7 +41,7 @@ FINAL = (  # kept of ended episodes
 
 @guard_match_methods
 class Match(Views, Branching):
-    """M matches of one league, stepped together.
+    """M matches of one league, simulated side by side and stepped together.
 
     `help(Match.__init__)` explains the settings, which are the fields of `MatchArguments`; ValueError names the wrong
     setting and the allowed values. M matches, R robots (home first), n numbers in an observation:
@@ -71,7 +71,7 @@ class Match(Views, Branching):
         self.agents = self.settings.agents
         self.state_names = [entry.name for entry in self.state_entries()]
         self.term_names = [*NAMES, *self.settings.rewards.extra]
-        self.seen, self._own_terms = UserObservations(self.settings, self.count), UserTerms(self.settings.rewards)
+        self.seen, self._own_terms = UserObservations(self.settings, self.count), UserRewardTerms(self.settings.rewards)
         entries = {group.side: layout(self.league, group.observe) for group in self.seen.groups}
         names = {side: [entry.name for entry in side_entries] for side, side_entries in entries.items()}
         self.observation_entries: Any = entries if self.seen.by_side else entries[""]
@@ -91,7 +91,7 @@ class Match(Views, Branching):
         self.batch.build_spaces([0])  # changes nothing, but compiles the kernels that later resets need
 
     def _make_arrays(self, backend: Backend | None) -> None:
-        """Make the arrays and set them as attributes; a user's own observations have arrays of their own."""
+        """Allocate the arrays and set them as attributes of the Match."""
         observed = 0 if self.seen.own else len(self.observation_names)
         self.batch = batch = MatchBatch(self.settings, self.count, len(self.agents), observed, backend)
         self.matches, self.balls, self.robots = batch.matches, batch.balls, batch.robots
@@ -102,7 +102,7 @@ class Match(Views, Branching):
         self.observations: Any = self.seen.arrays if self.seen.own else batch.observations
 
     def _make_squads(self, who: dict[str, Any]) -> None:
-        """Make the squads of the teams that play robots, with memories, and the senses of the sides with sensors."""
+        """Make a squad for each team, with its memory, and the sensors of the sides that need them."""
         self.squads = make_squads(self.agents, who, self.settings, self.count)
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
         self._readers = np.array([r for squad in self.squads if squad.reads_beliefs for r in squad.players], np.int64)
@@ -139,7 +139,7 @@ class Match(Views, Branching):
         return observations
 
     def _begin(self, rows: Iterable[int], episodes: np.ndarray) -> None:
-        """Begin new episodes in the matches `rows`, with the episode numbers (M,), and write their observations."""
+        """Begin new episodes, numbered `episodes`, in the matches `rows`, and write their observations."""
         for m in rows:
             self.batch.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:
@@ -163,11 +163,11 @@ class Match(Views, Branching):
         """
         numbers = self._check_actions(actions)
         self.started = False  # until the end
-        transition = self._advance(numbers, last)
+        transition = self._play_action(numbers, last)
         self.started = self._stepped = True
         return transition
 
-    def _advance(self, numbers: np.ndarray, last: bool) -> Transition:
+    def _play_action(self, numbers: np.ndarray, last: bool) -> Transition:
         """Play the control steps of one action, and begin new episodes where one has ended."""
         mode, repeat = self.autoreset, self.settings.action_repeat
         ended: Any = ()
@@ -200,11 +200,11 @@ class Match(Views, Branching):
         return self._no_actions
 
     def _control_step(self, numbers: np.ndarray) -> None:
-        """Run one control step: users' Python for all matches before and after, compiled slices of matches between."""
+        """Run one control step: users' Python before, compiled slices of matches, users' Python after."""
         self._own_terms.begin(self)
-        self._decide_in_python()
+        self._decide_python_teams()
         if self.recorder is not None:  # the recorder notes all commands before any robot moves
-            self._decide(numbers, 0, self.count)
+            self._decide_slice(numbers, 0, self.count)
             self.recorder.note_commands(self.robots["command"])
         if self._pool is None or not self._stepped:  # the first step may compile: threads cannot be interrupted then
             self._step_slice(numbers, 0, self.count)
@@ -217,25 +217,25 @@ class Match(Views, Branching):
             self.recorder.note_state(self)
 
     def _step_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
-        """Run one control step of a slice of matches, block by block."""
+        """Run one control step of a slice of matches, a block of matches at a time."""
         batch = self.batch
         for start in range(first, last, BLOCK):
             stop = min(start + BLOCK, last)
             if self.recorder is None:
-                self._decide(numbers, start, stop)  # commands of learners and teams
+                self._decide_slice(numbers, start, stop)  # commands of learners and teams
             batch.act(start, stop)  # drive, physics, referee, restart, rewards
             batch.sense(start, stop)  # percepts
             batch.tell(start, stop)  # how the match stands
             batch.believe(start, stop)  # beliefs and tracks
             batch.observe(start, stop)  # observations of the learners
 
-    def _decide(self, numbers: np.ndarray, first: int, last: int) -> None:
-        """Fill the commands of a slice: learners' actions, and compiled teams."""
+    def _decide_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
+        """Write the commands of a slice of matches: learners' actions, and decisions of compiled teams."""
         write_learner_commands(self.robots, numbers, first, last, self.learns)
-        self._decide_compiled(first, last)
+        self._decide_compiled_teams(first, last)
 
-    def _decide_compiled(self, first: int, last: int) -> None:
-        """Fill the commands of the compiled teams in a slice."""
+    def _decide_compiled_teams(self, first: int, last: int) -> None:
+        """Write the commands of the compiled teams in a slice of matches."""
         if len(self._readers):
             self.batch.read(self._readers, first, last)
         for squad in self.squads:
@@ -247,12 +247,12 @@ class Match(Views, Branching):
 
         Robots that no team plays keep their last command.
         """
-        self._decide_compiled(0, self.count)
+        self._decide_compiled_teams(0, self.count)
         commands: np.ndarray = self.robots["command"]
         return commands
 
-    def _decide_in_python(self) -> None:
-        """Let teams without a kernel decide, in all matches at once."""
+    def _decide_python_teams(self) -> None:
+        """Let teams written in plain Python decide, in all matches at once."""
         for squad in self.squads:
             if not squad.compiled:
                 self.batch.read(squad.players, 0, self.count)
@@ -260,20 +260,20 @@ class Match(Views, Branching):
                     run_python(squad, self.league, self.batch.beliefs, self.batch.tracks, self.robots)
 
     def _observe_own(self) -> None:
-        """Fill the observations that users' own code makes."""
+        """Fill the observations that the user's own code computes."""
         if self.seen.own:
             self.seen.fill(self)
 
     # Starting again
 
     def _restart_next_step(self, ended: np.ndarray) -> None:
-        """Begin new episodes in the matches that had ended before this step; this step gives them no reward."""
+        """Begin new episodes in the matches that ended before this step; their reward in this step is 0."""
         self._begin(ended, self.matches["episode"] + 1)
         self.rewards[ended] = 0.0
         self.terms[ended] = 0.0
 
     def _restart_same_step(self) -> Transition:
-        """Begin new episodes where one ended; set `ended` to their rows, and `final` to the last records and state."""
+        """Begin new episodes in matches that just ended; set `ended` to their rows, `final` to their last state."""
         if not self._has_ended():
             self.ended = NOBODY
             return self.observations, self.rewards, self.terminated, self.truncated
@@ -286,7 +286,7 @@ class Match(Views, Branching):
         return self.observations, self.rewards, terminated, truncated
 
     def _has_ended(self) -> bool:
-        """Tell whether any episode has ended."""
+        """Tell whether the episode of any match has ended."""
         return bool(np.count_nonzero(self.terminated) or np.count_nonzero(self.truncated))
 
     def close(self) -> None:

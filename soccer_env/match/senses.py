@@ -1,4 +1,4 @@
-"""Senses: percepts and beliefs of the robots of M matches, by the sensors and the memory of their kind.
+"""Percepts and beliefs of the robots of M matches, from simulated sensors and the memory of each kind of robot.
 
     world -> sense -> percepts -> believe -> beliefs, tracks, gazes
     world -> tell  -> the situation in beliefs: phase, score, clock
@@ -26,7 +26,7 @@ UNUSED = (
 
 
 def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], learns: np.ndarray) -> tuple[int, ...]:
-    """Return the sides (HOME, AWAY) whose sensors a team or an observation of learners uses.
+    """Return the sides (HOME, AWAY) whose sensors are used by a team or by an observation of learners.
 
     `squads` are teams with the rows (P,) that each plays; `learns` (R,) marks the rows of learners.
     """
@@ -45,7 +45,7 @@ def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], lear
 
 
 class Senses:
-    """Beliefs from sensors: percepts (M, R), states of the sensors, and the memory from which beliefs are made.
+    """Percepts (M, R) and beliefs of robots, with the states of their sensors and the memory behind the beliefs.
 
     The robots of `sides` (HOME, AWAY) sense. Unless their senses are ideal they also fill their rows of beliefs (M, R)
     and tracks (M, R, slots). Nothing is computed for the other side.
@@ -77,7 +77,7 @@ class Senses:
         self._memory_numbers = tuple(MemoryNumbers(constants, self.sensors, self.memory_settings, self.tables, home))
 
     def _make_arrays(self, beliefs: np.ndarray, tracks: np.ndarray) -> None:
-        """Make the records of sensors and memory, zeroed."""
+        """Allocate the records of sensors and memory, filled with zeros."""
         shape = beliefs.shape
         kind = self.kind
         settings = self.settings
@@ -95,7 +95,7 @@ class Senses:
 
     @property
     def parts(self) -> dict[str, np.ndarray]:
-        """Return the arrays that the future of a match depends on, by name, as views of the filled rows."""
+        """Return by name the arrays that determine the future of a match, as views of the rows in use."""
         sensed = {name: getattr(self, name)[:, self._sensing] for name in ("percepts", "sensor_states", "pending")}
         names = ("beliefs", "tracks", "memories", "messages", "particles")
         return {**sensed, **{name: getattr(self, name)[:, self._believing] for name in names}}
@@ -114,17 +114,17 @@ class Senses:
         self.believe(first, last)
 
     def sense(self, first: int, last: int) -> None:
-        """Fill the percepts of a slice of matches from the truth."""
+        """Compute the percepts of a slice of matches from the truth."""
         numbers = self._sensor_numbers
         self.kind.sense(self._truth, self._perception, numbers, self.asleep, self.sensing, first, last)
 
     def tell(self, first: int, last: int) -> None:
-        """Write phase, score and clock of each match of a slice into the beliefs."""
+        """Write phase, score and clock into the beliefs of the robots, for a slice of matches."""
         if len(self.rows):
             tell_match_state(self._truth, self.beliefs, self.asleep, self.rows, first, last)
 
     def believe(self, first: int, last: int) -> None:
-        """Update the beliefs of a slice from the percepts; of the truth only the robots' noise and gazes are read."""
+        """Update the beliefs of a slice of matches from the percepts, without reading the truth."""
         if len(self.rows):
             numbers = self._memory_numbers
             self.kind.believe(self.percepts, self._minds, numbers, self.asleep, self.rows, first, last)

@@ -26,7 +26,7 @@ SENSES = get_args(Senses)
 
 @dataclass(frozen=True, kw_only=True)
 class Settings(MatchSettings):
-    """The settings of a Match with every name resolved: with seeds and actions they determine the match."""
+    """The settings of a Match with every name resolved; with seeds and actions they determine the whole match."""
 
     if TYPE_CHECKING:  # the types of resolved settings
         league: League
@@ -41,12 +41,12 @@ class Settings(MatchSettings):
 
     @property
     def rows(self) -> tuple[int, int]:
-        """Return the number of rows for the robots of home and of away."""
+        """Return the number of array rows for the robots of home and of away."""
         return (self.max_players, self.max_players) if self.padded else (self.home, self.away)
 
     @property
     def agents(self) -> list[str]:
-        """Return the names of the robots, row by row, home first."""
+        """Return the agent names of the robots in the order of rows, home first."""
         return [f"{side}_{i}" for side, size in zip(("home", "away"), self.rows, strict=True) for i in range(size)]
 
     @property
@@ -60,14 +60,14 @@ class Settings(MatchSettings):
 
     @property
     def half_length(self) -> float:
-        """Return the length of a half [s]; inf where no clock ends the episode."""
+        """Return the length of a half [s]; inf if no clock ends the episode."""
         if self.minutes is not None:
             return 30.0 * self.minutes
         return 60.0 * self.league.rules.half_minutes if self.episode == "match" else inf
 
     @property
     def limit(self) -> int:
-        """Return the control steps after which an episode is truncated."""
+        """Return the number of control steps after which an episode is truncated."""
         return np.iinfo(np.int64).max if self.max_cycles is None else self.max_cycles * self.action_repeat
 
     @property
@@ -83,7 +83,7 @@ class Settings(MatchSettings):
         return ceil(least / self.action_repeat) if isfinite(least) else None
 
     def constants(self) -> np.ndarray:
-        """Return the constants (1,) for compiled code."""
+        """Return the league's constants (1,) as a record for compiled code."""
         record = constants_of(self.league)
         record["placement_by_driving"] = self.placement == "drive"
         record["end_at_goal"] = self.episode == "goal"
@@ -100,7 +100,7 @@ class Settings(MatchSettings):
         }
 
     def fingerprint(self) -> str:
-        """Return a hash of everything that a match's future depends on."""
+        """Return a hash of all settings that determine a match's future."""
         relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
@@ -119,7 +119,7 @@ def to_plain_types(value: Any) -> Any:
 
 
 def check_senses(senses: Any) -> tuple[str, str]:
-    """Return the senses of home and of away; a team that a mapping leaves out has "sensors"."""
+    """Return the checked senses of home and of away; a team that a mapping leaves out gets "sensors"."""
     if isinstance(senses, Mapping):
         if not set(senses) <= {"home", "away"}:
             raise ValueError(f"senses by team must have the keys home and away, got {sorted(map(str, senses))}")
@@ -132,7 +132,7 @@ def check_senses(senses: Any) -> tuple[str, str]:
 
 
 def check_options(name: str, value: Any, base: Any) -> Any:
-    """Return sensor or memory settings: `base` with the changes of a mapping, or the given object of the same class."""
+    """Return sensor or memory settings: `base` with the changes of a mapping, or a given object of its class."""
     if value is None:
         return base
     if isinstance(value, Mapping):
@@ -152,7 +152,7 @@ def with_sensors(league: League, sensors: Any, memory: Any) -> League:
 
 
 def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League:
-    """Return the league with these rules; None: the rules of the drill, or the league's own."""
+    """Return the league with the given rules; None: the rules of the drill, or the league's own rules."""
     if isinstance(rules, Rules):
         return replace(league, rules=rules)
     if rules is None:
@@ -161,7 +161,7 @@ def find_rules(league: League, rules: Any, scene: Scene, episode: str) -> League
 
 
 def check_keeper(keeper: Any, home: int, away: int) -> int:
-    """Return the goalkeeper's number; ValueError if a team of two or more has no such number."""
+    """Return the goalkeeper's number, checked; ValueError if a team of two or more robots has no such number."""
     sizes = [size for size in (home, away) if size >= 2]
     return check_whole_number("keeper", keeper, 0, min(sizes, default=MAX_TEAM) - 1)
 

@@ -1,4 +1,4 @@
-"""Who plays which robot of a match: learners from outside, or teams inside."""
+"""Assign each robot of a match to a learner outside or to a team inside, and let the teams decide."""
 
 import dataclasses
 import hashlib
@@ -35,7 +35,7 @@ class TeamArrays(NamedTuple):
 
 @dataclass
 class Squad:
-    """A team, the robots of one side that it plays, and its memory (M, P)."""
+    """A team, the robots of one side that it plays, and its memory (M, P) in M matches."""
 
     team: Team
     players: np.ndarray  # (P,) rows
@@ -49,7 +49,7 @@ class Squad:
     _runs: dict[tuple[int, int], tuple[bytes, list[tuple[int, int]]]] = dataclasses.field(default_factory=dict)
 
     def describe(self) -> list[Any]:
-        """Return name, settings and rows of the team, which a save must agree with."""
+        """Return name, settings and rows of the team; a save can be loaded only where they are equal."""
         settings = getattr(self.team, "settings", None)
         text = settings.tobytes().hex() if isinstance(settings, np.ndarray) else ""
         if len(text) > LONG:
@@ -58,7 +58,7 @@ class Squad:
 
     @property
     def compiled(self) -> bool:
-        """Tell whether the team runs without Python."""
+        """Tell whether the team is compiled, so that it runs without Python."""
         return isinstance(self.team, CompiledTeam)
 
     @property
@@ -79,7 +79,7 @@ class Squad:
 
 
 def assign_teams(agents: list[str], home: int, opponents: Any, teammates: Any, controllers: Any) -> dict[str, Any]:
-    """Return {agent id: team}; `teammates` play all home robots but the last, `controllers` map agent ids or sides."""
+    """Return {agent id: team} from the arguments; `teammates` play all home robots except the last one."""
     who: dict[str, Any] = {}
     sides = {side: [agent for agent in agents if agent.startswith(side)] for side in ("home", "away")}
     if opponents is not None:
@@ -123,7 +123,7 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
 
 
 def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
-    """Return the squad of a team and its rows (P,); ValueError if the team cannot play this league or these senses."""
+    """Return the squad of a team that plays `players`; ValueError if the league or the senses do not suit the team."""
     check = getattr(team, "check_league", None)
     if check is not None:
         check(settings.league)
@@ -143,7 +143,7 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
 
 
 def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
-    """Choose the teams of lineups for the next episode of match m; home has the first `home` rows."""
+    """Choose which team of each lineup plays the next episode of match m; home has the first `home` rows."""
     for squad in squads:
         if squad.lineup is not None and squad.plays is not None:
             side = AWAY if squad.players[0] >= home else HOME
@@ -151,7 +151,7 @@ def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int
 
 
 def check_memory(team: Team) -> np.dtype:
-    """Return the dtype of a team's memory; ValueError if a match cannot save it."""
+    """Return the dtype of a team's memory; ValueError for a dtype that cannot be saved."""
     try:
         dtype = np.dtype(team.memory_dtype)
     except TypeError as error:
@@ -163,7 +163,7 @@ def check_memory(team: Team) -> np.dtype:
 
 @compiled
 def clip_commands(commands, players, first, last):
-    """Clip the commands of some robots into [-1, 1]; return the first (m, r) that is not finite, or (-1, -1)."""
+    """Clip the commands of `players` to [-1, 1]; return the first (m, r) with a number not finite, or (-1, -1)."""
     for m in range(first, last):
         for r in players:
             command = commands[m, r]
@@ -179,7 +179,7 @@ def clip_commands(commands, players, first, last):
 
 
 def cannot_compile_message(team: CompiledTeam, error: Exception) -> str:
-    """Return a one-line message why a team's kernel cannot be compiled; it names the field that a record lacks."""
+    """Return a one-line message that says why a team's kernel cannot be compiled, such as a missing record field."""
     if isinstance(error, KeyError):
         why = f"it reads {error} of a record that has no such field; skills read the numbers of skills.skill_settings()"
     else:
@@ -216,7 +216,7 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
 
 
 def run_python(squad: Squad, league: League, beliefs: np.ndarray, tracks: np.ndarray, robots: np.ndarray) -> None:
-    """Let a Python team decide in its matches; ValueError, and no change, for invalid commands or memory."""
+    """Let a Python team decide in its matches; for invalid commands or memory raise ValueError and change nothing."""
     matches = np.arange(len(robots)) if squad.plays is None else np.flatnonzero(squad.plays)
     if not len(matches):
         return

@@ -24,7 +24,7 @@ from soccer_env.types import NO_TEAM
 
 
 def league_without_calls(league: str | League) -> League:
-    """Return the league with a referee who calls no stuck ball and no foul, and never separates robots."""
+    """Return the league with a lenient referee: no stuck ball, no fouls, no separated robots."""
     preset = find_league(league)
     return replace(preset, rules=rule_set(preset.rules, PATIENT))
 
@@ -43,7 +43,7 @@ def send_off(match: Match, rows: Iterable[int]) -> None:
 
 
 def put(match: Match, r: Any, x: Any, y: Any, heading: Any = 0.0, forward: Any = 0.0, left: Any = 0.0) -> None:
-    """Put robot r (or several) of every match on the field [m, rad, field frame], walking [m/s, robot frame]."""
+    """Place robot r (or several) in every match [m, rad, field frame], walking at forward, left [m/s, robot frame]."""
     robots = match.robots
     robots["active"][:, r] = 1
     robots["x"][:, r], robots["y"][:, r], robots["heading"][:, r] = x, y, heading
@@ -56,7 +56,7 @@ def put(match: Match, r: Any, x: Any, y: Any, heading: Any = 0.0, forward: Any =
 
 
 def put_ball(match: Match, x: Any, y: Any, vx: Any = 0.0, vy: Any = 0.0, rolls: bool = True) -> None:
-    """Put the ball of every match somewhere [m, field frame], rolling [m/s], or sliding as after a kick."""
+    """Place the ball in every match [m, field frame], rolling at (vx, vy) [m/s], or sliding as after a kick."""
     ball = match.balls
     ball["x"], ball["y"], ball["vx"], ball["vy"] = x, y, vx, vy
     ball["roll_x"], ball["roll_y"] = (vx, vy) if rolls else (0.0, 0.0)
@@ -92,37 +92,37 @@ def squad_of(match: Match, r: int) -> Squad:
 
 
 def memory_of(match: Match, r: int = 0) -> np.ndarray:
-    """Return the memory (M,) that the team of robot r keeps for robot r, a record of the team's own dtype."""
+    """Return the memory (M,) of robot r's team for robot r, a record of the team's own dtype."""
     squad = squad_of(match, r)
     memory: np.ndarray = squad.memory[:, int(np.flatnonzero(squad.players == r)[0])]
     return memory
 
 
 def team_settings_of(match: Match, r: int = 0) -> np.ndarray:
-    """Return the settings (rows,) that the compiled team of robot r reads."""
+    """Return the settings (rows,) that the compiled team of robot r uses."""
     settings: np.ndarray = squad_of(match, r).settings  # type: ignore[assignment]  # of compiled teams alone
     return settings
 
 
 def sensors_of(match: Match) -> np.ndarray:
-    """Return the sensor settings (1,) that the running match reads."""
+    """Return the sensor settings (1,) that the running match uses."""
     settings: np.ndarray = _senses_of(match).sensors
     return settings
 
 
 def memory_settings_of(match: Match) -> np.ndarray:
-    """Return the memory settings (1,), of sensors and beliefs, that the running match reads."""
+    """Return the settings (1,) of the robots' memory that the running match uses to form beliefs."""
     settings: np.ndarray = _senses_of(match).memory_settings
     return settings
 
 
 def constants_of(match: Match) -> np.ndarray:
-    """Return the league's constants (1,) that the running match reads."""
+    """Return the league's constants (1,) that the running match uses."""
     return match.batch.constants
 
 
 def set_mass(match: Match, rows: Iterable[int], mass: float, moment: float) -> None:
-    """Set mass [kg] and moment of inertia [kg m2] of robots, until their Space is rebuilt."""
+    """Set mass [kg] and moment of inertia [kg m2] of robots, until their physics Space is rebuilt."""
     match.batch.physics.forget()
     for space in match.batch.physics.spaces:
         bodies = [] if space is None else list(space.bodies)

@@ -61,7 +61,7 @@ class PhysicsArrays(NamedTuple):
 
 
 class StepOutcome(NamedTuple):
-    """What learners get from a step, for M matches of R robots."""
+    """The result of a step for learners, for M matches of R robots."""
 
     rewards: np.ndarray  # (M, R)
     terms: np.ndarray  # (M, R, terms)
@@ -72,7 +72,7 @@ class StepOutcome(NamedTuple):
 
 
 class StepNumbers(NamedTuple):
-    """The settings that a step needs, as arrays and numbers."""
+    """The settings that a step needs, as arrays and plain numbers."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     weights: np.ndarray  # (1,) WEIGHTS
@@ -81,7 +81,7 @@ class StepNumbers(NamedTuple):
 
 @compiled
 def step_slice(links, world, physics, outcome, numbers, first, last):
-    """Step the matches first, ..., last - 1; return the first whose physics broke down, or -1.
+    """Step the matches first, ..., last - 1; return the number of the first whose physics failed, or -1.
 
     The whole step of a match runs before the next match begins, so that its records stay in the cache.
     """
@@ -118,7 +118,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
 
 @compiled
 def begin_slice(world, physics, outcome, numbers, before, substeps, first, last):
-    """Run the part of a step before the physics, for physics stepped by Python; `before` is (M, *POTENTIALS)."""
+    """Run the part of a step before the physics, where Python steps the physics; `before` is (M, *POTENTIALS)."""
     world, physics, outcome, numbers = to_named_tuples(world, physics, outcome, numbers)
     before = borrow_arrays(before)
     for m in range(first, last):
@@ -152,7 +152,7 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
 
 @compiled
 def to_named_tuples(world, physics, outcome, numbers):
-    """Convert bundles of arrays from plain tuples to named tuples of borrowed arrays."""
+    """Convert plain tuples of arrays to named tuples, without copying the arrays."""
     world, physics, outcome, numbers = (
         borrow_arrays(world),
         borrow_arrays(physics),
@@ -169,7 +169,7 @@ def to_named_tuples(world, physics, outcome, numbers):
 def begin_match(
     match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
 ):  # fmt: skip
-    """Run the part of a match's step before the physics; return the number of substeps, 0 if the match is over."""
+    """Run one match's step up to the physics; return the number of physics substeps, 0 if the match is over."""
     clear_events(events, robot_events)
     terms[:] = 0.0
     if match.over == 1:
@@ -184,7 +184,7 @@ def finish_match(
     match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
     before, scratch, terms, rewards, observations, tally,
 ):  # fmt: skip
-    """Run the part of a match's step after the physics; return GOES_ON, PUT_ELSEWHERE or BROKEN."""
+    """Run one match's step after the physics; return GOES_ON, PUT_ELSEWHERE (bodies were moved) or BROKEN."""
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
     after, axes, rows, squares, touching = scratch
@@ -198,7 +198,7 @@ def finish_match(
 
 @compiled
 def begin_step(match, ball, robots, robot_events, velocities, solver, k):
-    """Let robots drive, kick and turn their heads, and the ball roll; return the number of substeps."""
+    """Apply the commands (drive, kick, head) and the friction of the ball; return the number of physics substeps."""
     for r in range(robots.shape[0]):
         robot = robots[r]
         if match.placing == 1 or (match.shoot_out > 0 and is_onlooker(match, robots, r)):
@@ -221,7 +221,7 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
 
 @compiled
 def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally):
-    """Read the results of the physics and let the referee judge them; return whether any body was placed anew."""
+    """Read the results of the physics and let the referee judge; return whether any body was moved by the referee."""
     read_records(ball, robots, bodies, solver)
     knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
     slow_down(ball, k, 0.5 * k.dt)
@@ -258,21 +258,21 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
 
 @compiled
 def note_possession(ball, robot, events, k):
-    """Write whether a robot has the ball into its record and its events."""
+    """Write into a robot's record and events whether the robot has the ball."""
     robot.has_ball = 1 if robot.active == 1 and holds_ball(robot, k, ball.x, ball.y) else 0
     events.possession = robot.has_ball
 
 
 @compiled
 def make_scratch(robots):
-    """Return working arrays: potentials before a step, and the scratch arrays that `finish_match` unpacks."""
+    """Return working arrays: potentials before a step, and temporary arrays for `finish_match`."""
     rows, squares, touching = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM), np.empty(robots, np.int64)
     return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares, touching)
 
 
 @inlined
 def prefetch_match(links, robots, statistics, m):
-    """Prefetch the records that the step of match m touches into the cache, if match m exists."""
+    """Prefetch the records of match m, if it exists, into the processor's cache."""
     if prefetch_step(links, m):
         prefetch_row(robots, m, robots.strides[0])
         prefetch_row(statistics, m, OFTEN)
@@ -280,7 +280,7 @@ def prefetch_match(links, robots, statistics, m):
 
 @inlined
 def note_episode_end(match, outcome, m, k, limit):
-    """Set the flags of match m: terminated, or truncated after `limit` control steps or the time limit of a drill."""
+    """Set whether match m is terminated, or truncated after `limit` control steps or the drill's time limit."""
     out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
     outcome.terminated[m] = match.over == 1
     outcome.truncated[m] = match.over == 0 and (match.step >= limit or out_of_time)

@@ -1,4 +1,4 @@
-"""`state()`: the whole truth of a match as one vector, for centralised critics; every entry is named.
+"""`state()`: the whole truth of a match as one vector, for centralised critics; every entry has a name.
 
     side="field"          home's numbers first, in the frame of the field: at half-time all places change their signs
     side="home", "away"   that team's numbers first, turned so that the team always plays towards +x
@@ -76,7 +76,7 @@ TURNED_FOR_AWAY = ("restart_home", "home_direction")  # entries that change sign
 
 @cache
 def entries(players: int, side: str = "field") -> list[Entry]:
-    """Return the entries of the state vector with room for `players` a side, in order."""
+    """Return the entries of the state vector in order, with room for `players` robots in each team."""
     teams = ("home", "away") if side == "field" else ("own", "other")
     robots = [
         replace(entry, name=f"{team}_{number}_{entry.name}", group=team, slot=number)
@@ -86,24 +86,24 @@ def entries(players: int, side: str = "field") -> list[Entry]:
     ]
     if side == "field":
         return [*GAME, *BALL, *robots]
-    game = [_renamed(entry) for entry in GAME]
+    game = [_rename_for_side(entry) for entry in GAME]
     return [replace(entry, frame=TEAM if entry.frame == FIELD else entry.frame) for entry in (*game, *BALL, *robots)]
 
 
-def _renamed(entry: Entry) -> Entry:
-    """Return an entry of the game, renamed for a state from a team's side."""
+def _rename_for_side(entry: Entry) -> Entry:
+    """Return an entry about the game, renamed from home and away to own and other."""
     name, meaning = OWN_NAMES.get(entry.name, (entry.name, entry.meaning))
     return replace(entry, name=name, meaning=meaning)
 
 
 def check_side(side: Any) -> str:
-    """Return the side, checked; ValueError names the known sides."""
+    """Return the checked side; ValueError names the known sides."""
     found: str = check_choice("side", side, SIDES)
     return found
 
 
 def states(settings: Settings, records: Records, side: str = "field", players: int | None = None) -> np.ndarray:
-    """Return the states (n, entries) of n matches, float32 in [-1, 1], zeros for absent players.
+    """Return the state vectors (n, entries) of n matches, float32 in [-1, 1], zeros for absent players.
 
     players: rows a side; None: `max_players` of the settings.
     """
@@ -112,7 +112,7 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
     if side == "field":
         return state
     team = HOME if side == "home" else AWAY
-    columns, swapped, turned = side_orders(players, team)
+    columns, swapped, turned = conversion_to_side(players, team)
     direction = records["matches"]["home_direction"] * (1.0 if team == HOME else -1.0)
     signs = np.where(direction[:, None] < 0.0, turned, np.float32(1.0)) * swapped
     turned_state: np.ndarray = (signs * state)[:, columns]
@@ -120,8 +120,8 @@ def states(settings: Settings, records: Records, side: str = "field", players: i
 
 
 @cache
-def side_orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return arrays that turn a state to a team's side: order of columns, signs of the swap, signs of a half-turn."""
+def conversion_to_side(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return arrays that convert a state to a team's side: column order, signs of the swap, signs of a half-turn."""
     field_entries = entries(players)
     names = [entry.name for entry in field_entries]
     columns, swapped = np.arange(len(field_entries)), np.ones(len(field_entries), np.float32)
@@ -134,7 +134,7 @@ def side_orders(players: int, team: int) -> tuple[np.ndarray, np.ndarray, np.nda
 
 
 def field_states(settings: Settings, records: Records, players: int) -> np.ndarray:
-    """Return states in the frame of the field: match, ball, then `players` rows for home and for away."""
+    """Return states in the field frame: match, ball, then `players` rows for home and for away."""
     league, home_rows, count = settings.league, settings.rows[HOME], len(records["matches"])
     players_of_both = np.zeros((count, 2, players, len(PLAYER)))
     numbers = stack_entries(PLAYER, robot_numbers(league, records["robots"]))
@@ -150,7 +150,7 @@ def field_states(settings: Settings, records: Records, players: int) -> np.ndarr
 
 
 class FinalRecords(dict[str, np.ndarray]):
-    """The last records of the episodes that have just ended, by name; "state" is computed on demand."""
+    """The last records of the episodes that have just ended, by name; "state" is computed when first read."""
 
     def __init__(self, settings: Settings, records: Records | None = None) -> None:
         super().__init__(records or {})
@@ -163,17 +163,17 @@ class FinalRecords(dict[str, np.ndarray]):
         return self["state"]
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the final states (n, entries) from the given side; None: the side of the settings."""
+        """Return the final states (n, entries) seen from a side; None: the side given in the settings."""
         return states(self._settings, self, self._settings.state_side if side is None else check_side(side))
 
 
 def stack_entries(entries: Sequence[Entry], numbers: Mapping[str, Any]) -> np.ndarray:
-    """Stack numbers (...), given by name, into one array (..., n) in the order of the entries."""
+    """Stack numbers (...), given by name, into one array (..., n) in the order of `entries`."""
     return np.stack([np.asarray(numbers[entry.name], float) for entry in entries], axis=-1)
 
 
 def game_numbers(game: np.ndarray) -> dict[str, Any]:
-    """Return the entries of the game by name, scaled for the state, each (n,)."""
+    """Return the entries about the game by name, each (n,), scaled to [-1, 1]."""
     half = game["half_length"]
     score = game["score"] / (game["score"] + 2.0)
     return {
@@ -189,7 +189,7 @@ def game_numbers(game: np.ndarray) -> dict[str, Any]:
 
 
 def ball_numbers(league: League, ball: np.ndarray) -> dict[str, Any]:
-    """Return the entries of the ball by name, scaled for the state, each (n,)."""
+    """Return the entries about the ball by name, each (n,), scaled to [-1, 1]."""
     pitch, top = league.pitch, league.ball.top_speed
     return {
         "ball_x": ball["x"] / (pitch.length / 2 + pitch.goal_depth),
@@ -202,7 +202,7 @@ def ball_numbers(league: League, ball: np.ndarray) -> dict[str, Any]:
 
 
 def robot_numbers(league: League, robots: np.ndarray) -> dict[str, Any]:
-    """Return the entries of the robots by name, scaled for the state, each (n, R); zeros for inactive robots."""
+    """Return the entries about the robots by name, each (n, R), scaled to [-1, 1]; zeros for inactive robots."""
     pitch, drive = league.pitch, league.drive
     walk = robots["walk"]
     heading = robots["heading"]
@@ -244,7 +244,7 @@ class WholeTruth:
         self.entries = [self._rename_for_robot(entry) for entry in entries(self.players, "home")]
 
     def _rename_for_robot(self, entry: Entry) -> Entry:
-        """Return an entry of home's state, renamed for the observation of a single robot."""
+        """Return an entry of home's state, renamed for the observation of one robot."""
         if entry.slot is None:
             return entry
         group, slot = ("opponent", entry.slot) if entry.group == "other" else ("teammate", entry.slot - 1)
@@ -254,7 +254,7 @@ class WholeTruth:
         return replace(entry, name=f"{group}_{slot}_{name}", group=group, slot=slot)
 
     def __call__(self, match: Match) -> np.ndarray:
-        """Return (M, R, numbers) in [-1, 1]."""
+        """Return the observations (M, R, numbers) of all robots, in [-1, 1]."""
         settings = match.settings
         if settings.max_players > self.players:
             raise_not_allowed(

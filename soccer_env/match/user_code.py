@@ -1,4 +1,4 @@
-"""Call users' own functions in a control step, and check their results at once.
+"""Call the user's own functions in a control step, and check their results at once.
 
 Functions that play are called before the physics; success functions of scenes and reward terms after it.
 """
@@ -30,7 +30,7 @@ ANY = ArrayForm((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  #
 
 
 class ObservationGroup(NamedTuple):
-    """Robots with the same observation."""
+    """A group of robots that have the same kind of observation."""
 
     side: str  # "" for both teams
     observe: Any
@@ -39,7 +39,7 @@ class ObservationGroup(NamedTuple):
 
 
 class UserObservations:
-    """Observations that no kernel writes: made by a user's own object, or different for each team.
+    """Observations that a user's own object computes, or that differ between the two teams.
 
     `arrays` is (M, R, ...) or a dict of such arrays; if teams differ, {"home": (M, H, ...), "away": (M, A, ...)}.
     """
@@ -63,7 +63,7 @@ class UserObservations:
         self.arrays = dict(zip(who, views, strict=True)) if self.by_side else views[0]
 
     def fill(self, match: Match) -> None:
-        """Fill all observations; ValueError for a wrong result of a user's object."""
+        """Compute all observations; ValueError if a user's object returns a wrong result."""
         for group, seen in zip(self.groups, self._all, strict=True):
             if isinstance(group.observe, str):
                 rows = np.arange(len(self._agents))[group.rows]
@@ -83,8 +83,8 @@ class UserObservations:
         return index_arrays(seen, (slice(None), row - (group.rows.start or 0)))
 
 
-class UserTerms:
-    """The reward terms of users, in the columns after the built-in terms."""
+class UserRewardTerms:
+    """The reward terms that users wrote, in the columns after the built-in terms."""
 
     def __init__(self, rewards: Rewards) -> None:
         self._terms = cast("dict[str, OwnTerm]", rewards.extra)  # Rewards has made terms of plain functions
@@ -94,7 +94,7 @@ class UserTerms:
         self._judges = False  # whether a success function ends matches
 
     def begin(self, match: Match) -> None:
-        """Call users' code before a control step: functions that play, and potentials of the current records."""
+        """Before a control step, call the users' functions that play robots, and compute the users' potentials."""
         if self._asks is None:  # once: a list of the squads at each step would cost a match alone 0.4 us
             self._asks = any(isinstance(squad.team, FunctionTeam) for squad in match.squads)
             self._judges = callable(match.settings.scene.success) and match.settings.episode == "drill"
@@ -104,18 +104,18 @@ class UserTerms:
             self._waiting = match.matches["over"] == 1
             shaping = {name: term for name, term in self._terms.items() if term.kind == "potential"}
             self._before = {
-                name: ask_reward_term(match, name, term).copy() for name, term in shaping.items()
+                name: compute_reward_term(match, name, term).copy() for name, term in shaping.items()
             }  # may be a view
 
     def pay(self, match: Match) -> None:
-        """Let a success function end matches, and add users' terms to the rewards of matches not over before."""
+        """After a control step, let a success function end matches, and add the users' terms to the rewards."""
         if self._judges:
-            judge_scene(match, match.settings.scene)
+            apply_success_function(match, match.settings.scene)
         if not self._terms:  # the usual case: the lines below would cost a match alone 1 us of the 15 us of a step
             return
         over, gamma = match.matches["over"] == 1, float(match.batch.weights["gamma"][0])
         for column, (name, term) in enumerate(self._terms.items(), start=COUNT):
-            value = ask_reward_term(match, name, term)
+            value = compute_reward_term(match, name, term)
             if term.kind == "potential":
                 value = gamma * np.where(over[:, None], 0.0, value) - self._before[name]
             value = -term.weight * value if term.kind == "cost" else term.weight * value
@@ -124,7 +124,7 @@ class UserTerms:
 
 
 def check_result(values: Any, shape: tuple[int, ...], what: str, limit: float = np.inf) -> np.ndarray:
-    """Convert the result of users' code to numbers of a shape; ValueError names the code and the wrong result."""
+    """Convert the result of users' code to an array of a shape; ValueError names the code and the wrong result."""
     try:
         numbers = np.broadcast_to(np.asarray(values, np.float64), shape)
     except (TypeError, ValueError) as error:
@@ -138,8 +138,8 @@ def check_result(values: Any, shape: tuple[int, ...], what: str, limit: float = 
     return numbers
 
 
-def judge_scene(match: Match, scene: Scene) -> None:
-    """End matches by a scene's success function (1 success, -1 failure, 0 goes on), truncate them by the time limit.
+def apply_success_function(match: Match, scene: Scene) -> None:
+    """End matches by a scene's success function (1 success, -1 failure, 0 continue), or truncate by its time limit.
 
     A match that ends here has potential 0, like a match that the referee ends.
     """
@@ -151,7 +151,7 @@ def judge_scene(match: Match, scene: Scene) -> None:
         )
     goes_on = match.matches["over"] == 0
     for m in np.flatnonzero(goes_on & (verdicts != 0)).tolist():
-        take_back_shaping(match, m)
+        subtract_final_shaping(match, m)
         match.matches["over"][m], match.matches["phase"][m] = 1, Phase.OVER
         match.events["drill"][m] = int(verdicts[m])
         match.terminated[m], match.truncated[m] = True, False
@@ -159,8 +159,8 @@ def judge_scene(match: Match, scene: Scene) -> None:
     match.truncated |= goes_on & (verdicts == 0) & (played >= scene.time_limit - 0.5 * match.league.dt)
 
 
-def take_back_shaping(match: Match, m: int) -> None:
-    """Subtract the shaping reward for the final potential from the terms and rewards of match m."""
+def subtract_final_shaping(match: Match, m: int) -> None:
+    """Subtract the shaping reward of the final potential from the terms and rewards of match m."""
     potentials, weights = np.zeros(POTENTIALS), match.batch.weights
     records = match.matches[m], match.balls[m], match.robots[m]
     measure_potentials(*records, match.batch.constants[0], weights[0], potentials)
@@ -171,8 +171,8 @@ def take_back_shaping(match: Match, m: int) -> None:
         match.rewards[m] -= share
 
 
-def ask_reward_term(match: Match, name: str, term: OwnTerm) -> np.ndarray:
-    """Return the values (M, R) of a user's reward term; ValueError names the term, the robot and the wrong value."""
+def compute_reward_term(match: Match, name: str, term: OwnTerm) -> np.ndarray:
+    """Compute a user's reward term (M, R); ValueError names the term, the robot and the wrong value."""
     what = f"reward term {name!r}"
     numbers = convert_to_numbers(term.function(match), match.rewards.shape, what, match.agents)
     check_bounds(ANY, numbers, what, match.agents)

@@ -1,4 +1,4 @@
-"""The methods of `Match` that read and change nothing."""
+"""The methods of `Match` that read the match and change nothing."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -19,7 +19,7 @@ Match = Any  # soccer_env.match.match.Match, which stands above this file
 
 
 class Views:
-    """Beliefs, percepts, states, sizes and text of a Match."""
+    """Methods of `Match` that return beliefs, percepts, states, sizes and text."""
 
     if TYPE_CHECKING:
         settings: Settings
@@ -36,7 +36,7 @@ class Views:
 
     @property
     def tracks(self) -> np.ndarray:
-        """Return the beliefs about other players (M, R, slots); ValueError as for `beliefs`."""
+        """Return the tracks (M, R, slots): beliefs about other players; ValueError if no robot has senses."""
         return self.batch.read_all()[1]
 
     @property
@@ -47,7 +47,7 @@ class Views:
         return self.batch.senses.percepts
 
     def state(self, side: str | None = None) -> np.ndarray:
-        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players a side and present flags.
+        """Return the whole truth (M, n) float32 in [-1, 1], with room for max_players robots in each team.
 
         side: "home" or "away", from that team's side, which attacks +x in both halves; "field", in the frame of the
         field; None: the setting `state_side`. ValueError for anything else.
@@ -66,19 +66,19 @@ class Views:
 
         `n_actions` of continuous actions is the length of an action. Robots that a team plays are no agents.
         """
-        return env_info(self)
+        return pymarl_sizes(self)
 
     def __repr__(self) -> str:
-        return match_in_words(self)
+        return describe_match(self)
 
     def _repr_png_(self) -> bytes | None:
-        """Return the picture of the first match that a notebook shows, or None if it cannot be drawn."""
+        """Return a picture of the first match, which a notebook shows, or None if it cannot be drawn."""
         drawn: bytes | None = import_module(PICTURES).match_png(self)
         return drawn
 
 
-def env_info(match: Match) -> dict[str, int | None]:
-    """Return the sizes that PyMARL asks for."""
+def pymarl_sizes(match: Match) -> dict[str, int | None]:
+    """Return the sizes of observations, actions and states under PyMARL's names."""
     settings, learner = match.settings, int(np.argmax(match.learns))
     return {
         "state_shape": len(match.state_names),
@@ -89,7 +89,7 @@ def env_info(match: Match) -> dict[str, int | None]:
     }
 
 
-def match_in_words(match: Match) -> str:
+def describe_match(match: Match) -> str:
     """Return league, players and score: <Match legged-2001: 2 learners v 1 chaser; first half, 12.5 s, play, 0 : 1>."""
     settings = match.settings
     sides = (match.agents[: settings.rows[HOME]], match.agents[settings.rows[HOME] :])
@@ -99,7 +99,7 @@ def match_in_words(match: Match) -> str:
     if match.count > 1:
         shown.append(f"{match.count} matches")
     players = " v ".join(" and ".join(player_counts(match, side)) for side in sides)
-    return f"<{type(match).__name__} {', '.join(shown)}: {players}; {standing_in_words(match)}>"
+    return f"<{type(match).__name__} {', '.join(shown)}: {players}; {status_in_words(match)}>"
 
 
 def player_counts(match: Match, agents: list[str]) -> list[str]:
@@ -113,7 +113,7 @@ def player_counts(match: Match, agents: list[str]) -> list[str]:
     return [f"{count} {name}" for name, count in counts.items() if count]
 
 
-def standing_in_words(match: Match) -> str:
+def status_in_words(match: Match) -> str:
     """Return half, clock, phase and score of a single match in words, or how many of several matches have ended."""
     over = match.terminated | match.truncated
     if match.count > 1:

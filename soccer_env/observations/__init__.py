@@ -29,7 +29,7 @@ OBSERVE = BUILT_IN
 
 
 def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
-    """Return the entries of an observation in a league, in order; the observation is built in or a user's own."""
+    """Return the entries of an observation in a league, in order, for a built-in or a user's own observation."""
     if isinstance(observe, str):
         return LAYOUTS[observe](league)
     entries = getattr(observe, "entries", None)
@@ -41,7 +41,7 @@ def layout(league: League, observe: str | Observation = "truth") -> list[Entry]:
 
 
 def entry_names(league: League, observe: str | Observation) -> list[str]:
-    """Return the names of the entries of an observation, built-in or a user's own."""
+    """Return the names of an observation's entries, for a built-in or a user's own observation."""
     return [entry.name for entry in layout(league, observe)]
 
 
@@ -54,13 +54,13 @@ LAYOUTS: dict[str, Callable[[League], list[Entry]]] = {
 
 @cache
 def every_entry(observe: str) -> dict[str, Entry]:
-    """Return a dict, by name, of all entries that an observation has in any league; empty for percepts."""
+    """Return all entries, by name, that a built-in observation has in any league; empty for "percepts"."""
     listed = {"truth": truth.every_entry, "belief": belief.every_entry, "percepts": list[Entry]}[observe]()
     return {entry.name: entry for entry in listed}
 
 
 def entries_named(observe: str, names: Sequence[str]) -> list[Entry]:
-    """Return the entry of each named input of a policy; unknown names and percepts get entries with only a name.
+    """Return the entry of each named input of a policy; unknown names get an entry that has only a name.
 
     The meaning of a percept depends on the kind of robot, not only on its name.
     """

@@ -1,4 +1,4 @@
-"""observe="belief": a robot's belief, in the order of observe="truth", with confidences and ages.
+"""observe="belief": a robot's belief, laid out like observe="truth", with confidences and ages.
 
 Places and speeds come from the belief. Readings of the own body (gait phase, head, kicker, last command) are exact.
 
@@ -13,7 +13,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame
 from soccer_env.leagues.constants import has_ranger
 from soccer_env.leagues.league import League
-from soccer_env.observations.body import write_command, write_duty, write_joints
+from soccer_env.observations.body import write_command, write_joints, write_status_flags
 from soccer_env.observations.entry import (
     NONE,
     ROBOT,
@@ -73,7 +73,7 @@ def every_entry() -> list[Entry]:
 
 @compiled
 def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_length, rows, first, last):
-    """Write the observations (M, R, n) of the robots in `rows`; `robots` gives only exact readings of the own body."""
+    """Write the observations (M, R, n) of the robots in `rows`; of `robots` only exact body readings are used."""
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for m in range(first, last):
@@ -96,7 +96,7 @@ def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_
 
 @compiled
 def write_body(robot, belief, row, k):
-    """Write the believed pose of the robot and the readings of its body."""
+    """Write the robot's believed pose and the readings of its body into an observation."""
     own = belief.own
     row.own_x = clip(own.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(own.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
@@ -106,14 +106,14 @@ def write_body(robot, belief, row, k):
     row.own_turn = clip(own.turn / k.drive_turn, -1.0, 1.0)
     write_joints(robot, row, k)
     row.has_ball = belief.ball.held
-    write_duty(1 if robot.fallen <= 0.0 else 0, belief.situation.active, belief.situation.keeper, row)
+    write_status_flags(1 if robot.fallen <= 0.0 else 0, belief.situation.active, belief.situation.keeper, row)
     write_command(robot, row)
     row.own_confidence = own.confidence / SURE
 
 
 @compiled
 def write_ball(ball, row, k, diagonal):
-    """Write the believed place and speed of the ball."""
+    """Write the ball's believed position and velocity into an observation."""
     near, slow = NEAR * diagonal, SLOW * k.ball_top_speed
     distance = sqrt(ball.x * ball.x + ball.y * ball.y)
     away = max(distance, 1e-9)
@@ -130,7 +130,7 @@ def write_ball(ball, row, k, diagonal):
 
 @compiled
 def write_goals(own, row, k, diagonal):
-    """Write the places of the two goals, relative to the believed pose."""
+    """Write the positions of the two goals, relative to the believed pose, into an observation."""
     cosine, sine = cos(own.heading), sin(own.heading)
     goal = 0.5 * k.pitch_length
     ahead, left = into_frame(goal - own.x, -own.y, cosine, sine)
@@ -141,7 +141,7 @@ def write_goals(own, row, k, diagonal):
 
 @compiled
 def write_game(situation, row, half_length):
-    """Write the state of the match."""
+    """Write the state of the match (phase, score, time) into an observation."""
     difference = 1.0 * (situation.goals_for - situation.goals_against)
     row.in_play = 1.0 if situation.phase == PLAY else -1.0
     row.restart = situation.ours
@@ -152,7 +152,7 @@ def write_game(situation, row, half_length):
 
 @compiled
 def write_obstacle(obstacle, row, diagonal):
-    """Write the obstacle in front of the ranger; zeros without an obstacle.  MS49"""
+    """Write the obstacle in front of the infrared ranger into an observation; zeros without an obstacle.  MS49"""
     near, bearing = NEAR * diagonal, np.float64(obstacle.bearing)
     there = 1.0 if obstacle.distance > 0.0 else 0.0
     row.obstacle_near = there * near / (obstacle.distance + near)
@@ -161,7 +161,7 @@ def write_obstacle(obstacle, row, diagonal):
 
 @compiled
 def write_player(track, row, k, diagonal):
-    """Write the slot of one tracked player; an empty slot is all zeros."""
+    """Write one tracked player into its slot of an observation; an unused track gives zeros."""
     used = 1.0 if track.present == 1 else 0.0
     speed = 1.0 / k.drive_forward
     row.present = used
@@ -173,11 +173,11 @@ def write_player(track, row, k, diagonal):
 
 @compiled
 def soft_scale(value, half):
-    """Map a value to value / (|value| + half), a soft scale between -1 and 1 on which `half` becomes 0.5."""
+    """Map a value to value / (|value| + half), between -1 and 1, so that `half` becomes 0.5."""
     return value / (abs(value) + half)
 
 
 @compiled
 def soft_age(age):
-    """Map an age to a soft scale from 0 to 1; an infinite age becomes 1."""
+    """Map an age from [0, inf] to [0, 1], smoothly; an infinite age becomes 1."""
     return 1.0 if age == inf else age / (age + AGE)

@@ -33,7 +33,7 @@ COMMAND = copy_to_group(
 
 @compiled
 def write_joints(robot, row, k):
-    """Write the entries `JOINTS`: phase of the gait, pan and tilt of the head, state of the kicker."""
+    """Write the entries `JOINTS` of an observation: gait phase, pan and tilt of the head, state of the kicker."""
     phase = 2.0 * pi * robot.gait_phase / k.gait_steps
     row.gait_cos, row.gait_sin = (cos(phase), sin(phase)) if k.gait_steps > 1 else (0.0, 0.0)
     row.pan, row.tilt = robot.pan / pi, robot.tilt / (0.5 * pi)
@@ -41,8 +41,8 @@ def write_joints(robot, row, k):
 
 
 @compiled
-def write_duty(upright, active, keeper, row):
-    """Write the entries `DUTY` (upright, active, goalkeeper) as 1 or -1, from flags of 1 or 0."""
+def write_status_flags(upright, active, keeper, row):
+    """Write the entries `DUTY` of an observation (upright, active, goalkeeper) as 1 or -1, from flags of 1 or 0."""
     row.upright = 2.0 * upright - 1.0
     row.active = 2.0 * active - 1.0
     row.keeper = 2.0 * keeper - 1.0
@@ -50,7 +50,7 @@ def write_duty(upright, active, keeper, row):
 
 @compiled
 def write_command(robot, row):
-    """Write the entries `COMMAND`: the robot's last command."""
+    """Write the entries `COMMAND` of an observation: the robot's last command."""
     command = robot.command
     row.last_forward, row.last_left = command.forward, command.left
     row.last_turn, row.last_kick = command.turn, command.kick

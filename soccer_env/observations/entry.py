@@ -31,7 +31,7 @@ TEAMMATE, OPPONENT = "teammate", "opponent"  # the groups of the slots for other
 
 @dataclass(frozen=True)
 class Entry:
-    """One number of an observation or of a state, in [-1, 1]."""
+    """One number of an observation or of a state, in [-1, 1], with its name and meaning."""
 
     name: str  # unique in its layout
     meaning: str = ""  # in a line, for lists
@@ -48,21 +48,21 @@ class Entry:
 
     @property
     def mirror(self) -> int | None:
-        """Return the entry's factor in a left-right mirror, 1 or -1; None if unknown, or if the entry swaps places."""
+        """Return the entry's sign, 1 or -1, in a left-right mirror; None if unknown, or if the entry swaps places."""
         if self.frame is None or self.axis == SIDE:
             return None
         return -1 if self.axis in (Y, TURN) else 1
 
     @property
     def half_turn(self) -> int | None:
-        """Return the entry's factor in a half-turn of the field, 1 or -1; None if unknown."""
+        """Return the entry's sign, 1 or -1, under a half-turn of the field; None if unknown."""
         if self.frame is None:
             return None
         return -1 if self.frame == FIELD and self.axis in (X, Y) else 1
 
 
 class Observation(Protocol):
-    """A user's own observation: `soccer_v0.parallel_env(observe=MyObservation())`.
+    """The protocol of a user's own observation: `soccer_v0.parallel_env(observe=MyObservation())`.
 
     Mirrors need `entries` with frames, attention needs `entries` with slots. Numbers of `names` and `entries` lie in
     [-1, 1], or in [`low`, `high`] if these are given; `space` has any shape, or is a Dict. `needs_beliefs = False` says
@@ -79,12 +79,12 @@ class Observation(Protocol):
 
 
 def copy_to_group(group: str, *entries: Entry) -> tuple[Entry, ...]:
-    """Return copies of the entries with `group` as their group."""
+    """Return copies of the given entries, assigned to the group `group`."""
     return tuple(replace(entry, group=group) for entry in entries)
 
 
 def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries `rows` for each slot of another player, team-mates first."""
+    """Repeat the entries `rows` for each slot of another player, team-mates first."""
     return [
         replace(entry, name=f"{kind}_{slot}_{entry.name}", group=kind, slot=slot)
         for kind, slots in ((TEAMMATE, teammates), (OPPONENT, opponents))
@@ -94,7 +94,7 @@ def slot_entries(teammates: int, opponents: int, rows: Sequence[Entry]) -> list[
 
 
 def object_entries(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
-    """Return the entries `rows` for each of `count` objects called `name`, numbered if `count` is above 1."""
+    """Repeat the entries `rows` for each of `count` objects called `name`, numbered if there are several."""
     return [
         replace(entry, name=f"{one}_{entry.name}", meaning=f"{words}: {entry.meaning}", group=name, slot=slot)
         for slot, one in ([(i, f"{name}_{i}") for i in range(count)] if count > 1 else [(None, name)])
@@ -104,10 +104,10 @@ def object_entries(name: str, count: int, rows: Sequence[Entry]) -> list[Entry]:
 
 
 def slot_counts(league: League) -> tuple[int, int]:
-    """Return how many slots a league has for team-mates and for opponents."""
+    """Return the numbers of slots for team-mates and for opponents in a league."""
     return league.slots.teammates, league.slots.opponents
 
 
 def entries_dtype(entries: Iterable[Entry]) -> np.dtype:
-    """Return a record dtype with one float32 field for each entry, in order; kernels write the fields by name."""
+    """Return a record dtype with one float32 field for each entry, in order; kernels write fields by name."""
     return np.dtype([(entry.name, "f4") for entry in entries])

@@ -1,4 +1,4 @@
-"""observe="percepts" of the legged robots: blobs in the picture of a camera on a moving head, an infrared ranger.
+"""observe="percepts" of legged robots: blobs in the picture of the head camera, and an infrared range.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -45,14 +45,14 @@ RANGER_SIZE, TOUCH_SIZE, BLOB_SIZE = len(RANGER), len(TOUCH), len(BLOB)
 
 
 def entries(league: League) -> list[Entry]:
-    """Return the entries of a legged robot's observation, in order; they are equal in every league."""
+    """Return the entries of a legged robot's observation, in order; they are the same in every league."""
     blobs = [entry for colour in COLOURS for entry in object_entries(colour, BLOBS, BLOB)]
     return [*BODY, *RANGER, *TOUCH, *blobs, *object_entries("landmarks", LANDMARKS, LANDMARK), *GAME]
 
 
 @compiled
 def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
-    """Write the observations (M, R, n) of legged robots; `beliefs` gives only the state of the match."""
+    """Write the observations (M, R, n) of legged robots; of `beliefs` only the state of the match is used."""
     k, s = constants[0], sensors[0]
     for m in range(first, last):
         for r in rows:
@@ -72,21 +72,21 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
 
 @compiled
 def write_ranger(percept, row, s):
-    """Write the reading of the infrared ranger."""
+    """Write the reading of the infrared ranger into an observation."""
     row.infrared_valid = 1.0 if percept.infrared > 0.0 else 0.0
     row.infrared = clip(percept.infrared / s.infrared_far, 0.0, 1.0)
 
 
 @compiled
 def write_touch(touch, row):
-    """Write the touch sensors."""
+    """Write the readings of the touch sensors into an observation."""
     row.touch_head, row.touch_chin, row.touch_back = touch.head, touch.chin, touch.back
     row.touch_feet = 0.25 * touch.feet
 
 
 @compiled
 def write_blobs(blobs, observation, s, at):
-    """Write the blobs of one colour into the observation from index `at` on; return the next index."""
+    """Write the blobs of one colour into the observation, starting at index `at`; return the next index."""
     width, height = 44.0 * 2.0**s.resolution, 36.0 * 2.0**s.resolution
     for i in range(blobs.shape[0]):
         blob, row = blobs[i], record_view(observation, at, BLOB_ROW)

@@ -1,4 +1,4 @@
-"""observe="percepts" of the middle-size robots: bearings and distances in the mirror's picture, white lines.
+"""observe="percepts" of middle-size robots: bearings and distances in the mirror's picture, and white lines.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -39,7 +39,7 @@ def entries(league: League) -> list[Entry]:
 
 @compiled
 def observe_slice(percepts, beliefs, robots, observations, constants, sensors, half_length, rows, first, last):
-    """Write the observations (M, R, n) of middle-size robots; `beliefs` gives only the state of the match."""
+    """Write the observations (M, R, n) of middle-size robots; of `beliefs` only the state of the match is used."""
     k, s = constants[0], sensors[0]
     for m in range(first, last):
         for r in rows:
@@ -61,7 +61,7 @@ def observe_slice(percepts, beliefs, robots, observations, constants, sensors, h
 
 @compiled
 def write_sighting(sighting, observation, at):
-    """Write a sighting from the mirror's picture into the observation from index `at` on; return the next index."""
+    """Write a camera sighting into the observation, starting at index `at`; return the next index."""
     row, seen = record_view(observation, at, SIGHTING_ROW), 1.0 if sighting.seen == 1 else 0.0
     row.seen = seen
     row.cos, row.sin = seen * cos(sighting.bearing), seen * sin(sighting.bearing)

@@ -1,4 +1,4 @@
-"""A user's own observations: any shape, any bounds, dicts, and different observations for the two teams.
+"""Observations written by users: any shape, any bounds, dicts, and different observations for the two teams.
 
 form     Part, or a dict of forms: the observation of one robot
 Sides    the observations of home and of away
@@ -23,7 +23,7 @@ WHAT = f"a name, {OBJECTS}"
 
 @dataclass(frozen=True)
 class SideObservations:
-    """The kinds of observation of the teams home and away: built-in names, or a user's own objects."""
+    """The kinds of observation of home and of away: built-in names, or a user's own objects."""
 
     home: Any
     away: Any
@@ -31,7 +31,7 @@ class SideObservations:
 
 @dataclass(frozen=True)
 class ArrayForm:
-    """The shape, bounds and dtype of an array that a robot observes."""
+    """The shape, bounds and dtype of an array in a robot's observation."""
 
     shape: tuple[int, ...]
     low: np.ndarray
@@ -39,7 +39,7 @@ class ArrayForm:
     dtype: np.dtype
 
     def limits(self, at: tuple[int, ...]) -> str:
-        """Return a text that states the allowed numbers at an index."""
+        """Return in words the allowed range of the number at an index."""
         low, high = (np.broadcast_to(bound, self.shape)[at] for bound in (self.low, self.high))
         return f"numbers in [{low:g}, {high:g}]" if np.isfinite([low, high]).any() else "finite numbers"
 
@@ -48,7 +48,7 @@ Form = ArrayForm | dict[str, Any]  # whose values are forms
 
 
 def check_observe(observe: Any) -> Any:
-    """Check the argument `observe` and return it, a mapping converted to Sides; ValueError says what is allowed."""
+    """Return the argument `observe`, checked; a mapping becomes SideObservations, anything wrong a ValueError."""
     if isinstance(observe, Mapping):
         check_names("side of observe", observe, ("home", "away"))
         home, away = (check_observe(observe.get(side, "truth")) for side in ("home", "away"))
@@ -67,7 +67,7 @@ def check_observe(observe: Any) -> Any:
 
 
 def observation_form(observe: Any, numbers: int) -> Form:
-    """Return the form of one robot's observation: from the `space` of a user's object, else a vector of `numbers`."""
+    """Return the form of one robot's observation: that of a user's `space`, else a vector of `numbers` entries."""
     if not isinstance(observe, str) and hasattr(observe, "space"):
         return form_of_space(observe.space, "space of observe")
     low, high = (np.asarray(getattr(observe, name, usual), float) for name, usual in (("low", -1.0), ("high", 1.0)))
@@ -84,7 +84,7 @@ def observation_form(observe: Any, numbers: int) -> Form:
 
 
 def form_of_space(space: Any, what: str) -> Form:
-    """Return the form of a gymnasium space; ValueError unless it is a Box, or a Dict of Boxes."""
+    """Return the form of a gymnasium space; ValueError unless it is a Box or a Dict of Boxes."""
     if isinstance(getattr(space, "spaces", None), Mapping) and space.spaces:
         return {name: form_of_space(part, f"{what}[{name!r}]") for name, part in space.spaces.items()}
     if not all(hasattr(space, name) for name in ("low", "high", "shape", "dtype")):
@@ -93,7 +93,7 @@ def form_of_space(space: Any, what: str) -> Form:
 
 
 def space_from_form(form: Form) -> Any:
-    """Return a new gymnasium space of one robot's observation."""
+    """Return a new gymnasium space for one robot's observation."""
     from gymnasium import spaces
 
     if isinstance(form, dict):
@@ -103,29 +103,29 @@ def space_from_form(form: Form) -> Any:
 
 
 def form_size(form: Form) -> int:
-    """Return the number of numbers that one robot observes."""
+    """Return how many numbers one robot observes."""
     return sum(map(form_size, form.values())) if isinstance(form, dict) else math.prod(form.shape)
 
 
 def zero_observations(form: Form, matches: int, robots: int) -> Any:
-    """Return zero observations of M matches: an array (M, R, ...) or a dict of such arrays."""
+    """Return observations of M matches, all zero: an array (M, R, ...) or a dict of such arrays."""
     if isinstance(form, dict):
         return {name: zero_observations(part, matches, robots) for name, part in form.items()}
     return np.zeros((matches, robots, *form.shape), form.dtype)
 
 
 def index_arrays(seen: Any, at: Any) -> Any:
-    """Index an array, or each array of a dict, with `at`."""
+    """Index an array, or each array of a dict, with the index `at`."""
     return {name: index_arrays(part, at) for name, part in seen.items()} if isinstance(seen, dict) else seen[at]
 
 
 def copy_arrays(seen: Any) -> Any:
-    """Return copies of an array or of each array of a dict."""
+    """Return a copy of an array, or of each array of a dict."""
     return {name: copy_arrays(part) for name, part in seen.items()} if isinstance(seen, dict) else seen.copy()
 
 
 def fill(form: Form, into: Any, values: Any, what: str, agents: list[str], rows: slice) -> None:
-    """Copy a user's `values` for the robots in `rows` into the arrays `into`; ValueError names robot and value."""
+    """Copy a user's `values` for the robots `rows` into the arrays `into`; ValueError names the robot and the value."""
     if isinstance(form, dict):
         if not isinstance(values, Mapping) or set(values) != set(form):
             got = f"the keys {', '.join(map(str, values))}" if isinstance(values, Mapping) else short_repr(values)
@@ -148,7 +148,7 @@ def check_bounds(part: ArrayForm, numbers: np.ndarray, what: str, agents: list[s
 
 
 def convert_to_numbers(values: Any, shape: tuple[int, ...], what: str, agents: list[str]) -> np.ndarray:
-    """Convert values to an array of `shape` (M, R, ...), which one number fills; ValueError names the robots."""
+    """Convert values to an array of `shape` (M, R, ...); a single number fills it; ValueError names the robots."""
     try:
         numbers = np.asarray(values)
     except ValueError:

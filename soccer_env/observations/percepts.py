@@ -10,7 +10,7 @@ from math import cos, sin
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
+from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_joints, write_status_flags
 from soccer_env.observations.entry import NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group, entries_dtype
 
 BODY = (
@@ -41,7 +41,7 @@ BODY_ROW, BODY_SIZE = entries_dtype(BODY), len(BODY)
 
 @compiled
 def write_body(body, robot, row, k):
-    """Write the readings of the robot's own body."""
+    """Write the readings of the robot's own body into an observation."""
     known = 1.0 if body.pose > 0 else 0.0
     row.pose_known = known
     row.own_x = known * clip(body.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
@@ -52,5 +52,5 @@ def write_body(body, robot, row, k):
     row.odometry_turn = clip(body.turn / (k.drive_turn * k.dt), -1.0, 1.0)
     write_joints(robot, row, k)
     row.held = body.held
-    write_duty(body.upright, body.active, robot.keeper, row)
+    write_status_flags(body.upright, body.active, robot.keeper, row)
     write_command(robot, row)

@@ -1,4 +1,4 @@
-"""Part of an observation as a record: kernels write each number by the name of its entry."""
+"""Record views of part of an observation, so that kernels write each number by the name of its entry."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ NUMBER = np.dtype("f4").itemsize  # [bytes]
 
 
 def record_view(row: Any, at: int, record: Any) -> Any:
-    """Return a record view of the row (n,) from index `at` on; writing to the record changes the row.
+    """Return a record view of the row (n,), starting at index `at`; writing to the record changes the row.
 
     `record` comes from `entry.record_of`. In compiled code this costs nothing, while the checks of a view of a slice
     cost tens of nanoseconds; the caller makes sure that the row is long enough.

@@ -1,4 +1,4 @@
-"""The scales of observations and states in numbers, for a league: `own_x` is 1 at 1.8 m.
+"""The scales of observations and states in numbers of a league: `own_x` is 1 at 1.8 m.
 
 Entries have scales in words that hold in every league. Here a league's numbers and units replace the words.
 """
@@ -14,14 +14,14 @@ from soccer_env.types import Phase
 
 
 def scale_in_numbers(entry: Entry, league: League) -> str:
-    """Return the quantity that an entry shows as 1, or its soft scale's formula, as text with numbers and units."""
+    """Return in numbers and units the quantity at which an entry is 1, or the formula of its soft scale."""
     known = scale_phrases(league)
     pattern = "|".join(re.escape(text) for text in sorted(known, key=len, reverse=True))
     return re.sub(pattern, lambda found: known[found[0]], entry.scale).removeprefix("soft: ")
 
 
 def scale_phrases(league: League) -> dict[str, str]:
-    """Return a dict of the phrases that scales use: for each the number and unit in a league."""
+    """Return the phrases used for scales, such as "top turn rate", each with its number and unit in a league."""
     pitch, drive, fastest = league.pitch, league.drive, league.ball.top_speed
     diagonal = hypot(pitch.length, pitch.width)
     return {
@@ -46,7 +46,7 @@ def scale_phrases(league: League) -> dict[str, str]:
 
 
 def sensor_phrases(sensors: Any) -> dict[str, str]:
-    """Return a dict of the phrases about sensors that scales use: for each the number and unit."""
+    """Return the phrases used for sensors' scales, such as "greatest range", each with its number and unit."""
     numbers = {}
     if hasattr(sensors, "infrared_far"):
         numbers["its greatest valid range"] = f"{sensors.infrared_far:.4g} m"

@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import attack_direction, clip, into_frame
 from soccer_env.leagues.league import League
-from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_duty, write_joints
+from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_joints, write_status_flags
 from soccer_env.observations.entry import (
     NONE,
     ROBOT,
@@ -108,7 +108,7 @@ def every_entry() -> list[Entry]:
 
 @compiled
 def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
-    """Write the truth, relative to each robot of a match, into observations (R, n).
+    """Write the observations (R, n) of all robots of one match from the truth, relative to each robot.
 
     Scratch arrays: `axes` (R, 2) for cosine and sine of the headings, `rows` and `squares` to sort players.
     """
@@ -140,7 +140,7 @@ def observe_slice(matches, balls, robots, observations, constants, first, last):
 
 @compiled
 def write_own_body(match, robot, row, k, cosine, sine):
-    """Write the robot's own pose, speed and body."""
+    """Write the robot's own pose, velocity and body state into an observation."""
     side = attack_direction(match, robot.team)
     row.own_x = clip(side * robot.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(side * robot.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
@@ -151,13 +151,13 @@ def write_own_body(match, robot, row, k, cosine, sine):
     row.own_turn = clip(robot.omega / k.drive_turn, -1.0, 1.0)
     write_joints(robot, row, k)
     row.has_ball = robot.has_ball
-    write_duty(1 if robot.fallen <= 0.0 else 0, robot.active, robot.keeper, row)
+    write_status_flags(1 if robot.fallen <= 0.0 else 0, robot.active, robot.keeper, row)
     write_command(robot, row)
 
 
 @compiled
 def write_ball(robot, ball, row, k, cosine, sine, diagonal):
-    """Write the place and speed of the ball."""
+    """Write the ball's true position and velocity into an observation."""
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
     near = NEAR * diagonal
@@ -174,7 +174,7 @@ def write_ball(robot, ball, row, k, cosine, sine, diagonal):
 
 @compiled
 def write_goals(match, robot, row, k, cosine, sine, scale):
-    """Write the places of the two goals."""
+    """Write the true positions of the two goals into an observation."""
     goal = 0.5 * k.pitch_length * attack_direction(match, robot.team)
     ahead, left = into_frame(goal - robot.x, -robot.y, cosine, sine)
     row.goal_x, row.goal_y = clip(ahead * scale, -1.0, 1.0), clip(left * scale, -1.0, 1.0)
@@ -184,7 +184,7 @@ def write_goals(match, robot, row, k, cosine, sine, scale):
 
 @compiled
 def write_game(match, robot, row):
-    """Write the state of the match as the robot's team sees it."""
+    """Write the state of the match, as the robot's team sees it, into an observation."""
     ours = 1.0 if match.restart_team == robot.team else -1.0
     difference = np.float64(match.score[robot.team] - match.score[1 - robot.team])
     row.in_play = 1.0 if match.phase == PLAY else -1.0
@@ -196,7 +196,7 @@ def write_game(match, robot, row):
 
 @compiled
 def write_players(robots, r, observation, k, axes, scale, at, rows, count, slots):
-    """Write `count` players of a team, nearest first, into slots from index `at`, zeros after them; return the end."""
+    """Write `count` players, nearest first, into slots from index `at`, then zeros; return the next index."""
     cosine, sine = axes[r, 0], axes[r, 1]
     speed = 1.0 / k.drive_forward
     for slot in range(count):

@@ -1,4 +1,4 @@
-"""The geometry of a camera on a moving head: pixels, directions, and the place of the camera.  MS08
+"""The geometry of a camera on a moving head: pixels, directions, and the position of the camera.  MS08
 
 Picture coordinates are pixels from the image's centre, u to the left, v up. Directions are a bearing (0 straight ahead
 of the robot, left positive) and an elevation above the horizontal, both in the robot's frame. The head turns by pan
@@ -29,31 +29,31 @@ def image_height(s):
 
 @compiled
 def focal_x(s):
-    """Return the focal length for widths [px]."""
+    """Return the horizontal focal length [px]."""
     return 0.5 * image_width(s) / tan(0.5 * s.view_width)
 
 
 @compiled
 def focal_y(s):
-    """Return the focal length for heights [px]."""
+    """Return the vertical focal length [px]."""
     return 0.5 * image_height(s) / tan(0.5 * s.view_height)
 
 
 @compiled
 def tilt_at(share, low, high):
-    """Convert a share of the tilt's range (-1 lowest, 1 highest) to a tilt [rad]."""
+    """Convert a position in the tilt's range (-1 lowest, 1 highest) to a tilt angle [rad]."""
     return 0.5 * (high + low) + 0.5 * (high - low) * share
 
 
 @compiled
 def share_of_tilt(tilt, low, high):
-    """Convert a tilt [rad] to a share of the tilt's range: -1 lowest, 1 highest, not clipped."""
+    """Convert a tilt angle [rad] to a position in the tilt's range: -1 lowest, 1 highest, not clipped."""
     return (tilt - 0.5 * (high + low)) / (0.5 * (high - low))
 
 
 @compiled
 def tilt_point(ahead, up, level, steep, pivot):
-    """Return the distance ahead of the neck and the height of a point of a tilted head [m, m].
+    """Return the position of a point of the tilted head: distance ahead of the neck, and height [m, m].
 
     ahead, up: the point from the neck's pivot while the head is level [m]; level, steep: cosine and sine of the tilt;
     pivot: height of the neck's pivot [m], 0 for heights above it.
@@ -63,14 +63,14 @@ def tilt_point(ahead, up, level, steep, pivot):
 
 @compiled
 def camera_place(pan, tilt, s):
-    """Return the place of the camera: ahead, left, height [m], robot frame."""
+    """Return the position of the camera: ahead, left, height [m], robot frame."""
     forward, height = tilt_point(s.camera_ahead, s.camera_up, cos(tilt), sin(tilt), s.neck_height)
     return s.neck_ahead + forward * cos(pan), forward * sin(pan), height
 
 
 @compiled
 def direction_of_pixel(u, v, pan, tilt, s):
-    """Return bearing and elevation [rad], robot frame, of a point of the picture [px]."""
+    """Return bearing and elevation [rad], robot frame, of the pixel (u, v) of the picture [px]."""
     left, up = u / focal_x(s), v / focal_y(s)
     ahead = cos(tilt) - up * sin(tilt)
     high = sin(tilt) + up * cos(tilt)

@@ -1,4 +1,4 @@
-"""The hyperbolic mirror: the distance on the ground that a pixel shows.  [Heinemann et al. 2006, 2]  MH02
+"""The hyperbolic mirror: the distance on the ground of each pixel.  [Heinemann et al. 2006, 2]  MH02
 
     F1, h above the ground   inner focus of the hyperbola, behind the mirror: a ray from the ground towards it ...
     mirror                   ... meets the hyperboloid, which reflects it into ...
@@ -26,7 +26,7 @@ HORIZON = 0.98  # [1] of the radius of the ground's horizon; readings are limite
 
 @compiled
 def mirror_parameters(s: Any) -> Any:
-    """Return scale [px], bend [1] and height of the viewpoint [m] of the settings' mirror."""
+    """Return scale [px], bend [1] and height of the viewpoint [m] of the mirror in the settings."""
     bend = 2.0 * s.mirror_eccentricity / (1.0 + s.mirror_eccentricity * s.mirror_eccentricity)
     edge, height = s.mirror_edge, s.camera_height
     return 0.5 * s.image * (height + bend * sqrt(edge * edge + height * height)) / edge, bend, height
@@ -34,14 +34,14 @@ def mirror_parameters(s: Any) -> Any:
 
 @compiled
 def image_radius(mirror: Any, distance: Any) -> Any:
-    """Return the distance from the image's centre [px] of a point at a distance [m] on the ground.  MH02"""
+    """Return the distance from the image's centre [px] of a point that lies `distance` [m] away on the ground.  MH02"""
     scale, bend, height = mirror
     return scale * distance / (height + bend * sqrt(distance * distance + height * height))  # (1)
 
 
 @compiled
 def ground_distance(mirror: Any, radius: Any) -> Any:
-    """Return the distance on the ground [m] that a radius in the image [px] shows: (1) solved for d.  MH02"""
+    """Return the distance on the ground [m] of a point at `radius` [px] in the image: (1) solved for d.  MH02"""
     scale, bend, height = mirror
     share = min(radius / scale, HORIZON / bend)  # the horizon lies at scale / bend
     root = sqrt(1.0 + (1.0 - bend * bend) * share * share)
@@ -50,7 +50,7 @@ def ground_distance(mirror: Any, radius: Any) -> Any:
 
 @compiled
 def metres_per_pixel(mirror: Any, distance: Any) -> Any:
-    """Return how many metres a pixel spans along and across the line of sight [m/px] at a distance [m].
+    """Return the metres on the ground per pixel, along and across the line of sight [m/px], at a distance [m].
 
     Along the line the span is 1 / the derivative of (1) and grows with the squared distance; across it, d / radius.
     """

@@ -1,4 +1,4 @@
-"""What a robot feels of itself: odometry, accelerometer, kicker, and a pose if it is given one.  MS06
+"""Sensing of a robot's own body: odometry, accelerometer, kicker, and a pose if the settings provide one.  MS06
 
 No robot feels contacts here: a legged robot's touch sensors are in legged/touch.py, and Heinemann et al. 2006 mention
 none. A pose is in the team frame, own goal behind. The noisy pose of every frame stands for a localisation that works:
@@ -33,7 +33,7 @@ LEAST_TIME = 1e-9  # [s] a correlation time of zero makes independent errors
 
 @compiled
 def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
-    """Fill in a BODY_PERCEPT of either league, except the light barrier.  [Sacks 2001, 1]  MS06
+    """Write a robot's own readings into its percept, a BODY_PERCEPT, except the light barrier.  [Sacks 2001, 1]  MS06
 
     With `pose_sensed` 1 the robot gets a noisy pose in every frame, and `pose_error` holds its error. A robot that was
     just placed is always told its pose.
@@ -51,12 +51,12 @@ def sense_body(match, robot, events, body, pose_error, k, s, pose_sensed):
     else:
         mark_no_pose(body)
     if robot.placed == 1:
-        tell_pose(match, robot, body, s)
+        write_placed_pose(match, robot, body, s)
 
 
 @compiled
 def measure_odometry(robot, body, k, s):
-    """Fill in the odometry: the motion of legs or wheels in this frame, with or without slip on the ground.  MS06
+    """Measure the odometry: the motion of legs or wheels in this frame, with or without slip on the ground.  MS06
 
     The robot feels neither slip nor pushing: when stuck, it believes that it walks. The body keeps its direction over
     the ground during a step, so the odometry is the displacement in the axes of the last frame. Errors are factors on
@@ -69,27 +69,27 @@ def measure_odometry(robot, body, k, s):
 
 @compiled
 def add_encoder_error(step, noise, s):
-    """Return a step with the measurement error of the encoders in legs or wheels; a step of 0 has no error."""
+    """Multiply the length of a step by a random error, as of encoders in legs or wheels; a step of 0 stays 0."""
     return 0.0 if step == 0.0 else step * (1.0 + s.odometry_noise * draw_normal(noise, ODOMETRY))
 
 
 @compiled
 def sense_light_barrier(robot, body, s):
-    """Fill in whether the ball breaks the light barrier at the kicker; a share of the readings is wrong."""
+    """Measure whether the ball breaks the light barrier at the kicker; a share of the readings is wrong."""
     wrong = draw_uniform(robot.noise, BARRIER) < s.barrier_miss
     body.held = 1 if (robot.has_ball == 1) != wrong else 0
 
 
 @compiled
 def mark_no_pose(body):
-    """Mark the percept as one without a pose."""
+    """Mark in the percept that the robot gets no pose in this frame."""
     body.pose = NO_POSE
     body.x = body.y = body.heading = 0.0
 
 
 @compiled
 def sense_noisy_pose(match, robot, body, error, k, s, first):
-    """Fill in the noisy pose: the truth plus an error (POSE_ERROR) that changes slowly.
+    """Measure the robot's pose: the true pose plus an error (POSE_ERROR) that changes slowly.
 
     Each component of the error is a first-order autoregressive process e' = a e + sqrt(1 - a^2) sd n with
     a = exp(-dt / s.pose_time) and n standard normal; drawn from its stationary distribution in the first frame.
@@ -101,22 +101,22 @@ def sense_noisy_pose(match, robot, body, error, k, s, first):
     error.y = keep * np.float64(error.y) + fresh * s.pose_noise * hand * draw_normal(robot.noise, POSE)
     error.heading = keep * np.float64(error.heading) + fresh * s.pose_turn_noise * hand * draw_normal(robot.noise, POSE)
     body.pose = POSE_SENSED
-    give_pose(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
+    write_pose_with_error(match, robot, body, np.float64(error.x), np.float64(error.y), np.float64(error.heading))
 
 
 @compiled
-def tell_pose(match, robot, body, s):
-    """Fill in the pose that a robot is told when it is placed: true to about a hand's breadth."""
+def write_placed_pose(match, robot, body, s):
+    """Tell a robot that was just placed its pose, which is true to about a hand's breadth."""
     hand = match.handedness
     x = s.place_noise * draw_normal(robot.noise, POSE)
     y = s.place_noise * hand * draw_normal(robot.noise, POSE)
     body.pose = POSE_TOLD
-    give_pose(match, robot, body, x, y, s.place_turn_noise * hand * draw_normal(robot.noise, POSE))
+    write_pose_with_error(match, robot, body, x, y, s.place_turn_noise * hand * draw_normal(robot.noise, POSE))
 
 
 @compiled
-def give_pose(match, robot, body, error_x, error_y, error_heading):
-    """Fill in the true pose in the team frame [m, m, rad] plus an error in the same axes."""
+def write_pose_with_error(match, robot, body, error_x, error_y, error_heading):
+    """Write the robot's true pose in the team frame [m, m, rad] plus an error into its percept."""
     side = attack_direction(match, robot.team)
     heading = robot.heading if side > 0.0 else robot.heading + pi
     body.x, body.y = side * robot.x + error_x, side * robot.y + error_y

@@ -1,4 +1,4 @@
-"""senses="ideal": the truth in the fields of beliefs and tracks, as from a sensor without error or memory.
+"""Ideal senses, senses="ideal": write the truth into beliefs and tracks, as a sensor without error would.
 
 Everything is relative to the robot, and its own pose is in its team's frame (own goal behind), so that a team never
 learns which side it plays on. Every robot is told how the match stands, with sensors too.
@@ -22,7 +22,7 @@ SURE = 100.0  # confidence of what is seen  MS03
 
 @compiled
 def believe_truth_slice(world, beliefs, tracks, constants, rows, first, last):
-    """Fill the beliefs (M, R) and tracks (M, R, slots) of some robots with the truth, in a slice of matches."""
+    """Fill the beliefs (M, R) and tracks (M, R, slots) of the robots `rows` with the truth, in a slice of matches."""
     world = World(*world)
     players, squares = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM)
     for m in range(first, last):
@@ -35,13 +35,13 @@ def believe_truth_slice(world, beliefs, tracks, constants, rows, first, last):
 
 @compiled
 def tell_match_state(world, beliefs, asleep, rows, first, last):
-    """Tell some robots of a slice of matches how the match stands, except in matches that are `asleep` (M,)."""
+    """Write phase, score and clock into the beliefs of the robots `rows`, except in matches that are `asleep` (M,)."""
     world = World(*world)
     for m in range(first, last):
         match, robots = world.matches[m], world.robots[m]
         if not asleep[m]:
             for r in rows:
-                fill_situation(match, robots, beliefs[m, r].situation, r)
+                fill_match_state(match, robots, beliefs[m, r].situation, r)
 
 
 @compiled
@@ -51,16 +51,16 @@ def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     cosine, sine = cos(robot.heading), sin(robot.heading)
     fill_own_pose(match, robot, belief.own, cosine, sine)
     fill_ball(robot, ball, belief.ball, cosine, sine)
-    fill_situation(match, robots, belief.situation, r)
+    fill_match_state(match, robots, belief.situation, r)
     fill_heard_distance(ball, robots, belief.heard, r)
     belief.obstacle.distance = belief.obstacle.bearing = 0.0  # the tracks show every player
-    fill_slots(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
-    fill_slots(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
+    fill_tracks(robots, tracks, k, r, cosine, sine, 1, 0, k.teammate_slots, rows, squares)
+    fill_tracks(robots, tracks, k, r, cosine, sine, 0, k.teammate_slots, k.opponent_slots, rows, squares)
 
 
 @compiled
 def fill_own_pose(match, robot, own, cosine, sine):
-    """Fill in the robot's own pose, in its team's frame, and its speeds, from the truth."""
+    """Write the robot's true pose, in its team's frame, and its true speeds into its belief."""
     side = attack_direction(match, robot.team)
     own.x, own.y = side * robot.x, side * robot.y
     own.heading = robot.heading if side > 0.0 else wrap(robot.heading + pi)
@@ -71,7 +71,7 @@ def fill_own_pose(match, robot, own, cosine, sine):
 
 @compiled
 def fill_ball(robot, ball, believed, cosine, sine):
-    """Fill in the ball's true place and velocity."""
+    """Write the ball's true position and velocity, relative to the robot, into a belief."""
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
     believed.x, believed.y = ahead, left
@@ -88,8 +88,8 @@ def fill_ball(robot, ball, believed, cosine, sine):
 
 
 @compiled
-def fill_situation(match, robots, known, r):
-    """Fill in the state of the match that robot r may know: phase, score, time, numbers."""
+def fill_match_state(match, robots, known, r):
+    """Write the state of the match that robot r may know into its belief: phase, score, time, player numbers."""
     team = robots[r].team
     known.phase = match.phase
     known.placing = match.placing
@@ -110,7 +110,7 @@ def fill_situation(match, robots, known, r):
 
 @compiled
 def fill_heard_distance(ball, robots, heard, r):
-    """Fill in the ball's true distance from the nearest team-mate, as if reports had no delay or error."""
+    """Write the ball's true distance from the nearest team-mate, as if radio reports had no delay or error."""
     nearest = inf
     for other in range(robots.shape[0]):
         if other != r and robots[other].team == robots[r].team and robots[other].active == 1:
@@ -121,7 +121,7 @@ def fill_heard_distance(ball, robots, heard, r):
 
 @compiled
 def seconds_left(match):
-    """Return the time of play left until the final whistle [s]; inf for an endless match."""
+    """Return the playing time left until the final whistle [s]; inf for an endless match."""
     if match.half_length == inf:
         return inf
     return max((2 - match.half) * match.half_length - match.clock, 0.0)
@@ -153,18 +153,18 @@ def nearest_players(robots, r, same_team, slots, rows, squares):
 
 
 @compiled
-def fill_slots(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
-    """Fill the `slots` tracks from `first` on with the nearest team-mates or opponents, nearest first."""
+def fill_tracks(robots, tracks, k, r, cosine, sine, same_team, first, slots, rows, squares):
+    """Fill `slots` tracks, starting with index `first`, with the nearest team-mates or opponents, nearest first."""
     count = nearest_players(robots, r, same_team, slots, rows, squares)
     for slot in range(count):
-        see_player(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
+        fill_track(robots[r], robots[rows[slot]], tracks[first + slot], cosine, sine)
         tracks[first + slot].teammate = same_team
     clear_slots(tracks, first + count, first + slots)
 
 
 @compiled
-def see_player(robot, other, track, cosine, sine):
-    """Fill a track with the truth about another player."""
+def fill_track(robot, other, track, cosine, sine):
+    """Fill a track with the true state of another player, relative to the robot."""
     x, y = other.x - robot.x, other.y - robot.y
     track.x, track.y = into_frame(x, y, cosine, sine)
     track.distance, track.bearing = length(track.x, track.y), atan2(track.y, track.x)

@@ -1,4 +1,4 @@
-"""The loop over matches and robots in which robots sense, the same for every kind of robot.
+"""The compiled loop over matches and robots that computes percepts, shared by all kinds of robots.
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -22,7 +22,7 @@ class SensorArrays(NamedTuple):
 
 
 class SensorNumbers(NamedTuple):
-    """The constants and settings that perception reads."""
+    """The constants and settings that the sensors read."""
 
     constants: np.ndarray  # (1,) CONSTANTS
     sensors: np.ndarray  # (1,) record of the league's sensors
@@ -30,7 +30,7 @@ class SensorNumbers(NamedTuple):
 
 
 def make_sensor_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[..., None]) -> Callable[..., None]:
-    """Compile and return the loop over matches and robots of one kind of robot.
+    """Compile the sensing loop over matches and robots for one kind of robot; return the compiled function.
 
     sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s) fills in robot r's percept, except what
     its body feels; make_scratch(k, s) returns the `scratch` arrays for it.
@@ -38,7 +38,7 @@ def make_sensor_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[.
 
     @compiled
     def sense_slice(world, sensing, numbers, asleep, rows, first, last):
-        """Fill the percepts of some robots of a slice of matches; matches that are `asleep` (M,) stay unchanged."""
+        """Compute the percepts of some robots of a slice of matches; matches that are `asleep` (M,) stay unchanged."""
         world = World(*world)
         numbers = SensorNumbers(*numbers)
         k, s = numbers.constants[0], numbers.sensors[0]

@@ -1,4 +1,4 @@
-"""Records beside those of `types.py`, each field with its unit, frame and range.
+"""Records of percepts, beliefs and the world, each field with its unit, frame and range.
 
 percepts.py    what sensors deliver                    beliefs.py     what robots believe
 world.py       the arrays that a step passes about     ball_words.py  words of four bits for a distance to the ball

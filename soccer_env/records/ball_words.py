@@ -1,4 +1,4 @@
-"""Words of four bits: how far a robot is from the ball, in fifteen ranges.  MS06
+"""Words of four bits for a robot's distance to the ball, in fifteen ranges.  MS06
 
 Word 1 is below NEAREST, each further word covers a range GROWTH times as long, the last word everything beyond:
 
@@ -32,7 +32,7 @@ def word_for_distance(distance: float) -> int:
 
 @compiled
 def distance_of_word(word: int) -> float:
-    """Return the distance that a word stands for [m]: the geometric mean of its range; inf for word 0."""
+    """Return the distance [m] that a word means: the geometric mean of its range; inf for word 0."""
     if word <= SILENT:
         return inf
     distance = NEAREST / sqrt(GROWTH)

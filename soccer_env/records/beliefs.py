@@ -1,4 +1,4 @@
-"""What a robot believes: the records of its own pose, the ball, the match and the other players, with unit and frame.
+"""Records of a robot's beliefs: its own pose, the ball, the match and the other players, with unit and frame.
 
 Filled from percepts by `belief/` or, with ideal senses, from the truth. Frames are those of `types`.
 """
@@ -103,14 +103,14 @@ BELIEF = ranged_record(
 
 @compiled
 def clear_slots(tracks, first, last):
-    """Mark slots from `first` to before `last` as unused."""
+    """Mark the slots `first` to `last` - 1 of the tracks as unused."""
     for slot in range(first, last):
         forget(tracks[slot])
 
 
 @compiled
 def forget(track):
-    """Reset a slot to an empty TRACK."""
+    """Reset a track to an empty TRACK, so that its slot is unused."""
     track.present = track.teammate = track.keeper = 0
     track.number = UNKNOWN
     track.distance = track.bearing = track.x = track.y = track.vx = track.vy = track.heading = 0.0

@@ -1,4 +1,4 @@
-"""Records of percepts: what a robot's sensors delivered in one frame, and nothing else.
+"""Records of percepts: the readings of a robot's sensors in one frame, and nothing else.
 
 Percepts are named from the robot's own side: own goal, team-mates. A robot knows its jersey and the half that it
 defends, so colours need no names. Pixels are whole numbers, everything else is single precision: a percept is as fine

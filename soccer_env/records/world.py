@@ -26,7 +26,7 @@ class World(NamedTuple):
 
     @classmethod
     def empty(cls, matches: int, robots: int) -> World:
-        """Return a World of zeroed records for M matches of R robots."""
+        """Return a World of records for M matches of R robots, filled with zeros."""
         return cls(
             np.zeros(matches, MATCH),
             np.zeros(matches, BALL),

@@ -1,4 +1,4 @@
-"""Reward terms: each is a row of TERMS, from which weights, sums, infos, lists and training settings follow.
+"""Reward terms: each is a row of TERMS, which defines its weight, function, infos, lists and training settings.
 
     table.py    the terms, their weights and presets
     terms.py    the function of each term

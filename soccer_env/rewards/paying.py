@@ -26,7 +26,7 @@ def make_potential_kernel(terms: tuple[Term, ...]) -> Callable[..., None]:
 
 
 def add_potential(measure_others, column, index, function):
-    """Return a kernel that calls `measure_others`, then writes the potential of one more term, 0 if its weight is 0."""
+    """Extend the kernel `measure_others` by one potential; the potential is 0 if its weight is 0."""
 
     @inlined
     def measure(match, ball, robots, k, team, weights, potentials):
@@ -38,7 +38,7 @@ def add_potential(measure_others, column, index, function):
 
 
 def make_reward_kernel(terms: tuple[Term, ...]) -> Callable[..., None]:
-    """Return a kernel that adds the robots' rewards to an array (R, terms or more), one column for each term."""
+    """Return a kernel that adds each robot's reward terms to an array (R, terms or more), one column for each term."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
@@ -55,7 +55,7 @@ def make_reward_kernel(terms: tuple[Term, ...]) -> Callable[..., None]:
 
 
 def add_shaping(pay_others, column, index):
-    """Return a kernel that calls `pay_others`, then adds the shaping reward of one potential for each robot."""
+    """Extend the kernel `pay_others` by the shaping reward of one potential, for each robot."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
@@ -71,7 +71,7 @@ def add_shaping(pay_others, column, index):
 
 
 def add_event(pay_others, column, function, sign):
-    """Return a kernel that calls `pay_others`, then adds an event (sign 1) or cost (sign -1) term for each robot."""
+    """Extend the kernel `pay_others` by an event term (sign 1) or a cost term (sign -1), for each robot."""
 
     @inlined
     def pay(match, ball, robots, events, robot_events, k, before, after, weights, paid):
@@ -91,7 +91,7 @@ pay_robots = make_reward_kernel(TERMS)
 
 @compiled
 def measure_potentials(match, ball, robots, k, weights, potentials):
-    """Write the potentials of both teams into an array of the shape POTENTIALS; all 0 once the episode has ended."""
+    """Write the potentials of both teams into an array of shape POTENTIALS; all 0 once the episode has ended."""
     if match.over == 1:
         potentials[:] = 0.0
         return
@@ -101,7 +101,7 @@ def measure_potentials(match, ball, robots, k, weights, potentials):
 
 @compiled
 def reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards):
-    """Add the weighted terms of each robot to terms (R, COUNT or more), and write their sum into rewards (R,)."""
+    """Add the weighted terms of each robot to terms (R, COUNT or more), and write their sums into rewards (R,)."""
     pay_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms)
     for r in range(robots.shape[0]):
         total = 0.0

@@ -18,7 +18,7 @@ WEIGHT = Range(-1e9, 1e9)  # of a term: larger weights could make rewards infini
 
 @dataclass(frozen=True)
 class Term:
-    """A reward term of every match."""
+    """A built-in reward term."""
 
     name: str
     text: str  # its meaning, for lists
@@ -29,7 +29,7 @@ class Term:
 
 @dataclass(frozen=True)
 class OwnTerm:
-    """A user's own reward term: a function of the Match that returns (M, R) numbers, its kind and its weight."""
+    """A user's own reward term: a function of the Match that returns (M, R) numbers, a kind and a weight."""
 
     function: Callable[[Any], Any]  # of the Match, returns (M, R) numbers
     kind: str = "event"  # "event" and "cost" pay and charge the numbers, "potential" shapes by them
@@ -93,7 +93,7 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
     """A user's own terms by name: an OwnTerm, or a function, which becomes an event of weight 1."""
 
     def __new__(cls, **values: Any) -> Rewards:
-        """Create the weights; raise ValueError for the name of a term that does not exist."""
+        """Create the weights; raise ValueError for an unknown term."""
         check_names("reward term", values, [item.name for item in fields(cls)])
         made: Rewards = super().__new__(cls)
         return made
@@ -111,11 +111,11 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 
     @staticmethod
     def only(**values: Any) -> Rewards:
-        """Return rewards with the given weights; all other terms have weight 0."""
+        """Return rewards with the given weights, and weight 0 for all other terms."""
         return Rewards(**{**dict.fromkeys(NAMES, 0.0), **values})
 
     def weights(self) -> np.ndarray:
-        """Return the (1,) record of weights for compiled code."""
+        """Return the weights as a record (1,) for compiled code."""
         return np.array([(tuple(float(getattr(self, name)) for name in NAMES), self.gamma)], WEIGHTS)
 
 
@@ -129,7 +129,7 @@ PRESETS = {
 
 
 def find_rewards(rewards: str | Rewards) -> Rewards:
-    """Return the rewards of a preset or MODULE:NAME; a Rewards passes through. ValueError lists the presets."""
+    """Return the rewards of a preset or MODULE:NAME, or a given Rewards unchanged; ValueError lists the presets."""
     rewards = object_in_module("rewards", rewards, Rewards) or rewards
     if isinstance(rewards, Rewards):
         return rewards

@@ -1,4 +1,4 @@
-"""The functions of reward terms: potentials of a team, events and costs of a robot; `rewards.TERMS` is the table.
+"""The functions of reward terms: potentials of a team, events and costs of a robot, listed in `rewards.TERMS`.
 
 `k`: the league's constants.
 """
@@ -23,7 +23,7 @@ def score(match, ball, robots, events, robot_events, k, r, weight):
 
 @compiled
 def shot(match, ball, robots, events, robot_events, k, r, weight):
-    """Return the weight for a kick of the robot after which the ball would roll between the opponents' posts."""
+    """Return the weight if the robot kicks and the ball would roll between the opponents' posts, else 0."""
     if robot_events[r].kick == 0 or events.restart != 0:
         return 0.0
     return weight if predict_aim(ball, attack_direction(match, robots[r].team), k) == ON_TARGET else 0.0
@@ -31,7 +31,7 @@ def shot(match, ball, robots, events, robot_events, k, r, weight):
 
 @compiled
 def progress(match, ball, robots, k, team):
-    """Return how much nearer the ball is to the opponents' goal than to the own, over twice the pitch's length."""
+    """Return (distance of the ball from the own goal - distance from the opponents' goal) / (2 x pitch length)."""
     half = 0.5 * k.pitch_length
     left, right = length(ball.x + half, ball.y), length(ball.x - half, ball.y)
     return attack_direction(match, team) * (left - right) / (2.0 * k.pitch_length)
@@ -39,7 +39,7 @@ def progress(match, ball, robots, k, team):
 
 @compiled
 def approach(match, ball, robots, k, team):
-    """Return minus the distance of the team's nearest active robot from the ball, over the pitch's diagonal."""
+    """Return minus the distance from the ball to the team's nearest active robot, divided by the pitch's diagonal."""
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     square = squared_nearest_distance(ball, robots, team)
     return -(0.0 if square == inf else sqrt(square)) / diagonal
@@ -58,10 +58,10 @@ def squared_nearest_distance(ball, robots, team):
 
 @compiled
 def cover(match, ball, robots, k, team):
-    """Return minus the distance of the nearest mate of the robot at the ball from its cover place, over the diagonal.
+    """Return minus the distance from the cover place to the nearest team-mate of the robot at the ball, scaled.
 
     The cover place is halfway between the ball and the own goal, outside the penalty area, where field players may not
-    be. A mate that is out counts as a diagonal away; a team of one robot gets 0.
+    be. The scale is the pitch's diagonal. A mate that is out counts as a diagonal away; a team of one robot gets 0.
     """
     first, mates = nearest_robot_to_ball(ball, robots, team), 0
     goal = -0.5 * k.pitch_length * attack_direction(match, team)
@@ -79,7 +79,7 @@ def cover(match, ball, robots, k, team):
 
 @compiled
 def guard(match, ball, robots, k, team):
-    """Return minus the angle between the own posts, seen from the ball, that the goalkeeper leaves open, over pi.
+    """Return minus the open angle of the own goal, seen from the ball past the goalkeeper, divided by pi.
 
     The goalkeeper counts as a disc of its reach; the farther it stands behind the line, the less it covers.
     """
@@ -101,7 +101,7 @@ def guard(match, ball, robots, k, team):
 
 @compiled
 def crowding(match, ball, robots, k, team):
-    """Return minus the nearness to the ball of the team's second-nearest robot: 0 far from the ball, -1 at the ball."""
+    """Return minus the closeness to the ball of the team's second-nearest robot: 0 far from the ball, -1 at it."""
     first, far = nearest_robot_to_ball(ball, robots, team), CROWD * k.body_reach
     least = far
     for r in range(robots.shape[0]):
@@ -112,7 +112,7 @@ def crowding(match, ball, robots, k, team):
 
 @compiled
 def nearest_robot_to_ball(ball, robots, team):
-    """Return the row of a team's active robot nearest to the ball, -1 if it has none."""
+    """Return the row of a team's active robot nearest to the ball, -1 if no robot is active."""
     first, least = -1, inf
     for r in range(robots.shape[0]):
         if robots[r].team == team and robots[r].active == 1:
@@ -124,7 +124,7 @@ def nearest_robot_to_ball(ball, robots, team):
 
 @compiled
 def strength(match, ball, robots, k, team):
-    """Return minus the share of a team that serves a penalty."""
+    """Return minus the fraction of a team's robots that serve a penalty."""
     out, all_of_it = 0, 0
     for r in range(robots.shape[0]):
         if robots[r].team == team:
@@ -135,13 +135,13 @@ def strength(match, ball, robots, k, team):
 
 @compiled
 def foul(match, ball, robots, events, robot_events, k, r, weight):
-    """Return the weight for a foul that was whistled against the robot."""
+    """Return the weight if the referee has whistled a foul of this robot, else 0."""
     return weight if robot_events[r].foul != 0 else 0.0
 
 
 @compiled
 def effort(match, ball, robots, events, robot_events, k, r, weight):
-    """Return the weighted mean square of a robot's walk command; the referee's steering costs nothing."""
+    """Return the weighted mean square of a robot's walk command, 0 while the referee steers the robot."""
     if match.placing == 1:
         return 0.0
     command = robots[r].command

@@ -1,4 +1,4 @@
-"""The kind of robot that plays the legged league."""
+"""The declaration of the legged robot, which plays the legged league."""
 
 import numpy as np
 
@@ -21,7 +21,7 @@ GROUPS: tuple[Group, ...] = (  # percepts of a camera on a head; those of severa
 
 
 def percept_columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the columns that a replay keeps of robots (R,): head, blobs and obstacle, each (R, n, parts)."""
+    """Return the percept columns that a replay stores for robots (R,): head, blobs and obstacle, each (R, n, parts)."""
     obstacle = beliefs["obstacle"]
     arrays = {"head": np.stack([CENTI * percepts["pan"], CENTI * percepts["tilt"]], axis=-1)[:, None]}
     arrays["obstacle"] = np.stack([CENTI * obstacle["bearing"], CENTI * obstacle["distance"]], axis=-1)[:, None]
@@ -33,7 +33,7 @@ def percept_columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.n
 
 
 def summarise_percepts(percepts: np.ndarray) -> PerceptSummary:
-    """Return the summary `PerceptSummary` of percepts (R,): ball, goals, number of players and of landmarks, ranger."""
+    """Return a `PerceptSummary` of percepts (R,): ball, goals, numbers of players and landmarks, infrared range."""
     ball, own_goal, opponent_goal = (percepts[name]["area"][:, 0] > 0 for name in ("ball", "own_goal", "opponent_goal"))
     mates, opponents, marks = ((percepts[n]["area"] > 0).sum(axis=1) for n in ("teammates", "opponents", "landmarks"))
     return PerceptSummary(ball, own_goal, opponent_goal, mates + opponents, marks, percepts["infrared"])

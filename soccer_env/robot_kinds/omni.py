@@ -1,4 +1,4 @@
-"""The kind of robot that plays the middle-size league."""
+"""The declaration of the omnidirectional robot, which plays the middle-size league."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ GROUPS: tuple[Group, ...] = (
 
 
 def percept_columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the columns that a replay keeps of robots (R,): sightings and lines, each (R, n, parts)."""
+    """Return the percept columns that a replay stores for robots (R,): sightings and lines, each (R, n, parts)."""
     arrays = {}
     for name, count, _ in GROUPS[:-1]:
         things = percepts[name].reshape(len(percepts), -1)[:, :count]
@@ -30,7 +30,7 @@ def percept_columns(percepts: np.ndarray, beliefs: np.ndarray) -> dict[str, np.n
 
 
 def summarise_percepts(percepts: np.ndarray) -> PerceptSummary:
-    """Return the `PerceptSummary` of percepts (R,): ball, goals, players and lines; these robots have no ranger."""
+    """Return a `PerceptSummary` of percepts (R,): ball, goals, players and lines, without an infrared range."""
     ball, own_goal, opponent_goal = (percepts[name]["seen"] > 0 for name in ("ball", "own_goal", "opponent_goal"))
     players, lines = percepts["players"]["seen"].sum(axis=1), (percepts["lines"] > 0.0).sum(axis=1)
     return PerceptSummary(ball, own_goal, opponent_goal, players, lines, np.zeros(len(percepts)))

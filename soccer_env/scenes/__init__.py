@@ -28,7 +28,7 @@ SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_
 
 
 def find_scene(scene: str | Scene) -> Scene:
-    """Return the scene of a name, MODULE:NAME or names with shares; a Scene passes through. ValueError lists names."""
+    """Return the scene that a text names, or a given Scene unchanged; ValueError lists the known names."""
     chosen = object_in_module("scene", scene, Scene) or scene
     if isinstance(chosen, Scene):
         return chosen
@@ -39,14 +39,14 @@ def find_scene(scene: str | Scene) -> Scene:
 
 
 def is_user_scene(scene: Scene) -> bool:
-    """Tell whether a scene, or a part of a mixture, is a user's own."""
+    """Tell whether a scene, or a part of a mixture, was written by a user."""
     parts = scene.parts if isinstance(scene, Mixture) else (scene,)
     return any(SCENES.get(part.name) != part for part in parts)
 
 
 def mixture(text: str) -> Scene:
-    """Return the mixture for a text such as "kick-off:0.6,MODULE:NAME:0.4"; the share is 1 if left out."""
-    parts = [split_share(part.strip()) for part in text.split(",")]
+    """Return the mixture of scenes for a text such as "kick-off:0.6,MODULE:NAME:0.4"; a share left out is 1."""
+    parts = [split_name_and_share(part.strip()) for part in text.split(",")]
     scenes = tuple(find_scene(name) for name, _ in parts)
     if len({name for name, _ in parts}) < len(parts):
         raise ValueError(f"scenes must be different, got {text!r}")
@@ -58,12 +58,12 @@ def mixture(text: str) -> Scene:
 
 
 def scene_names(text: str) -> list[str]:
-    """Return the names, or MODULE:NAME, of the scenes in a text of scenes with shares."""
-    return [split_share(part.strip())[0] for part in text.split(",")]
+    """Return the names, or MODULE:NAME, of the scenes in a text such as "kick-off:0.6,MODULE:NAME:0.4"."""
+    return [split_name_and_share(part.strip())[0] for part in text.split(",")]
 
 
-def split_share(part: str) -> tuple[str, str]:
-    """Split NAME:share, NAME or MODULE:NAME:share into the scene's name and its share."""
+def split_name_and_share(part: str) -> tuple[str, str]:
+    """Split NAME:SHARE, NAME or MODULE:NAME:SHARE into the scene's name and its share."""
     if MODULE_PATH.fullmatch(part) and part.partition(":")[0] not in SCENES:
         return part, "1"
     name, colon, share = part.rpartition(":")
@@ -73,5 +73,5 @@ def split_share(part: str) -> tuple[str, str]:
 __all__ = [
     "SCENES", "SUCCESS", "SceneRandom", "Mixture", "Place", "Scene", "find_scene", "is_user_scene", "judge_drill",
     "mixture",
-    "scene_names", "put_robot", "send_away", "split_share",
+    "scene_names", "put_robot", "send_away", "split_name_and_share",
 ]  # fmt: skip

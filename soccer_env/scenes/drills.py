@@ -9,7 +9,7 @@ from soccer_env.types import HOME
 
 
 def place_empty_goal(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put the ball a short way off the empty goal, home's last robot behind it, all other robots far behind."""
+    """Place the ball in front of the empty goal, home's last robot behind the ball, all other robots far behind."""
     goal = league.pitch.length / 2
     away = draw.between(0.15, 0.3) * league.pitch.length
     angle = draw.between(-0.6, 0.6)  # [rad] off the middle of the goal
@@ -38,13 +38,13 @@ def place_shot(league: League, ball: Any, robots: Any, draw: SceneRandom) -> Non
 
 
 def roll(ball: Any, direction: float, speed: float) -> None:
-    """Let the ball roll in a direction [rad] at a speed [m/s]."""
+    """Set the ball rolling in a direction [rad] at a speed [m/s]."""
     ball["vx"], ball["vy"] = speed * cos(direction), speed * sin(direction)
     ball["roll_x"], ball["roll_y"] = ball["vx"], ball["vy"]
 
 
 def goalkeeper_of_away(robots: Any) -> int:
-    """Return the row of away's goalkeeper, or of its last player if it has none."""
+    """Return the row of away's goalkeeper, or of away's last player if it has no goalkeeper."""
     keepers = [r for r in range(len(robots)) if robots[r]["team"] != HOME and robots[r]["keeper"]]
     return keepers[0] if keepers else len(robots) - 1
 

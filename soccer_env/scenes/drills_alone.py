@@ -1,4 +1,4 @@
-"""Drills of the legged league for one robot alone: find the ball or get it off the boards, then score within a minute.
+"""Drills for a single legged robot: find the ball or move it off the boards, then score within a minute.
 
 Home's last robot plays; all other robots stand at home's end, and no referee helps. All distances are assumed.
 
@@ -22,7 +22,7 @@ IN_CORNER = 0.12  # [m] between ball and each of the two boards: ball centre wit
 
 
 def place_lost_ball(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put the ball behind home's robot."""
+    """Place the ball half a metre or more behind home's robot."""
     seeker = last_row(robots, HOME)
     send_away(league, robots, seeker)
     x, y, heading = draw.between(0.45, 0.7), draw.between(-0.15, 0.15), draw.between(-pi, pi)
@@ -32,30 +32,28 @@ def place_lost_ball(league: League, ball: Any, robots: Any, draw: SceneRandom) -
 
 
 def show_ball_ahead(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Show the ball, at the robot's first look only, as far ahead of home's robot as the ball really lies behind.
-    So the robot begins with an outdated memory, as after a dropped ball.
-    """
+    """Show the ball, at the robot's first look only, as far ahead of home's robot as the ball really lies behind."""
     seeker = robots[last_row(robots, HOME)]
     ball["x"], ball["y"] = 2.0 * seeker["x"] - ball["x"], 2.0 * seeker["y"] - ball["y"]
 
 
 def place_at_board(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Let the ball lie at the board of a touchline, home's robot a step away and turned to it."""
+    """Place the ball at the board of a touchline, home's robot a step away and turned to the ball."""
     side, gap = draw.side(), draw.between(0.0, AT_BOARD)
     ball["x"], ball["y"] = draw.between(-0.6, 1.1), side * (league.pitch.width / 2 - league.ball.radius - gap)
-    place_robot_inside(league, ball, robots, draw, -side * pi / 2)
+    place_robot_near_ball(league, ball, robots, draw, -side * pi / 2)
 
 
 def place_in_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Let the ball lie in a corner beside away's goal, home's robot a step away and turned to it."""
+    """Place the ball in a corner beside away's goal, home's robot a step away and turned to the ball."""
     side, radius = draw.side(), league.ball.radius
     ball["x"] = league.pitch.length / 2 - radius - draw.between(0.0, IN_CORNER)
     ball["y"] = side * (league.pitch.width / 2 - radius - draw.between(0.0, IN_CORNER))
-    place_robot_inside(league, ball, robots, draw, -side * 3 * pi / 4)
+    place_robot_near_ball(league, ball, robots, draw, -side * 3 * pi / 4)
 
 
-def place_robot_inside(league: League, ball: Any, robots: Any, draw: SceneRandom, inwards: float) -> None:
-    """Put home's robot 0.4 to 0.8 m off the ball, up to 40 degrees aside of `inwards` [rad], turned to the ball."""
+def place_robot_near_ball(league: League, ball: Any, robots: Any, draw: SceneRandom, inwards: float) -> None:
+    """Place home's robot 0.4 to 0.8 m from the ball, facing it, up to 40 degrees off the direction `inwards` [rad]."""
     seeker = last_row(robots, HOME)
     send_away(league, robots, seeker)
     away, way = draw.between(0.4, 0.8), inwards + draw.between(-0.7, 0.7)
@@ -66,7 +64,7 @@ def place_robot_inside(league: League, ball: Any, robots: Any, draw: SceneRandom
 
 
 def one_robot_drill(name: str, description: str, place: Any, shows: Any = None) -> Scene:
-    """Return a drill of a minute for one robot."""
+    """Return a drill of one minute for a single robot."""
     return Scene(
         name, description, place, "home scores", 60.0, True, ("still",), most=3, families=("legged",), rules=PATIENT,
         shows=shows,

@@ -1,4 +1,4 @@
-"""Drills of the legged league, for up to three players a side: get to the ball, dribble past others, save a far shot.
+"""Drills of the legged league, up to three players a side: reach the ball, dribble past opponents, save a far shot.
 
 Home's last robot has to succeed; the opponents with a part in a drill are the last robots of away. All other robots
 stand at home's end. Every distance and angle is drawn from a range; all ranges are assumed, since Sacks (2001) says of
@@ -28,24 +28,24 @@ KEEPER_OUT = 0.30  # [m] of the goalkeeper from the middle of its goal
 
 
 def last_rows(robots: Any, team: int, count: int) -> list[int]:
-    """Return the rows of a team's last active robots, in order."""
+    """Return the rows of a team's last `count` active robots, in order."""
     return [r for r in range(len(robots)) if robots[r]["team"] == team and robots[r]["active"]][-count:]
 
 
 def put_inside(league: League, robot: Any, x: float, y: float, heading: float) -> None:
-    """Put a robot at a pose [m, m, rad], moved onto the pitch."""
+    """Place a robot at a pose [m, m, rad], shifted onto the pitch where the pose is off it."""
     room = league.body.reach + league.foot + ROOM
     edge_x, edge_y = league.pitch.length / 2 - room, league.pitch.width / 2 - room
     put_robot(robot, min(max(x, -edge_x), edge_x), min(max(y, -edge_y), edge_y), heading)
 
 
 def touch_distance(league: League) -> float:
-    """Return the distance [m] from a robot's centre to a ball between its paws."""
+    """Return the distance [m] between a robot's centre and a ball held between its paws."""
     return league.body.front + league.ball.radius + BETWEEN
 
 
 def place_ball_behind(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put a still opponent and, behind it, the ball ahead of home's robot."""
+    """Place a still opponent ahead of home's robot, and the ball behind the opponent."""
     seeker, blocker = last_row(robots, HOME), last_row(robots, AWAY)
     send_away(league, robots, seeker, blocker)
     ball["x"], ball["y"] = draw.between(0.3, 1.1), draw.between(-0.2, 0.2)
@@ -58,7 +58,7 @@ def place_ball_behind(league: League, ball: Any, robots: Any, draw: SceneRandom)
 
 
 def place_head_on(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Let two robots stand face to face, the ball between the paws of both."""
+    """Place two robots face to face, with the ball between the paws of both."""
     seeker, blocker = last_row(robots, HOME), last_row(robots, AWAY)
     send_away(league, robots, seeker, blocker)
     ball["x"], ball["y"] = draw.between(0.0, 1.0), draw.between(-0.5, 0.5)
@@ -69,7 +69,7 @@ def place_head_on(league: League, ball: Any, robots: Any, draw: SceneRandom) -> 
 
 
 def place_facing_wall(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Let home's robot face the board on a touchline, a paw at the board's foot, the ball behind the robot's back."""
+    """Place home's robot facing the board on a touchline, a paw at the board, and the ball behind its back."""
     seeker = last_row(robots, HOME)
     send_away(league, robots, seeker)
     side, off = draw.side(), draw.between(-0.4, 0.4)
@@ -84,7 +84,7 @@ def place_facing_wall(league: League, ball: Any, robots: Any, draw: SceneRandom)
 def start_dribble(
     league: League, ball: Any, robots: Any, draw: SceneRandom, others: int
 ) -> tuple[Any, list[Any], float]:
-    """Put the ball between the paws of home's last robot; return robot, opponents and direction of the goal [rad]."""
+    """Place the ball between the paws of home's last robot; return robot, opponents and direction of the goal [rad]."""
     row, rows = last_row(robots, HOME), last_rows(robots, AWAY, others)
     send_away(league, robots, row, *rows)
     robot = robots[row]
@@ -101,13 +101,13 @@ def start_dribble(
 
 
 def put_at_distance(league: League, robot: Any, other: Any, distance: float, angle: float, heading: float) -> None:
-    """Put another robot at a distance [m] and field angle [rad] from a robot."""
+    """Place the robot `other` at a distance [m] and field angle [rad] from `robot`, with a heading [rad]."""
     x, y = robot["x"] + distance * cos(angle), robot["y"] + distance * sin(angle)
     put_inside(league, other, float(x), float(y), heading)
 
 
 def place_still(count: int) -> Place:
-    """Return a function that puts `count` still players on the path to the goal, one behind another."""
+    """Return a function that places `count` still players on the path to the goal, one behind another."""
 
     def place(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
         robot, players, way = start_dribble(league, ball, robots, draw, count)
@@ -121,7 +121,7 @@ def place_still(count: int) -> Place:
 
 
 def place_mover(near: float, far: float, aside: float, meets: tuple[float, float]) -> Place:
-    """Return a function that puts a moving player `near` to `far` [m] off, up to `aside` [rad] off the path to goal.
+    """Return a function that places a moving player `near` to `far` [m] away, up to `aside` [rad] off the path to goal.
 
     The moving player heads for a point on the path to the goal, `meets` [m] from the dribbler.
     """
@@ -137,7 +137,7 @@ def send_mover(
     league: League, robot: Any, mover: Any, draw: SceneRandom, way: float, distance: tuple[float, float], off: float,
     meets: tuple[float, float],
 ) -> None:  # fmt: skip
-    """Put a moving player at a distance [m], `off` [rad] from the path to the goal, heading for a point on it."""
+    """Place a moving player at a distance [m], `off` [rad] from the path to the goal, heading for a point on it."""
     put_at_distance(league, robot, mover, draw.between(*distance), way + off, 0.0)
     ahead = draw.between(*meets)
     x, y = robot["x"] + ahead * cos(way) - mover["x"], robot["y"] + ahead * sin(way) - mover["y"]
@@ -145,7 +145,7 @@ def send_mover(
 
 
 def place_mover_and_still(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put a still player to one side of the path to the goal, and a moving player that comes from the other side."""
+    """Place a still player to one side of the path to the goal, and a moving player that comes from the other side."""
     robot, (still, mover), way = start_dribble(league, ball, robots, draw, 2)
     side = draw.side()
     put_at_distance(
@@ -155,7 +155,7 @@ def place_mover_and_still(league: League, ball: Any, robots: Any, draw: SceneRan
 
 
 def place_gap(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put two still players on the path to the goal, beside each other, half a metre between their centres."""
+    """Place two still players side by side on the path to the goal, half a metre between their centres."""
     robot, players, way = start_dribble(league, ball, robots, draw, 2)
     distance, middle = draw.between(0.6, 0.9), draw.between(-0.05, 0.05)
     x, y = robot["x"] + distance * cos(way), robot["y"] + distance * sin(way)
@@ -182,7 +182,7 @@ def place_far_post_shot(league: League, ball: Any, robots: Any, draw: SceneRando
 
 
 def legged_drill(name: str, description: str, place: Callable[..., None], success: str, *opponents: str) -> Scene:
-    """Return a drill of a minute at most."""
+    """Return a legged drill of at most one minute."""
     limit = 10.0 if success == "away saves" else 60.0  # [s] assumed; the way to the goal takes half a minute at 7 cm/s
     return Scene(
         name, description, place, success, limit, True, opponents, most=3, families=("legged",), rules=PATIENT,

@@ -1,4 +1,4 @@
-"""Drills of the middle-size league: shots at a post, a ball to take, the challenge of 2003, attacks.  [H. 2006, 1, 4]
+"""Drills of the middle-size league: shots at a post, a rolling ball, the challenge of 2003, attacks.  [H. 2006, 1, 4]
 
     "we showed in the technical challenge at the world championship in Padova 2003, that our high-level control code was
     still good enough, to win the technical challenge by dribbling the ball around static obstacles"
@@ -44,7 +44,7 @@ def place_post_shot(league: League, ball: Any, robots: Any, draw: SceneRandom, f
 
 
 def place_rolling(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Let the ball roll past home's last robot, from 3 to 5 m at 1 to 3 m/s, up to 1 m aside."""
+    """Roll the ball past home's last robot, from 3 to 5 m away at 1 to 3 m/s, passing it up to 1 m aside."""
     receiver = last_row(robots, HOME)
     send_away(league, robots, receiver)
     x, y, way = draw.between(0.0, 1.5), draw.between(-1.0, 1.0), draw.between(-pi / 2, pi / 2)
@@ -55,8 +55,8 @@ def place_rolling(league: League, ball: Any, robots: Any, draw: SceneRandom) -> 
     roll(ball, course, draw.between(1.0, 3.0))
 
 
-def place_challenge(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put still obstacles on the path from home's last robot, which has the ball, to the goal.  MH24"""
+def place_obstacles(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+    """Place still obstacles on the path to the goal from home's last robot, which has the ball.  MH24"""
     dribbler, others = last_row(robots, HOME), last_rows(robots, AWAY, OBSTACLES)
     send_away(league, robots, dribbler, *others)
     x, y, side = draw.between(-2.6, -2.3), draw.between(-0.5, 0.5), draw.side()
@@ -67,27 +67,27 @@ def place_challenge(league: League, ball: Any, robots: Any, draw: SceneRandom) -
 
 
 def put_with_ball(league: League, ball: Any, robot: Any, x: float, y: float, heading: float) -> None:
-    """Put a robot at a pose [m, m, rad] with the ball at its kicker."""
+    """Place a robot at a pose [m, m, rad] with the ball at its kicker."""
     put_robot(robot, x, y, heading)
     ball["x"], ball["y"] = x + touch_distance(league) * cos(heading), y + touch_distance(league) * sin(heading)
 
 
 def field_player_rows(robots: Any, team: int, most: int) -> list[int]:
-    """Return the rows of up to `most` field players of a team, or of its goalkeeper if it has none."""
+    """Return the rows of up to `most` field players of a team, or the goalkeeper's row if it has no field player."""
     rows = last_rows(robots, team, len(robots))
     field = [r for r in rows if not robots[r]["keeper"]]
     return (field or rows)[-most:]
 
 
 def place_three_v_one(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put up to three players of home, the last with the ball, before one field player and the goalkeeper of away."""
+    """Place up to three home players, the last with the ball, against away's goalkeeper and one field player."""
     side = draw.side()
     places = [(draw.between(2.0, 3.0), side * 2.0), (draw.between(2.0, 3.0), -side * 2.0)]
     place_attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
 
 
-def place_counter(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put two of home, the last with the ball, before a player and the goalkeeper of away, two of away behind."""
+def place_counter_attack(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+    """Place two home players, the last with the ball, against a player and the goalkeeper; two opponents behind."""
     side = draw.side()
     behind = [(draw.between(-1.6, -1.2), 1.5), (draw.between(-1.6, -1.2), -1.5)]
     place_attack(
@@ -99,7 +99,7 @@ def place_attack(
     league: League, ball: Any, robots: Any, draw: SceneRandom,
     mates: list[tuple[float, float]], defenders: list[tuple[float, float]],
 ) -> None:  # fmt: skip
-    """Put home's last field player with the ball near the centre spot; put mates, away's players and goalkeeper."""
+    """Place home's last field player with the ball near the centre spot, then its mates and away's players."""
     own = field_player_rows(robots, HOME, 1 + len(mates))
     keeper, others = goalkeeper_of_away(robots), field_player_rows(robots, AWAY, len(defenders))
     others = [row for row in others if row != keeper]
@@ -113,7 +113,7 @@ def place_attack(
 
 
 def middle_size_drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
-    """Return a drill of the middle-size league without whistles."""
+    """Return a drill of the middle-size league, whose referee calls no fouls and no dropped balls."""
     return Scene(name, description, place, success, limit, True, families=("middle-size",), rules=PATIENT, **more)
 
 
@@ -125,9 +125,9 @@ DRILLS_MIDDLE = (
     middle_size_drill("receive-pass", "a ball that rolls past home's last robot", place_rolling,
         "home gets the ball", 6.0),
     middle_size_drill("challenge-2003", "home's last robot with the ball, four still obstacles on its way",
-          place_challenge, "home gets past", 20.0, opponents=("still",) * OBSTACLES),
+          place_obstacles, "home gets past", 20.0, opponents=("still",) * OBSTACLES),
     middle_size_drill("three-v-one", "three of home's with the ball before one of away's and its goalkeeper",
           place_three_v_one, "home scores", LONGEST, opponents=("chaser", "chaser"), players=4),
     middle_size_drill("counter-attack", "two of home's with the ball run at one of away's and its goalkeeper",
-          place_counter, "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
+          place_counter_attack, "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
 )  # fmt: skip

@@ -39,7 +39,7 @@ LOST_TIME = 2.0  # [s] for which the ball may be farther than LOST, assumed
 
 @compiled
 def judge_drill(match, ball, robots, robot_events, events, k):
-    """Judge a drill: +1 success, -1 failure, 0 open; a drill that is decided is over."""
+    """Judge a drill: set +1 for success, -1 for failure, 0 while open; a drill that is decided ends the episode."""
     if k.drill == NO_DRILL:
         return
     result = 0
@@ -65,7 +65,7 @@ def judge_drill(match, ball, robots, robot_events, events, k):
 
 @compiled
 def team_has_ball(robots, team):
-    """Tell whether one of a team's robots had the ball after the last step."""
+    """Tell whether any robot of a team had the ball after the last step."""
     held = False
     for r in range(robots.shape[0]):
         held = held or (robots[r].team == team and robots[r].has_ball == 1)
@@ -86,7 +86,7 @@ def is_team_near_ball(ball, robots, team, k):
 
 @compiled
 def judge_challenge(match, ball, robots, k):
-    """Return +1 if home has freed the ball, -1 if away has, else 0; the ball lay at restart_x, restart_y.
+    """Return +1 if home has won the ball, -1 if away has, else 0; the ball started at restart_x, restart_y.
 
     If both have a ball that was carried far, the winner is the team that attacks in the direction of that motion.
     """

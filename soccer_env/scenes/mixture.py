@@ -15,7 +15,7 @@ CHOOSER = (1 << 20) + 2  # owner of its random-number stream; lower owners belon
 
 @dataclass(frozen=True, repr=False)
 class Mixture(Scene):
-    """Several scenes as one: the match's seed and the number of the episode choose one of them."""
+    """A scene that is drawn anew for each episode from several scenes, by the match's seed."""
 
     parts: tuple[Scene, ...] = ()  # the scenes
     shares: tuple[float, ...] = field(default=())  # relative frequencies of the parts
@@ -28,7 +28,7 @@ class Mixture(Scene):
             raise ValueError(f"shares of a Mixture must be above 0, got {self.shares}")
 
     def of_episode(self, seed: int, episode: int) -> Scene:
-        """Return the scene in which an episode begins."""
+        """Return the scene that was drawn for an episode."""
         noise = np.zeros(NOISE_STREAMS, np.uint64)
         with np.errstate(over="ignore"):
             start_streams(noise, np.uint64(seed), episode, CHOOSER)
@@ -37,6 +37,6 @@ class Mixture(Scene):
         return self.parts[min(int(np.searchsorted(edges, drawn * edges[-1], side="right")), len(self.parts) - 1)]
 
     def check(self, league: League, home: int, away: int) -> None:
-        """Raise ValueError if one of the scenes does not fit the league or the number of players a side."""
+        """Raise ValueError if any scene of the mixture does not fit the league or the team sizes."""
         for part in self.parts:
             part.check(league, home, away)

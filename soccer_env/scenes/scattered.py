@@ -1,4 +1,4 @@
-"""A start in the middle of play: ball and robots anywhere, and robots may first see the ball at a wrong place.
+"""A start in the middle of play: random places of ball and robots; robots may first see the ball at a wrong place.
 
 Dropped balls and scrums leave such situations; they are too rare in matches from the kick-off to learn from.
 """
@@ -16,7 +16,7 @@ KEEPERS_ROOM = 0.5  # [m] in front of the goal line in which goalkeepers stand, 
 
 
 def place_anywhere(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Put the ball anywhere, robots anywhere clear of it and of each other, goalkeepers before their goals."""
+    """Place the ball anywhere, robots anywhere clear of the ball and each other, goalkeepers before their goals."""
     draw_ball(league, ball, draw)
     taken = [(float(ball["x"]), float(ball["y"]))]
     for robot in robots:
@@ -27,13 +27,13 @@ def place_anywhere(league: League, ball: Any, robots: Any, draw: SceneRandom) ->
 
 
 def draw_ball(league: League, ball: Any, draw: SceneRandom) -> None:
-    """Put the ball anywhere on the pitch, at rest."""
+    """Place the ball at a random point of the pitch, at rest."""
     room_x, room_y = (0.5 * side - league.ball.radius for side in (league.pitch.length, league.pitch.width))
     ball["x"], ball["y"] = draw.between(-room_x, room_x), draw.between(-room_y, room_y)
 
 
 def draw_place(league: League, robot: Any, draw: SceneRandom, taken: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return a place [m, m] for a robot, clear of the places that are taken."""
+    """Draw a random place [m, m] for a robot, clear of the places that are taken."""
     room = league.body.reach + league.foot
     edge_x, edge_y = 0.5 * league.pitch.length - room, 0.5 * league.pitch.width - room
     for _ in range(TRIES):
@@ -47,7 +47,7 @@ def draw_place(league: League, robot: Any, draw: SceneRandom, taken: list[tuple[
 
 
 def show_wrong_ball(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Show the ball at a wrong place in half of the episodes."""
+    """Show robots the ball at a wrong place in half of the episodes, so that they begin with a wrong belief."""
     if draw.between(0.0, 1.0) < MISLED:
         draw_ball(league, ball, draw)
 

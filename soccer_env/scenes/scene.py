@@ -1,4 +1,4 @@
-"""Scene, and the functions from which all scenes are made."""
+"""The class Scene, and the functions that all scenes use to place robots."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SCENE = int(MatchStream.SCENE)
 
 
 class SceneRandom:
-    """Random numbers from a scene's own noise stream."""
+    """Random numbers for placing, from a noise stream of the scene alone."""
 
     def __init__(self, match: Any) -> None:
         self.noise = match["noise"]
@@ -27,7 +27,7 @@ class SceneRandom:
         return low + (high - low) * float(draw_uniform(self.noise, SCENE))
 
     def side(self) -> float:
-        """Draw +1 (left) or -1 (right)."""
+        """Draw a side at random: +1 (left) or -1 (right)."""
         return 1.0 if self.between(0.0, 1.0) < 0.5 else -1.0
 
 
@@ -36,7 +36,7 @@ Place = Callable[[League, Any, Any, SceneRandom], None]
 
 @dataclass(frozen=True, repr=False)
 class Scene:
-    """A start: `place(league, ball, robots, draw)` changes the kick-off formation.
+    """A start of an episode: `place(league, ball, robots, draw)` changes the kick-off formation.
 
     Field frame, home attacks +x. `success` makes the scene a drill: words of `judging.SUCCESS`, or a function of the
     Match that returns (M,) after every control step, 1 for a success, -1 for a failure and 0 while play goes on; a goal
@@ -72,14 +72,14 @@ class Scene:
 
     @property
     def meant_for(self) -> str:
-        """Return a text on the intended players: number of home, names of opponents, greatest number a side."""
+        """Return a text on the intended players: number of home, names of opponents, greatest team size."""
         if self.success == "none":
             return "any"
         meant = f"{self.players} v {', '.join(self.opponents)}" if self.opponents else f"{self.players}"
         return meant if self.most == MAX_TEAM else f"{meant}; {self.most} a side at most"
 
     def of_episode(self, seed: int, episode: int) -> Scene:
-        """Return the scene in which an episode begins: this scene, or a part of a mixture."""
+        """Return the scene that begins an episode: this scene, or the scene drawn from a mixture."""
         return self
 
     def check(self, league: League, home: int, away: int) -> None:
@@ -92,7 +92,7 @@ class Scene:
 
 
 def put_robot(robot: Any, x: float, y: float, heading: float) -> None:
-    """Put a robot at a pose [m, m, rad]."""
+    """Place a robot at a pose x, y, heading [m, m, rad]."""
     robot["x"], robot["y"], robot["heading"] = x, y, float(wrap(heading))
 
 
@@ -102,7 +102,7 @@ def last_row(robots: Any, team: int) -> int:
 
 
 def send_away(league: League, robots: Any, *but: int) -> None:
-    """Put all active robots except the rows `but` at home's end of the pitch, in two or three columns."""
+    """Move all active robots except the rows `but` to home's end of the pitch, in two or three columns."""
     columns = 2 if len(robots) <= 2 * league.team_size else 3
     rows = -(-len(robots) // columns)
     edge, step = league.pitch.width / 2 - league.body.reach - league.foot, 2.5 * league.body.reach

@@ -1,4 +1,4 @@
-"""Count one control step of a match, after the referee: time, restarts and whistles, and call the other modules.
+"""Count one control step of a match, after the referee: time, restarts and whistles, then players and flights.
 
 `k`: the league's constants.
 """
@@ -19,7 +19,7 @@ AT_LINE, IN_CORNER = 0.20, 0.25  # [m] from the ball's centre to one line, to bo
 
 @compiled
 def count_step(match, ball, robots, events, k, tally):
-    """Count a control step, after `count_player` of every robot."""
+    """Count a control step in the statistics, after `count_player` has counted every robot."""
     trail = tally.trail
     tally.played += k.dt
     if match.phase == PLAY and match.placing == 0:
@@ -39,7 +39,7 @@ def count_step(match, ball, robots, events, k, tally):
 
 @compiled
 def is_notable(events):
-    """Tell whether `count_calls` has anything to count in a step."""
+    """Tell whether a step has events for `count_calls` to count."""
     return events.restart != 0 or events.separated == 1 or events.foul != 0 or events.annulled == 1
 
 
@@ -62,7 +62,7 @@ def count_calls(match, robots, events, robot_events, bodies, tally):
 
 @compiled
 def count_ball(match, ball, k, tally):
-    """Count the time of the ball in play: in total, lying still, at the boards, in a corner."""
+    """Count the time with the ball in play: in total, at rest, at the boards, in a corner."""
     tally.in_play += k.dt
     if ball.vx * ball.vx + ball.vy * ball.vy < STILL * STILL:
         tally.still += k.dt
@@ -77,7 +77,7 @@ def count_ball(match, ball, k, tally):
 
 @compiled
 def count_restart(events, tally, trail):
-    """Count a restart, and forget which robot played the ball before the restart."""
+    """Count a restart, and forget the robot that played the ball before it."""
     end_flight(tally, trail)
     trail.player = trail.kicker = -1
     trail.since_restart[HOME] = trail.since_restart[AWAY] = 0
@@ -89,7 +89,7 @@ def count_restart(events, tally, trail):
 
 @compiled
 def count_whistles(match, robots, events, robot_events, tally):
-    """Count annulled goals and the fouls of a step: one for each whistled robot, else one for the whistled team."""
+    """Count annulled goals and fouls of a step: one foul for each whistled robot, else one for the whistled team."""
     whistled = 0
     for r in range(robots.shape[0]):
         if robot_events[r].foul != 0:

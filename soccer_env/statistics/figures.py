@@ -21,7 +21,7 @@ LENGTHS = "spell_lengths"
 
 @dataclass(frozen=True)
 class Statistic:
-    """One number about play: of a match, or of each team."""
+    """The definition of one statistic: a number for each match, or for each team of a match."""
 
     name: str
     unit: str  # of one match; reports give counts a minute and times as shares
@@ -36,19 +36,19 @@ class Statistic:
 def match_statistic(
     name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = ""
 ) -> Statistic:
-    """Return a Statistic with one number for each match."""
+    """Return the definition of a statistic with one number for each match."""
     return Statistic(name, unit, text, False, kind, whole, field or name)
 
 
 def team_statistic(
     name: str, unit: str, text: str, kind: str = RATE, whole: str = PLAYED, field: str = ""
 ) -> Statistic:
-    """Return a Statistic with one number for each team."""
+    """Return the definition of a statistic with one number for each team."""
     return Statistic(name, unit, text, True, kind, whole, field or name)
 
 
 def statistic_by_code(prefix: str, codes: Any, text: str, field: str) -> tuple[Statistic, ...]:
-    """Return a Statistic of each team for each code; {} in the text stands for the name of the code."""
+    """Return one team statistic for each code, such as each kind of goal; {} in the text is the code's name."""
     return tuple(
         Statistic(
             f"{prefix}_{code.name.lower()}", "", text.format(code.name.lower().replace("_", " ")), True,
@@ -155,7 +155,7 @@ FIGURES: tuple[Statistic, ...] = (
 
 
 def statistics_by_name(statistics: np.ndarray, team: int) -> dict[str, np.ndarray]:
-    """Return the statistics of matches (M,) by name, each (M,), from the side of a team (HOME or AWAY)."""
+    """Return the statistics of M matches by name, each (M,), seen from the side of a team (HOME or AWAY)."""
     numbers: dict[str, np.ndarray] = {}
     for figure in FIGURES:
         values = statistic_values(statistics, figure)
@@ -168,7 +168,7 @@ def statistics_by_name(statistics: np.ndarray, team: int) -> dict[str, np.ndarra
 
 
 def statistic_values(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
-    """Return the values of a statistic in matches: (M,), or (M, 2) if each team has one."""
+    """Return the values of one statistic in M matches: (M,), or (M, 2) with one for each team."""
     if figure.name == "goals":
         return np.asarray(statistics["goals"].sum(axis=-1))
     values = statistics[figure.field]
@@ -178,7 +178,7 @@ def statistic_values(statistics: np.ndarray, figure: Statistic) -> np.ndarray:
 
 
 def spell_quantile(counts: np.ndarray, share: float) -> np.ndarray:
-    """Return the quantile `share` of the lengths of spells [s], from their histogram (..., BINS); 0 without spells."""
+    """Return the quantile `share` of the spells' lengths [s], from a histogram (..., BINS); 0 without spells."""
     total = np.cumsum(counts, axis=-1)
     place = (total >= share * total[..., -1:]).argmax(axis=-1)
     middle = SHORTEST * 2.0 ** ((place + 0.5) / BINS_PER_OCTAVE)
@@ -186,6 +186,6 @@ def spell_quantile(counts: np.ndarray, share: float) -> np.ndarray:
 
 
 def flatten_statistics(record: Any, team: int) -> dict[str, float]:
-    """Return the statistics of one match (a record) by name, from the side of a team: counts and times [s]."""
+    """Return the statistics of one match by name, counts and times [s], seen from the side of a team."""
     one = np.array([record], STATISTICS)
     return {name: values.item() for name, values in statistics_by_name(one, team).items()}

@@ -25,22 +25,22 @@ LONGEST = 5.0  # [s] of the longest flight, assumed
 
 @compiled
 def follow_ball(match, ball, robot, row, events, k, tally, trail):
-    """Follow the ball in a control step; `row` is the row of the `robot` that touched it, -1: none did."""
+    """Follow the ball in a control step; `row` is the row of the `robot` that touched the ball, or -1."""
     step = match.step
     if row >= 0:
         note_touch(step, robot, row, events.ball_x, events.ball_y, k, tally, trail)
         if trail.kicker >= 0:
             begin_flight(match, ball, trail.kicker, trail.kicker_team, events, k, tally, trail)
             trail.kicker = -1
-    elif trail.player >= 0 and trail.flight < 0 and is_pushed(step, ball, k, trail):
+    elif trail.player >= 0 and trail.flight < 0 and is_freed_by_push(step, ball, k, trail):
         begin_flight(match, ball, trail.player, trail.player_team, events, k, tally, trail)
     if trail.flight >= 0 and is_flight_over(step, k, trail):
         end_flight(tally, trail)
 
 
 @compiled
-def is_pushed(step, ball, k, trail):
-    """Tell whether a ball has just come free after a push as fast as a kick, not after a dribble."""
+def is_freed_by_push(step, ball, k, trail):
+    """Tell whether the ball has just come free after a push as fast as a kick, which is no dribble."""
     least = max(k.drive_forward, k.kicker_slowest)
     return ball.vx * ball.vx + ball.vy * ball.vy > least * least and step - trail.touched == seconds_to_steps(FREE, k)
 
@@ -53,7 +53,7 @@ def seconds_to_steps(seconds, k):
 
 @compiled
 def is_flight_over(step, k, trail):
-    """Tell whether a flight has lasted too long, in total or since it was deflected."""
+    """Tell whether the ball's flight has lasted too long, in total or since a deflection."""
     return step - trail.flight_step > seconds_to_steps(LONGEST, k) or (
         trail.deflected != LONG_AGO and step - trail.deflected > seconds_to_steps(DEFLECTED, k)
     )
@@ -61,7 +61,7 @@ def is_flight_over(step, k, trail):
 
 @compiled
 def note_touch(step, robot, row, x, y, k, tally, trail):
-    """Note that a robot touches the ball at x, y [m, field frame], and count a pass, save or block by it."""
+    """Record that a robot touches the ball at x, y [m, field frame], and count its pass, save or block."""
     if trail.player >= 0 and trail.player != row:
         count_received_pass(step, robot.team, row, x, y, k, tally, trail)
     if trail.flight >= 0 and row != trail.flight:
@@ -80,7 +80,7 @@ def note_touch(step, robot, row, x, y, k, tally, trail):
 
 @compiled
 def count_received_pass(step, team, row, x, y, k, tally, trail):
-    """Count a pass that reaches a robot (row), a mate or an opponent; a shot is no pass."""
+    """Count a pass that reaches a robot (row), a mate or an opponent; a shot does not count as a pass."""
     least = PASS_LEGS if k.drive_kind == GAIT else PASS_WHEELS
     x, y = x - trail.played_x, y - trail.played_y
     shot = trail.flight == trail.player and trail.aim != ELSEWHERE
@@ -96,7 +96,7 @@ def count_received_pass(step, team, row, x, y, k, tally, trail):
 
 @compiled
 def begin_flight(match, ball, row, team, events, k, tally, trail):
-    """Begin a flight of the ball played by a robot (row); count a shot."""
+    """Begin a flight of the ball, played by the robot in row `row`; count the shot if it is one."""
     if trail.flight >= 0:
         end_flight(tally, trail)
     trail.flight, trail.flight_team, trail.flight_step = row, team, match.step
@@ -114,7 +114,7 @@ def begin_flight(match, ball, row, team, events, k, tally, trail):
 
 @compiled
 def end_flight(tally, trail):
-    """End the flight of the ball; count a save if the goalkeeper was the first to touch a shot on target."""
+    """End the ball's flight; count a save if the goalkeeper was first to touch a shot on target."""
     if trail.flight >= 0 and trail.saved == 1:
         tally.saves[1 - trail.flight_team] += 1
     trail.flight, trail.saved = -1, 0
@@ -122,7 +122,7 @@ def end_flight(tally, trail):
 
 @compiled
 def predict_aim(ball, direction, k):
-    """Return the Aim of a ball that rolls out untouched, for a team that attacks in a direction (+1 or -1 of x).
+    """Predict where an untouched ball rolls (Aim), for a team that attacks in a direction (+1 or -1 along x).
 
     It slides at mu g until it rolls, at v less shell / (1 + shell) of its slip, and then slows down by the rolling
     resistance; the path is taken as straight.

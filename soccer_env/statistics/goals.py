@@ -21,7 +21,7 @@ SEPARATION, RESTART, PUSHED_KEEPER = 6.0, 10.0, 10.0  # [s] before the goal
 
 @compiled
 def count_goal(match, events, k, tally, trail):
-    """Count a goal; a clean kick that was not yet counted as a shot becomes a shot on target."""
+    """Count a goal; a clean kick not yet counted as a shot is counted as a shot on target."""
     step, team = match.step, events.goal
     kind = goal_kind(step, team, events.scorer, k, trail)
     tally.goals[team, kind] += 1
@@ -45,7 +45,7 @@ def count_goal(match, events, k, tally, trail):
 
 @compiled
 def goal_kind(step, team, scorer, k, trail):
-    """Return the kind of a goal for a team; `scorer` is the row that last touched the ball, or -1."""
+    """Return the kind of a goal of a team; `scorer` is the row that last touched the ball, or -1."""
     if trail.flight >= 0 and trail.flight_team == team:
         return CLEAN_KICK if trail.deflected == LONG_AGO else DEFLECTED_KICK
     if scorer < 0 or trail.player != scorer:
@@ -63,7 +63,7 @@ def goal_kind(step, team, scorer, k, trail):
 
 @compiled
 def count_bits(number):
-    """Return how many bits of a number are set."""
+    """Return the number of set bits in a number."""
     count = 0
     for bit in range(ROWS):
         count += (number >> bit) & 1

@@ -1,4 +1,4 @@
-"""Where things happen: heat maps, pass networks and shot maps, noted step by step and read from a record.
+"""Heat maps, pass networks and shot maps: counted step by step, and read from the statistics record.
 
 A team's places are in the frame in which it attacks +x, in either half: turned by 180 degrees where it attacks -x.
 
@@ -33,7 +33,7 @@ MAP_TEXTS = {  # of what `maps_of_team` returns; places are in the frame in whic
 
 @compiled
 def note_place(thing, layer, direction, k, maps):
-    """Count a robot or the ball in its cell of the heat map; beyond a line, in the cell at the line."""
+    """Count the position of a robot or the ball in its cell of the heat map; off the pitch, in the nearest cell."""
     along = int((direction * thing.x / k.pitch_length + 0.5) * CELLS_LONG)
     across = int((direction * thing.y / k.pitch_width + 0.5) * CELLS_WIDE)
     along, across = min(max(along, 0), CELLS_LONG - 1), min(max(across, 0), CELLS_WIDE - 1)
@@ -42,7 +42,7 @@ def note_place(thing, layer, direction, k, maps):
 
 @compiled
 def note_shot(match, row, team, outcome, tally, trail):
-    """Record a shot by a robot (row) of a team from the place where it played the ball, if there is room left."""
+    """Record a shot of a robot (row) with the position where it played the ball, if there is room left."""
     maps = tally.maps
     if maps.shots_kept >= SHOTS:
         return
@@ -54,7 +54,7 @@ def note_shot(match, row, team, outcome, tally, trail):
 
 
 def maps_of_team(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any]:
-    """Return the maps of one match (a record of STATISTICS) from a team's side, as plain lists that can be added.
+    """Return the maps of one match (a STATISTICS record), seen from a team's side, as plain lists to be added.
 
     rows: robots of home and of away in the record. Heat maps have shape (16, 24), passes (players, players), players
     (players, 3); MAP_TEXTS says what each map holds.
@@ -77,7 +77,7 @@ def maps_of_team(record: Any, team: int, rows: tuple[int, int]) -> dict[str, Any
 
 
 def sum_maps(maps: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return the sum of the maps of several matches, all from the side of one team."""
+    """Return the sums of the maps of several matches, all seen from the side of one team."""
     total: dict[str, Any] = {}
     for name in maps[0] if maps else ():
         if name.startswith("shots"):

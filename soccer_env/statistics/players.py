@@ -1,4 +1,4 @@
-"""Count each robot in a control step: possession and its spells, touches, idle mates, goalkeepers, motion.
+"""Count the play of each robot in a control step: possession, spells, touches, idle mates, goalkeepers, motion.
 
 `k`: the league's constants.
 """
@@ -30,7 +30,7 @@ BREAK = 0.5  # [s] of moving on that do not end a time stuck: a gait step, assum
 
 @compiled
 def count_player(match, ball, robots, events, r, k, tally):
-    """Count robot r in a control step; a spell ends when play stops."""
+    """Count the play of robot r in a control step; a spell of possession ends when play stops."""
     robot, trail = robots[r], tally.trail
     player = trail.players[r]
     if robot.active == 0:
@@ -49,15 +49,15 @@ def count_player(match, ball, robots, events, r, k, tally):
             count_touch(robot.team, player, match.step, k, tally)
         if robot.has_ball == 1 or player.held_since > 0:
             count_possession(robot, player, match.step, k, tally, trail)
-        count_standing(match, ball, robot, player.contact, k, tally, trail)
-        count_moving(match, robot, r, player, k, tally)
+        count_role_near_ball(match, ball, robot, player.contact, k, tally, trail)
+        count_motion(match, robot, r, player, k, tally)
     elif player.held_since > 0:
-        end_spell(robot.team, player, k, tally)
+        count_ended_spell(robot.team, player, k, tally)
 
 
 @compiled
 def touches_opponent(robots, r, k):
-    """Tell whether robot r touches an opponent; its contact may be with the legs of a mate alone."""
+    """Tell whether robot r touches an opponent, rather than only the legs of a mate."""
     near = 2.0 * k.body_reach + TOUCH_GAP
     for other in range(robots.shape[0]):
         if robots[other].team == robots[r].team or robots[other].active == 0:
@@ -70,7 +70,7 @@ def touches_opponent(robots, r, k):
 
 @compiled
 def count_touch(team, player, step, k, tally):
-    """Count a touch, unless the robot touched the ball shortly before."""
+    """Count a touch of the ball, unless the robot touched it shortly before."""
     if (step - player.touched - 1) * k.dt > AGAIN + 0.5 * k.dt:
         tally.touches[team] += 1
     player.touched = step
@@ -78,10 +78,10 @@ def count_touch(team, player, step, k, tally):
 
 @compiled
 def count_possession(robot, player, step, k, tally, trail):
-    """Begin, continue or end the spell of a robot."""
+    """Begin, continue or end a robot's spell of possession."""
     if robot.has_ball == 0:
         if (step - player.held_last) * k.dt > LOST + 0.5 * k.dt:
-            end_spell(robot.team, player, k, tally)
+            count_ended_spell(robot.team, player, k, tally)
         return
     trail.has_ball |= 1 << robot.team
     if player.held_since == 0:
@@ -90,8 +90,8 @@ def count_possession(robot, player, step, k, tally, trail):
 
 
 @compiled
-def end_spell(team, player, k, tally):
-    """Count the spell of a robot that has lost the ball."""
+def count_ended_spell(team, player, k, tally):
+    """Count the spell of possession of a robot that has lost the ball."""
     player.held_steps = player.held_last - player.held_since + 1
     player.held_since = 0
     seconds = player.held_steps * k.dt
@@ -103,8 +103,8 @@ def end_spell(team, player, k, tally):
 
 
 @compiled
-def count_standing(match, ball, robot, contact, k, tally, trail):
-    """Count a robot near the ball, a mate's idle time or a goalkeeper; note the team's nearest robot to the ball.
+def count_role_near_ball(match, ball, robot, contact, k, tally, trail):
+    """Count a robot as near the ball, as an idle mate or as goalkeeper; note its team's nearest robot to the ball.
 
     `contact` is the last step in which the robot touched an opponent.
     """
@@ -127,7 +127,7 @@ def count_standing(match, ball, robot, contact, k, tally, trail):
 
 @compiled
 def count_keeper(match, robot, contact, k, tally, trail):
-    """Count a goalkeeper's time away from its goal and behind its goal line, and note that it is pushed."""
+    """Count the time of a goalkeeper away from its goal and behind its goal line, and note whether it is pushed."""
     ahead = attack_direction(match, robot.team) * robot.x + 0.5 * k.pitch_length  # [m] ahead of its goal line
     far = FAR * k.pitch_length
     if ahead * ahead + robot.y * robot.y > far * far:
@@ -140,7 +140,7 @@ def count_keeper(match, robot, contact, k, tally, trail):
 
 @compiled
 def count_possession_shares(step, k, tally, trail):
-    """Count possession and scrums of a step in play; a team's nearest robot to the ball is never an idle mate."""
+    """Count a step in play as possession or scrum, and do not count the nearest robots to the ball as idle mates."""
     if trail.has_ball == 3:
         tally.both += k.dt
     elif trail.has_ball > 0:
@@ -158,8 +158,8 @@ def count_possession_shares(step, k, tally, trail):
 
 
 @compiled
-def count_moving(match, robot, r, player, k, tally):
-    """Count distance covered, time stuck and place of robot r, on the pitch with the ball in play."""
+def count_motion(match, robot, r, player, k, tally):
+    """Count distance covered, time stuck and position of robot r, while on the pitch with the ball in play."""
     team = robot.team
     tally.present[team] += k.dt
     if player.seen == match.step - 1 and robot.placed == 0:
@@ -173,7 +173,7 @@ def count_moving(match, robot, r, player, k, tally):
 
 @compiled
 def sample_position(robot, r, direction, k, maps):
-    """Add the position of robot r to the maps, for the time until its next sample."""
+    """Add the position of robot r to the heat maps, for the time until its next sample."""
     note_place(robot, robot.team, direction, k, maps)
     maps.places[r, 0] += LOOK * k.dt * direction * robot.x
     maps.places[r, 1] += LOOK * k.dt * direction * robot.y
@@ -182,7 +182,7 @@ def sample_position(robot, r, direction, k, maps):
 
 @compiled
 def is_stopped(robot, k):
-    """Tell whether a robot that can walk, and wants to, moves at less than a quarter of the speed that it aims at."""
+    """Tell whether a robot that wants to walk, and can, moves at less than a quarter of its target speed."""
     made = robot.vx * robot.vx + robot.vy * robot.vy
     most = max(k.drive_forward, k.drive_backward) + k.drive_sideways
     if made >= MAKES * MAKES * most * most:  # whatever it aims at; the target is not read
@@ -194,7 +194,7 @@ def is_stopped(robot, k):
 
 @compiled
 def count_stuck(team, step, player, k, tally):
-    """Count a step in which a robot is stopped; once it is stuck, add all steps since it first stopped."""
+    """Count a step in which a robot is stopped; once it counts as stuck, add all steps since it stopped."""
     if (step - player.stuck_last - 1) * k.dt > BREAK + 0.5 * k.dt:
         player.stuck_since, player.stuck_steps = step, 0
     player.stuck_last = step

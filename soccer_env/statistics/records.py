@@ -32,7 +32,7 @@ class GoalKind(IntEnum):
 
 
 class Aim(IntEnum):
-    """The place to which a played ball would roll."""
+    """The region into which a played ball would roll, relative to the goal."""
 
     ELSEWHERE = 0
     AT_GOAL = 1

@@ -1,4 +1,4 @@
-"""What a team is, and the registry of named teams.
+"""The protocol of a team, and the registry of teams by name.
 
     team.py          the protocol, and compiled teams
     explaining.py    how a team explains itself to people who watch it

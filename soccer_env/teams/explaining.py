@@ -1,4 +1,4 @@
-"""How a team explains itself to people who watch it: words for its memory, its planned path, the forces on a robot.
+"""Explanations of a team for viewers: words for its memory, its planned path, the forces on a robot.
 
 A team names its explanation as "MODULE:NAME" in `CompiledTeam.explains`; the module is imported when a viewer asks.
 Nothing here runs while a match is played, and nothing here changes a match: all arguments are copies.
@@ -16,7 +16,7 @@ from soccer_env.teams.team import Team
 
 
 class DecisionInputs(NamedTuple):
-    """Copies of all inputs of one player's decision: records of shape (1,), as a kernel takes them."""
+    """Copies of all inputs to one player's decision, as records of shape (1,) that a kernel takes."""
 
     beliefs: np.ndarray  # (1,) BELIEF
     tracks: np.ndarray  # (1, slots) TRACK
@@ -32,7 +32,7 @@ Forces = Callable[[DecisionInputs, np.ndarray, np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Explanation:
-    """The explanations that a team offers, None for one it lacks. Places and vectors are in the team frame."""
+    """The explanations that a team offers, each None if it has none; places and vectors in the team frame."""
 
     shown: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Fields of the memory to show, with words for their values, () for a number."""
@@ -52,7 +52,7 @@ def explanation_of(team: object) -> Explanation | None:
 
 
 def shipped_team(name: str) -> Team | None:
-    """Return a shipped team by its name, None for any other name: a name read from a file must import nothing else.
+    """Return the team of this name that comes with the package, None for any other name from a file.
 
     A strength or settings after the name are ignored if the team does not have them.
     """
@@ -66,7 +66,7 @@ def shipped_team(name: str) -> Team | None:
 
 
 def team_description(where: str) -> str:
-    """Return the first line of a team's description, MODULE:NAME; a variant of a team has that of its own function."""
+    """Return the first line of the description of the team MODULE:NAME, or of its variant's own function."""
     module, _, function = where.partition(":")
     if function == "team":
         return docstring_first_line(module)

@@ -1,4 +1,4 @@
-"""Kernels of compiled teams, made from the function of one player: only this file loops over matches and players.
+"""Kernels of compiled teams, made from the function of a single player, with the loop over matches and players.
 
     @compiled
     def act(belief, tracks, memory, noise, command, k, settings, scratch):
@@ -24,7 +24,7 @@ STRENGTH = np.dtype([("strength", "f8")])  # the settings of a team that has no 
 
 
 def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Callable[..., None]:
-    """Make the kernel of a team whose players each run `act`, a compiled function.
+    """Make the kernel of a team in which each player runs `act`, a compiled function.
 
     act(belief, tracks, memory, noise, command, k, settings, scratch): one player's belief, (slots,) tracks, memory and
     random streams, the command to fill in, the league's constants, the team's settings (its only record, or that of the
@@ -45,7 +45,7 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
 
 
 def per_blind_player(act: Callable[..., None]) -> Callable[..., None]:
-    """Make the kernel of a team with `blind=True`, whose players sense nothing and have no beliefs.
+    """Make the kernel of a team with `blind=True`, whose players use neither sensors nor beliefs.
 
     act(memory, noise, command, k, settings) is as in `per_player`.
     """

@@ -1,4 +1,4 @@
-"""A Lineup: several teams, one of which plays each episode."""
+"""A Lineup: several teams, one of which is drawn to play each episode."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,7 +15,7 @@ CHOOSER = 1 << 20
 
 
 class Lineup:
-    """Several teams, one of which plays each episode of a match; give it wherever a team is expected.
+    """Several teams, one of which is drawn to play each episode; usable wherever a team is expected.
 
     teams: names as `make_team` takes them, or team objects. weights: relative frequencies, equal by default;
     `lineup.weights` (teams,) may be changed between steps, and counts from the next episode on. names: names of the
@@ -43,7 +43,7 @@ class Lineup:
         return f"Lineup({{{shares}}})"
 
     def choose(self, seed: int, episode: int, side: int = AWAY) -> int:
-        """Return the index of the team that plays an episode on a side, HOME or AWAY."""
+        """Return the index of the team that plays an episode on a side (HOME or AWAY)."""
         noise = np.zeros(NOISE_STREAMS, np.uint64)
         with np.errstate(over="ignore"):
             start_streams(noise, np.uint64(seed), episode, CHOOSER + side)
@@ -54,7 +54,7 @@ class Lineup:
 
 
 def team_names(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, ...]:
-    """Return the names of teams: each team's own name, or the text given for it where two teams share a name."""
+    """Return names for the teams in results: each team's own name, or its given text where names are equal."""
     own = [result_name(*pair) for pair in zip(given, made, strict=True)]
     return tuple(
         text if isinstance(text, str) and own.count(name) > 1 else name for text, name in zip(given, own, strict=True)
@@ -62,7 +62,7 @@ def team_names(given: Sequence[str | Team], made: Sequence[Team]) -> tuple[str, 
 
 
 def check_weights(weights: np.ndarray, count: int) -> None:
-    """Raise ValueError unless there are `count` finite weights, none below 0 and not all 0."""
+    """Raise ValueError unless there are `count` finite weights, none negative and not all 0."""
     numbers = weights.dtype.kind in "fiu" and weights.shape == (count,)
     if not numbers or not (weights >= 0.0).all() or not 0.0 < weights.sum() < np.inf:
         raise ValueError(f"weights of a Lineup must be {count} numbers from 0, not all 0, got {weights}")

@@ -1,4 +1,4 @@
-"""Teams by name: shipped ones, and those of installed packages, files and your own modules.
+"""Teams by name: teams of this package, of installed packages, of files and of your own modules.
 
 A package of yours ships teams by name with the entry point group `soccer_env.teams`; in its pyproject.toml:
 
@@ -33,7 +33,7 @@ NAMES = {  # strings only: resolved at first use
     "chaser": "soccer_env.baselines.chaser:team",
     "sacks-2001": "soccer_env.baselines.sacks_2001:team",
     "sacks-2001-tuned": "soccer_env.baselines.sacks_2001:tuned",
-    "sacks-2001-future": "soccer_env.baselines.sacks_2001:future",
+    "sacks-2001-future": "soccer_env.baselines.sacks_2001:team_with_future_work",
     "heinemann-2006": "soccer_env.baselines.heinemann_2006:team",
     "weigel-2001": "soccer_env.baselines.heinemann_2006:weigel",
     "learned": "soccer_env.agents.learned:team",
@@ -48,7 +48,7 @@ TORCH = (".pt", ".pth", ".ckpt", ".pkl", ".pickle")  # files of torch, whose pic
 
 
 def registered_teams() -> dict[str, str]:
-    """Return the factories (MODULE:NAME) of all known teams by name, with the teams of installed packages."""
+    """Return the factories (MODULE:NAME) of all known teams by name, including those of installed packages."""
     installed = {point.name: point.value for point in entry_points(group=ENTRY_POINTS)}
     return {**installed, **NAMES}
 
@@ -72,7 +72,7 @@ def parse_team(text: str) -> tuple[str, float, dict[str, Any]]:
 
 
 def parse_switch(text: str, part: str) -> tuple[str, Any]:
-    """Split switch=value of a team's text; True, False and numbers become Python's own."""
+    """Split SWITCH=VALUE in a team's text; True, False and numbers are converted to Python values."""
     name, equals, value = part.partition("=")
     if not (name.isidentifier() and equals and value):
         raise ValueError(f"settings of team {text!r} must be written as name=value,name=value, got {part!r}")
@@ -87,7 +87,7 @@ def parse_switch(text: str, part: str) -> tuple[str, Any]:
 
 
 def make_team(team: str | Team, strength: float | None = None, **settings: Any) -> Team:
-    """Make the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:switch=value,...); return a team object unchanged.
+    """Make the team of a name (NAME, NAME@STRENGTH, NAME@STRENGTH:SWITCH=VALUE,...); return a team object unchanged.
 
     A name may be the path of a policy file, of a zip of stable-baselines3 or of an ONNX file
     (FILE.zip:observe=belief,action_repeat=8), or MODULE:NAME: a team in a module of your own, or a function there that
@@ -115,13 +115,13 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
     factory = import_factory(known[name])
     changes = {**changes, **settings}
     check_factory(name, known[name], factory)
-    check_accepted(name, factory, changes)
+    check_settings_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return make_team(made)
 
 
 def wrapping_advice(given: object) -> str:
-    """Return the advice how to make a team of a function or a torch module, "" for any other object."""
+    """Return advice on how to make a team of a function or a torch module, "" for any other object."""
     if callable(getattr(given, "state_dict", None)):
         file = "mine.safetensors"
         return f": write save_policy(module, {file!r}, league=..., observe=...), then give {file!r} as the team"
@@ -131,7 +131,7 @@ def wrapping_advice(given: object) -> str:
 
 
 def unknown_team_error(name: str, known: dict[str, str]) -> str:
-    """Return the error message for an unknown name; for a torch file, with advice how to make a team of it."""
+    """Return the error message for an unknown team name; for a torch file, with advice how to make a team of it."""
     if Path(name).suffix not in TORCH:
         return unknown("team", name, known, more=f"a policy file ({', '.join(FILES)})")
     return (
@@ -141,7 +141,7 @@ def unknown_team_error(name: str, known: dict[str, str]) -> str:
 
 
 def result_name(given: str | Team, made: Team) -> str:
-    """Return a team's name for results, whether the team was given as text or as object; a policy has its own name.
+    """Return the name of a team in results, whether given as text or as object; a policy has its own name.
 
     A weakened team is called chaser@0.25, for example; a team with settings keeps its text.
     """
@@ -170,7 +170,7 @@ def is_module_team(text: str) -> bool:
 
 
 def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) -> Team:
-    """Return the team object MODULE:NAME, or the team that the function MODULE:NAME makes for a strength."""
+    """Return the team MODULE:NAME, or call the function MODULE:NAME to make a team of a strength."""
     path, at, written = text.partition("@")
     made = object_in_module("team", path, object)
     if isinstance(made, type) or hasattr(made, "act"):
@@ -180,7 +180,7 @@ def team_in_module(text: str, strength: float | None, settings: dict[str, Any]) 
     if not (callable(made) and "strength" in signature(made).parameters):
         raise ValueError(f"team {path!r} must be a team, or a function that takes strength=, got {made!r}")
     given = parse_team(f"it@{written if at else 1.0 if strength is None else strength}")[1]
-    check_accepted(path, made, settings)
+    check_settings_accepted(path, made, settings)
     return make_team(made(strength=given, **settings))
 
 
@@ -189,26 +189,26 @@ def team_of_file(path: str, where: str, settings: dict[str, Any]) -> Team:
     factory = import_factory(where)
     if "path" in settings:
         raise ValueError(f"the file of team {path!r} is given by its name, not by a setting path")
-    check_accepted(path, factory, settings)
+    check_settings_accepted(path, factory, settings)
     made: Team = factory(path, **settings)
     return made
 
 
 def import_factory(where: str) -> Callable[..., Any]:
-    """Import and return the object MODULE:NAME, a team's factory."""
+    """Import and return the factory of a team, the object MODULE:NAME."""
     module, _, attribute = where.partition(":")
     factory: Callable[..., Any] = getattr(import_module(module), attribute)
     return factory
 
 
 def check_factory(name: str, where: str, factory: Any) -> None:
-    """Raise ValueError unless the factory of a named team is a function that takes a strength."""
+    """Raise ValueError unless the factory of a named team is a function with the parameter `strength`."""
     accepted = signature(factory).parameters.values() if callable(factory) else ()
     if not any(one.name == "strength" or one.kind is one.VAR_KEYWORD for one in accepted):
         raise ValueError(f"team {name!r} must be a function that takes strength=, {where} is {factory!r}")
 
 
-def check_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
+def check_settings_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:
     """Raise ValueError for settings that a team's factory does not accept."""
     accepted = signature(factory).parameters
     if not any(parameter.kind is parameter.VAR_KEYWORD for parameter in accepted.values()):

@@ -1,4 +1,4 @@
-"""The protocol of a team, and compiled teams.
+"""The protocol of a team, and the class of compiled teams.
 
 A team decides from beliefs alone. It is a protocol: anything with `name`, `memory_dtype` and `act` plays. The shipped
 teams also offer a compiled `kernel`, which a match runs without Python between its steps (`kernels.py`).
@@ -22,7 +22,7 @@ TEAM_STREAM = int(RobotStream.TEAM)
 
 @dataclass(frozen=True)
 class View:
-    """The information that the P players of a team may use in M matches: beliefs (M, P) and tracks (M, P, slots)."""
+    """The information that the P players of a team get in M matches: beliefs (M, P) and tracks (M, P, slots)."""
 
     league: League  # that they play
     beliefs: np.ndarray  # (M, P) of `BELIEF`
@@ -44,14 +44,14 @@ class View:
         return self.beliefs["situation"]
 
     def stand(self) -> np.ndarray:
-        """Return commands (M, P, 7) to stand still, for all players: forward, left, turn, kick, head, pan, tilt."""
+        """Return commands (M, P, 7) with which all players stand still: forward, left, turn, kick, head, pan, tilt."""
         commands = np.zeros((*self.beliefs.shape, 7))
         commands[..., 4] = -1.0  # the head tracks the ball by itself
         return commands
 
 
 class TeamRandom:
-    """Random numbers for a team's players, from streams that the match owns, saves and hashes."""
+    """Random numbers for a team's players, from streams that the match saves and hashes."""
 
     def __init__(self, states: np.ndarray, players: np.ndarray) -> None:
         self._states, self._players = states, players
@@ -66,7 +66,7 @@ class TeamRandom:
 
 
 def mix_array(states: np.ndarray) -> np.ndarray:
-    """Return `random_numbers.mix` of each element of an array of states."""
+    """Apply `random_numbers.mix` to each element of an array of states."""
     python = getattr(mix_bits, "py_func", mix_bits)
     with np.errstate(over="ignore"):
         mixed: np.ndarray = python(states)
@@ -75,7 +75,7 @@ def mix_array(states: np.ndarray) -> np.ndarray:
 
 @runtime_checkable
 class Team(Protocol):
-    """A team. `act` sees the view of its own players and returns commands (M, P, 4) or (M, P, 7) in [-1, 1]."""
+    """The protocol of a team: `act` gets its players' view and returns commands (M, P, 4 or 7) in [-1, 1]."""
 
     @property
     def name(self) -> str:
@@ -94,7 +94,7 @@ class Team(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class CompiledTeam:
-    """A shipped team: a kernel that decides for all its players in a slice of matches.
+    """A team with a compiled kernel that decides for all its players in a slice of matches.
 
     kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last), all arrays of the
     whole match; `settings` is the team's own (1,) record.
@@ -127,15 +127,15 @@ class CompiledTeam:
         return reduce_by_names(self, {item.name: getattr(self, item.name) for item in fields(self)})
 
     def check_league(self, league: League) -> None:
-        """Raise ValueError if the team does not play this league."""
+        """Raise ValueError if the team cannot play in this league."""
         league.require_family(self.families, f"team {self.name!r}")
 
     def settings_in(self, league: League) -> np.ndarray:
-        """Return the team's settings as the kernel reads them in a league."""
+        """Return the team's settings in the form that the kernel reads in a league."""
         return self.settings if self.fit is None else self.fit(self.settings, league)
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Run the kernel as in a match and return the commands (M, P, 7) of all players."""
+        """Run the kernel, as a match does, and return the commands (M, P, 7) of all players."""
         from soccer_env.types import COMMAND
 
         players = np.arange(view.beliefs.shape[1])
@@ -149,7 +149,7 @@ class CompiledTeam:
 
 @dataclass(frozen=True, repr=False)
 class ObservingTeam(CompiledTeam):
-    """A compiled team that decides from the observations that learners get, as learned policies do.
+    """A compiled team that decides from learners' observations instead of beliefs, as learned policies do.
 
     kernel(observations, memory, commands, players, constants, settings, first, last): observations (M, R, n) float32
     are written for its players by the code that writes a learner's, in steps in which the field "wait" of the memory,
@@ -159,7 +159,7 @@ class ObservingTeam(CompiledTeam):
     observe: str = "belief"  # built from "truth" (with ideal senses only), "percepts" (with sensors only) or "belief"
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Raise ValueError: this team needs body percepts, which no view holds, and plays only inside a match."""
+        """Raise ValueError: this team needs readings that no view holds, so that it plays only inside a match."""
         raise ValueError(
             f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
         )

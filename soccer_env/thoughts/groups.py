@@ -1,4 +1,4 @@
-"""Groups of further columns of a note: percepts of the camera, and the planned path.
+"""Optional groups of columns in a note: percepts of the camera, and the planned path.
 
 A group is [name, number of items, names of the columns of an item]; the robot kind declares the groups of its sensors
 (`leagues/robot_kind.py`). Angles are in 0.01 rad and lengths in cm. The columns of a missing item are all 0.
@@ -19,12 +19,12 @@ MOST_GROUPS, MOST_COLUMNS = 32, 512
 
 
 def noted_percepts(match: Match) -> NotedPercepts | None:
-    """Return which percepts the robot kind notes, and how; None if no robot senses or the kind declares no groups."""
+    """Return the percepts that the robot kind records in notes; None if no robot senses or none are declared."""
     return None if match.batch.senses is None else kind_of(match.league.sensors).noted
 
 
 def note_groups(match: Match) -> list[Group]:
-    """Return the groups of columns in the notes of a match: percepts, and plans if a team plans paths."""
+    """Return the optional groups of columns in the notes of a match: percepts, and plans if a team plans paths."""
     noted = noted_percepts(match)
     groups = [] if noted is None else [*noted.groups]
     return groups + (PLAN if any(planner_of(squad) for squad in match.squads) else [])
@@ -32,7 +32,7 @@ def note_groups(match: Match) -> list[Group]:
 
 @functools.cache
 def allowed_columns() -> dict[str, list[list[str]]]:
-    """Return the allowed lists of columns of each group, by the group's name: groups of our robot kinds, and plans."""
+    """Return the allowed lists of columns of each group, by the group's name, for all robot kinds and plans."""
     kinds = (kind_of(name).noted for name in ("legged", "omni"))
     known: dict[str, list[list[str]]] = {}
     for name, _, parts in (*PLAN, *(group for noted in kinds if noted for group in noted.groups)):
@@ -41,7 +41,7 @@ def allowed_columns() -> dict[str, list[list[str]]]:
 
 
 def checked_groups(groups: Any) -> list[Group]:
-    """Return the groups of a file, checked; ValueError for anything else."""
+    """Return the groups read from a file, checked; ValueError for anything that is not a list of groups."""
     checked: list[Group] = [[str(name), int(count), [str(part) for part in parts]] for name, count, parts in groups]
     known = allowed_columns() if checked else {}
     wrong = any(count < 0 or parts not in known.get(name, [parts]) for name, count, parts in checked)
@@ -76,7 +76,7 @@ def planner_of(squad: Squad) -> Explanation | None:
 
 
 def copy_decision_inputs(match: Match, squad: Squad, place: int) -> DecisionInputs:
-    """Return copies of the records that a player of the first match decides from; `place` is its place in the squad."""
+    """Return copies of the records from which a player of the first match decides; `place`: its index in the squad."""
     r, settings = int(squad.players[place]), squad.settings
     beliefs, tracks, noise = (
         match.beliefs[:1, r].copy(),
@@ -89,7 +89,7 @@ def copy_decision_inputs(match: Match, squad: Squad, place: int) -> DecisionInpu
 
 
 def planned_paths(match: Match) -> np.ndarray:
-    """Return the planned paths (R, points, 2) in cm of the field frame, 0 without a plan."""
+    """Return the planned paths (R, points, 2) [cm, field frame] of all robots, 0 without a plan."""
     paths = np.zeros((len(match.agents), PLAN[0][1], 2))
     home_ahead = float(match.matches["home_direction"][0])
     for squad in match.squads:

@@ -17,7 +17,7 @@ PLACES = ("x", "y", "ball_x", "ball_y")
 
 
 class Player(NamedTuple):
-    """Another player as a robot believes it."""
+    """Another player in a robot's belief."""
 
     x: float  # [m] field frame
     y: float  # [m]
@@ -27,7 +27,7 @@ class Player(NamedTuple):
 
 @dataclass(frozen=True)
 class Thought:
-    """Percepts, beliefs and decisions of one robot."""
+    """Percepts, beliefs and decisions of one robot at one time."""
 
     knows: bool  # False: it believes nothing, or its beliefs were not noted
     pose: tuple[float, float, float]  # [m, m, rad] believed pose of the robot
@@ -45,7 +45,7 @@ class Thought:
 
 @dataclass(frozen=True)
 class NoteReader:
-    """Reads the columns of notes."""
+    """A reader that converts the columns of notes to metres, radians and words."""
 
     slots: int
     fields: list[list[list[Any]]]
@@ -53,22 +53,22 @@ class NoteReader:
 
     @staticmethod
     def of(notes: Notes | Thoughts) -> NoteReader:
-        """Return the reader of running notes, or of the notes of a file."""
+        """Return a reader for notes of a running match, or for the notes of a file."""
         return NoteReader(notes.slots, notes.fields, notes.groups)
 
     def thinks(self, row: np.ndarray) -> np.ndarray:
-        """Return flags (R,) of the robots that have beliefs, from a note (R, C)."""
+        """Return flags (R,): 1 for each robot that has beliefs in a note (R, C)."""
         found: np.ndarray = (row[:, TABLE.index("sees")] & SEES["thinks"]) != 0
         return found
 
     def memory(self, row: np.ndarray, r: int) -> tuple[tuple[str, ...], dict[str, float]]:
-        """Return words for the activity of robot r, and other numbers of its memory, from a note (R, C)."""
+        """Return words for robot r's activity and the other numbers of its memory, from a note (R, C)."""
         first = len(TABLE) + len(TRACK) * self.slots + count_columns(self.groups)
         memory = zip(self.fields[r], row[r, first:].tolist(), strict=False)
         return words_and_numbers([(path, known, value / step) for (path, known, step), value in memory])
 
     def thought(self, row: np.ndarray, r: int) -> Thought:
-        """Return the thought of robot r, from a note (R, C)."""
+        """Return the Thought of robot r, from a note (R, C)."""
         numbers = row[r].tolist()
         of = dict(zip(TABLE, numbers, strict=False))
         at = len(TABLE)
@@ -111,7 +111,7 @@ def words_and_numbers(memory: list[tuple[str, list[str], float]]) -> tuple[tuple
 
 
 def note_at(notes: Notes, step: int) -> np.ndarray | None:
-    """Return the note (R, C) at a control step, with places interpolated; None before the first note."""
+    """Return the note (R, C) at a control step, with positions interpolated; None before the first note."""
     at = int(np.searchsorted(notes.steps, step, side="right")) - 1
     if at < 0:
         return None
@@ -123,7 +123,7 @@ def note_at(notes: Notes, step: int) -> np.ndarray | None:
 
 
 def interpolate_notes(early: np.ndarray, late: np.ndarray, share: float, slots: int) -> np.ndarray:
-    """Return the early note (R, C) with its places interpolated to the late note, except where they jump.
+    """Return the early note (R, C) with its positions interpolated towards the late note, except where they jump.
 
     Without interpolation, believed places would lag behind moving robots and balls.
     """

@@ -1,4 +1,4 @@
-"""Percepts, beliefs and decisions of robots, noted several times a second beside the commands, for people to look at.
+"""Notes of the robots' percepts, beliefs and decisions, taken several times a second, for people to look at.
 
 A replay repeats commands, so thoughts cannot be computed from it. `Thoughts` notes them while the match runs, as whole
 numbers of 16 bits; the replay plays the same without notes. Only the first match of several is noted.
@@ -30,7 +30,7 @@ MOST_FIELDS = 12  # of a team's memory
 
 
 class Thoughts:
-    """Notes of one match, taken every `every` control steps.
+    """The notes of one match, one every `every` control steps.
 
     `shown` maps fields of the teams' memories to the words for their values, () for a plain number; None: the fields
     that a team's explanation shows, or all whole numbers of its memory. `grouped=False` leaves out percepts of the
@@ -46,32 +46,32 @@ class Thoughts:
         self.rows: list[np.ndarray] = []  # each (R, C) int16
 
     def note(self, match: Match, step: int) -> None:
-        """Take a note of the match after a control step, if it is time for one."""
+        """Take a note of the match after a control step, if a note is due."""
         if step % self.every == 0 and self.slots:
             self.steps.append(step)
             self.rows.append(self.look(match))
 
     def look(self, match: Match) -> np.ndarray:
-        """Return the present thoughts of all robots of the first match, (R, C) int16."""
+        """Return the present notes of all robots of the first match, (R, C) int16."""
         columns = [*match_columns(match), *track_columns(match, self.slots)]
         more = round_to_int16(group_columns(match, self.groups))
         return np.column_stack([round_to_int16(np.stack(columns, axis=1)), more, memory_columns(match, self.fields)])
 
     def cut(self, step: int) -> None:
-        """Drop the notes after a control step."""
+        """Drop the notes taken after a control step."""
         while self.steps and self.steps[-1] > step:
             self.steps.pop()
             self.rows.pop()
 
     def packed(self) -> dict[str, np.ndarray]:
-        """Return the notes as arrays for a file: changes from note to note, which compress well."""
+        """Return the notes as arrays for a file, stored as changes from note to note, which compress well."""
         return packed(self.steps, np.stack(self.rows), self.slots, self.fields, self.groups) if self.rows else {}
 
 
 def packed(
     steps: list[int], numbers: np.ndarray, slots: int, fields: list[list[list[Any]]], groups: list[Group]
 ) -> dict[str, np.ndarray]:
-    """Return notes (T, R, C) as arrays for a file."""
+    """Return notes (T, R, C) as arrays for a file, stored as changes from note to note."""
     about = {"steps": steps, "slots": slots, "fields": fields, "groups": groups}
     changes = np.diff(numbers, axis=0, prepend=np.int16(0))
     return {
@@ -81,7 +81,7 @@ def packed(
 
 
 class Notes:
-    """The thoughts of a file: `numbers` (T, R, C) int16, taken after the control steps `steps` (T,)."""
+    """The notes in a file: `numbers` (T, R, C) int16, taken after the control steps `steps` (T,)."""
 
     def __init__(self, arrays: Mapping[str, np.ndarray], robots: int) -> None:
         about = json.loads(arrays["thoughts_about"].tobytes())
@@ -104,23 +104,23 @@ class Notes:
 
 
 class RecordedMatch(Protocol):
-    """A recorded match, `soccer_env.replay.Replay`, which stands above the pictures and tables that read it."""
+    """The protocol of a recorded match, which `soccer_env.replay.Replay` implements."""
 
     settings: dict[str, Any]
 
     @property
     def teams(self) -> tuple[str, str]:
-        """Return the teams home and away."""
+        """Return the names of the teams home and away."""
 
     def notes(self) -> Notes | None:
-        """Return the thoughts of the robots; None if they were not recorded."""
+        """Return the notes of the robots; None if they were not recorded."""
 
     def play(self) -> Iterator[Match]:
-        """Yield the match at its start and after every control step; ValueError names the first step that differs."""
+        """Yield the match at its start and after every control step; ValueError if it differs from the recording."""
 
 
 def checked_fields(fields: Any) -> list[list[Any]]:
-    """Return names, words and units of the fields of a robot's memory, checked; ValueError for anything else."""
+    """Return names, words and units of the fields of a robot's memory, checked; ValueError if they are malformed."""
     checked: list[list[Any]] = [[str(name), [str(word) for word in words], float(step)] for name, words, step in fields]
     if len(checked) > MOST_FIELDS or not all(field[2] > 0.0 for field in checked):
         raise ValueError("the fields of its thoughts are damaged")
@@ -133,7 +133,7 @@ def has_beliefs(match: Match) -> bool:
 
 
 def memory_fields(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:
-    """Return the noted fields of the memory of robot r, each as [name, words for its values, steps in a unit]."""
+    """Return the recorded fields of robot r's memory, each as [name, words for its values, steps in a unit]."""
     noted: list[list[Any]] = []
     for squad in fixed_team_squads(match):
         explanation = explanation_of(squad.team)
@@ -146,12 +146,12 @@ def memory_fields(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | N
 
 
 def fixed_team_squads(match: Match) -> list[Squad]:
-    """Return the squads with a fixed team, no lineup: the team of a lineup changes, and the memory with the team."""
+    """Return the squads with one fixed team, without lineups, whose team and memory change."""
     return [squad for squad in match.squads if squad.lineup is None]
 
 
 def record_leaves(dtype: np.dtype, path: str = "") -> list[tuple[str, str]]:
-    """Return the dotted path and the kind of each single number of a record."""
+    """Return the dotted path and the dtype kind of each single number of a record."""
     numbers: list[tuple[str, str]] = []
     for name in dtype.names or ():
         inner = dtype[name]
@@ -170,12 +170,12 @@ def match_columns(match: Match) -> list[np.ndarray]:
     ball_x, ball_y = to_field_frame(own, heading, beliefs["ball"])
     columns = [MILLI * own[0], MILLI * own[1], MILLI * heading, CENTI * beliefs["own"]["confidence"]]
     columns += [MILLI * ball_x, MILLI * ball_y, CENTI * beliefs["ball"]["confidence"], CENTI * beliefs["ball"]["age"]]
-    columns += seen_columns(match) + particle_spread(match, sign)
+    columns += sighting_columns(match) + particle_spread(match, sign)
     return columns + [CENTI * robots["command"][name] for name in ("forward", "left", "turn", "kick")]
 
 
 def own_poses(match: Match) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
-    """Return the believed places and headings of all robots [m, rad], field frame, each (R,)."""
+    """Return the believed positions and headings of all robots [m, rad], field frame, each (R,)."""
     robots, own = match.robots[0], match.beliefs[0]["own"]
     sign = np.where((robots["team"] == HOME) == (match.matches["home_direction"][0] > 0.0), 1.0, -1.0)
     heading = own["heading"] + np.where(sign > 0.0, 0.0, np.pi)
@@ -197,19 +197,19 @@ def track_columns(match: Match, slots: int) -> list[np.ndarray]:
 def to_field_frame(
     own: tuple[np.ndarray, np.ndarray], heading: np.ndarray, thing: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Convert places from the robots' frames to the field frame, by the believed poses of the robots."""
+    """Convert positions from the robots' frames to the field frame, by the robots' believed poses."""
     cosine, sine = np.cos(heading), np.sin(heading)
     return own[0] + cosine * thing["x"] - sine * thing["y"], own[1] + sine * thing["x"] + cosine * thing["y"]
 
 
 def round_to_int16(numbers: np.ndarray) -> np.ndarray:
-    """Round numbers to whole numbers of 16 bits, clipped to the range from -MOST to MOST."""
+    """Round numbers to int16, clipped to the range from -MOST to MOST."""
     found: np.ndarray = np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
     return found
 
 
-def seen_columns(match: Match) -> list[np.ndarray]:
-    """Return four columns (R,): bits of SEES, numbers of seen players and landmarks (or lines), infrared range [mm]."""
+def sighting_columns(match: Match) -> list[np.ndarray]:
+    """Return four columns (R,): flags SEES, numbers of seen players and landmarks (or lines), infrared range [mm]."""
     robots = match.robots[0]
     bits = np.where(match.batch.believing, SEES["thinks"], 0) | np.where(robots["has_ball"] == 1, SEES["held"], 0)
     none, noted = np.zeros(len(robots)), noted_percepts(match)
@@ -235,7 +235,7 @@ def particle_spread(match: Match, sign: np.ndarray) -> list[np.ndarray]:
 
 
 def memory_columns(match: Match, fields: list[list[list[Any]]]) -> np.ndarray:
-    """Return the noted fields of the robots' memories, (R, fields) int16."""
+    """Return the recorded fields of the robots' memories, (R, fields) int16."""
     numbers = np.zeros((len(fields), max((len(names) for names in fields), default=0)))
     for squad in fixed_team_squads(match):
         for place, r in enumerate(squad.players):

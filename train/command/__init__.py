@@ -1,4 +1,4 @@
-"""The command `soccer`.
+"""The command line program `soccer`.
 
 command_line.py      the commands: the settings that each command reads, and the text that it prints
 match_commands.py    `soccer record`, `replay`, `export` and `watch`

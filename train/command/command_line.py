@@ -1,4 +1,4 @@
-"""The command `soccer`. Heavy packages are imported only once the command is known.
+"""The command line of `soccer`, which imports heavy packages only once the command is known.
 
 Every flag is a field of a dataclass that Python code can use as well. A user's mistake ends with one line on stderr
 and exit code 2; SOCCER_ENV_TRACEBACK=1 shows the traceback.
@@ -45,7 +45,7 @@ SUMMARIES = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line (sys.argv without its first word by default) and return the exit code."""
+    """Run the command line with these arguments, by default those of the process; return the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     name, rest = (words[0], words[1:]) if words else ("--help", [])
     if name in ("-h", "--help"):
@@ -59,12 +59,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if name.partition("=")[0] in COMPLETION:
         return run_guarded(run_completion, words)
     if name not in COMMANDS:
-        return complain(unknown("command", name, COMMANDS))
+        return print_error(unknown("command", name, COMMANDS))
     return run_guarded(COMMANDS[name], rest)
 
 
 def help_text() -> str:
-    """Return the help of `soccer` itself."""
+    """Return the help text of `soccer` without a command."""
     return "\n".join(
         [
             "usage: soccer COMMAND [OPTIONS]",
@@ -78,7 +78,7 @@ def help_text() -> str:
 
 
 def run_guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
-    """Run a command and return its exit code; report a user's mistake in one line on stderr."""
+    """Run a command and return its exit code; a user's mistake is reported in one line on stderr."""
     try:
         with repeat_swallowed_interrupts():
             return command(words)
@@ -92,29 +92,29 @@ def run_guarded(command: Callable[[list[str]], int], words: list[str]) -> int:
         own_bug = isinstance(error, ImportError) and (error.name or "").startswith("soccer_env")
         if own_bug or os.environ.get("SOCCER_ENV_TRACEBACK"):
             raise
-        return complain(reason_of(error))
+        return print_error(reason_of(error))
 
 
-def complain(message: str) -> int:
-    """Print one line on stderr; return the exit code of a command that cannot run."""
+def print_error(message: str) -> int:
+    """Print one line on stderr, and return the exit code for a command that cannot run."""
     print(f"soccer: {' '.join(message.split())}", file=sys.stderr)
     return WRONG
 
 
 def console() -> Console:
-    """Return the console for tables: the terminal's, or one of fixed width."""
+    """Return the console for printing tables: the terminal, or one of fixed width."""
     from rich.console import Console
 
     return Console(width=None if sys.stdout.isatty() else WIDTH, markup=False)  # names of teams and files are no markup
 
 
 def print_json(value: Any) -> None:
-    """Print a value as JSON, with nothing else on stdout, for programs."""
+    """Print a value as JSON and nothing else on stdout, for other programs."""
     print(json.dumps(value, indent=2))
 
 
 def kinds_of_settings() -> dict[str, type]:
-    """Return the settings dataclass of each command."""
+    """Return the settings class of each command by the command's name."""
     from soccer_env.train.bench.settings import BenchSettings
     from soccer_env.train.command.listing import ListSettings
     from soccer_env.train.command.warm_up import WarmUpSettings
@@ -165,7 +165,7 @@ def run_evaluate(words: list[str]) -> int:
 
 
 def print_written_files(folder: Path | None, *names: str) -> None:
-    """Print the paths of the files in `names` that exist in a folder."""
+    """Print the paths of those files `names` that exist in a folder."""
     if folder is not None:
         print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
 
@@ -242,7 +242,7 @@ def run_train(words: list[str]) -> int:
     settings = read_settings(TrainSettings, rest, "train", settings_of(Path(config) if config else None))
     from soccer_env.train.command.compiling_beside import compile_step_beside
 
-    train, reports = training_parts()
+    train, reports = import_training()
     try:
         with compile_step_beside():
             result = train(settings)
@@ -262,8 +262,8 @@ def run_train(words: list[str]) -> int:
     return 0
 
 
-def training_parts() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
-    """Return the function `train` and the module `reports` of a training; ValueError names the packages to install."""
+def import_training() -> tuple[Callable[[TrainSettings], TrainResult], ModuleType]:
+    """Import and return the function `train` and the module `reports`; ValueError names packages to install."""
     try:
         import soccer_env.train.ppo.training  # noqa: F401  # imports torch and everything else that training needs
         from soccer_env.train.ppo import reports, train

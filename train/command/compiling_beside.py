@@ -1,4 +1,4 @@
-"""Compile the physics and the referee in a second process, while the first compiles senses and teams.
+"""Compile physics and referee in a second process while this process compiles senses and teams.
 
 This cuts a start with an empty cache by a third. The processes share machine code through the cache on disk; if the
 second one fails, the first compiles everything itself.
@@ -19,8 +19,8 @@ from soccer_env.match.step import step_slice
 
 @contextmanager
 def compile_step_beside() -> Iterator[None]:
-    """Run the second process during a `with` block, if the cache lacks the code for a step of a match."""
-    if config.DISABLE_JIT or not sys.executable or cores() < 2 or is_cached(step_slice):
+    """Run a second compiling process during a `with` block, if the cache lacks the code for a step of a match."""
+    if config.DISABLE_JIT or not sys.executable or count_cores() < 2 or is_cached(step_slice):
         yield
         return
     silent = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -31,8 +31,8 @@ def compile_step_beside() -> Iterator[None]:
             process.kill()
 
 
-def cores() -> int:
-    """Return the number of processors that this process may use."""
+def count_cores() -> int:
+    """Return the number of processor cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 

@@ -1,4 +1,4 @@
-"""Ctrl-C that Python swallows, sent once more."""
+"""Resend a Ctrl-C that Python has swallowed."""
 
 import contextlib
 import signal
@@ -12,7 +12,7 @@ AGAIN = 0.05  # [s] after which a swallowed Ctrl-C is sent again
 
 @contextlib.contextmanager
 def repeat_swallowed_interrupts() -> Iterator[None]:
-    """Repeat Ctrl-C if Python swallows the interrupt: destructors and callbacks of weak references cannot raise."""
+    """Resend Ctrl-C if Python swallows it, as in a destructor or a weak reference's callback."""
     timers: list[threading.Timer] = []
     usual = sys.unraisablehook
 

@@ -1,4 +1,4 @@
-"""How the help of a command shows an optional value such as `float | None`: as a float, unset by default."""
+"""Help texts for optional values such as `float | None`, shown as a float that is unset by default."""
 
 from dataclasses import replace
 from typing import Any, Union, get_args
@@ -16,7 +16,7 @@ LEFT_OUT = "unset"  # the default that the help shows
 
 @REGISTRY.primitive_rule
 def parser_without_none(info: PrimitiveTypeInfo) -> PrimitiveConstructorSpec[Any] | None:
-    """Return the parser for a type such as `float | None`: that of float, None shown as unset; None for other types."""
+    """Return a parser for a type such as `float | None` that shows None as unset; None for other types."""
     kinds = tuple(kind for kind in get_args(info.type) if kind is not type(None))
     if len(kinds) == len(get_args(info.type)):
         return None

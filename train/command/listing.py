@@ -1,4 +1,4 @@
-"""`soccer list`: tables of leagues, teams, settings of teams, scenes, observations and so on."""
+"""`soccer list`: tables of leagues, teams, team settings, scenes, observations and more."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ class ListSettings:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of text under named columns; the column without a name counts the rows."""
+    """A table of text rows under named columns; a column without a name numbers the rows."""
 
     title: str
     columns: tuple[str, ...]
     rows: Sequence[tuple[str, ...]]
 
     def drawn(self) -> Drawn:
-        """Return the table for the terminal."""
+        """Return the table as a terminal table."""
         from rich.table import Table as Drawn
 
         drawn = Drawn(title=self.title, title_justify="left")
@@ -55,13 +55,13 @@ class Table:
         return drawn
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the table for JSON."""
+        """Return the table as plain values for JSON."""
         names = [column or "index" for column in self.columns]
         return {"title": self.title, "rows": [dict(zip(names, row, strict=True)) for row in self.rows]}
 
 
 def list_tables(settings: ListSettings) -> Iterator[Table]:
-    """Yield the tables of `settings.what`."""
+    """Yield the tables that `settings.what` asks for."""
     what = settings.what
     lists: dict[str, Callable[[], Iterator[Table]]] = {
         "leagues": leagues,
@@ -81,7 +81,7 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
 
 
 def leagues() -> Iterator[Table]:
-    """Yield the table of leagues with their main numbers, and for each league a table of contacts between materials."""
+    """Yield the table of leagues with their main numbers, then each league's table of contacts between materials."""
     from soccer_env.leagues import LEAGUES
 
     columns = ("name", "family", "pitch", "robots", "time", "source")
@@ -107,7 +107,7 @@ def leagues() -> Iterator[Table]:
 
 
 def teams() -> Iterator[Table]:
-    """Yield the table of teams, with the families of leagues that each team can play in."""
+    """Yield the table of teams, with the families of leagues in which each can play."""
     from soccer_env.teams import NAMES, make_team, registered_teams
     from soccer_env.teams.explaining import team_description
 
@@ -126,7 +126,7 @@ def teams() -> Iterator[Table]:
 
 
 def settings_of_teams() -> Iterator[Table]:
-    """Yield a table of settings for each team, such as sacks-2001:recovery=False; of a variant only its differences."""
+    """Yield a table of settings for each team, such as sacks-2001:recovery=False; of variants the differences."""
     from soccer_env.teams import NAMES, make_team
 
     for name in NAMES:
@@ -143,7 +143,7 @@ def settings_of_teams() -> Iterator[Table]:
 
 
 def option_rows(options: Options) -> list[tuple[str, str, str, str]]:
-    """Return name, value, allowed values, unit and source of each setting, for a table."""
+    """Return a table row for each setting: name, value, allowed values, unit and source."""
     return [
         (name, f"{value:g}" if isinstance(value, float) else str(value), allowed, note)
         for name, value, allowed, note in options.rows()
@@ -171,7 +171,7 @@ def scenes() -> Iterator[Table]:
 
 
 def observations(league: str, observe: str) -> Iterator[Table]:
-    """Yield the table of the numbers in one robot's observation."""
+    """Yield the table of all numbers in one robot's observation."""
     from soccer_env.leagues import find_league
     from soccer_env.observations import layout
     from soccer_env.observations.scales import scale_in_numbers
@@ -187,17 +187,17 @@ def observations(league: str, observe: str) -> Iterator[Table]:
 
 
 def frame_of(entry: Entry) -> str:
-    """Return the frame of coordinates and the axis of an entry of the observations, for a table."""
+    """Return the coordinate frame and axis of an observation entry, as text for a table."""
     return "" if entry.frame in (None, "none") else f"{entry.frame} {entry.axis}".strip()
 
 
 def mirror_effect(entry: Entry) -> str:
-    """Return the effect of a left-right mirror on an entry, for a table: a change of sign or of place, or nothing."""
+    """Return as table text how a left-right mirror changes an entry: its sign, its place, or nothing."""
     return {1: "", -1: "sign", None: "place"}[entry.mirror]
 
 
 def sensors(league: str) -> Iterator[Table]:
-    """Yield the settings of a league's sensors and of the memory behind them."""
+    """Yield the table of settings of a league's sensors and of the robots' memory."""
     from soccer_env.leagues import find_league
 
     named = find_league(league)
@@ -208,7 +208,7 @@ def sensors(league: str) -> Iterator[Table]:
 
 
 def rules(league: str) -> Iterator[Table]:
-    """Yield the table of the rules of a league, with the value of each rule in each rule set."""
+    """Yield the table of a league's rules, with each rule's value in each rule set."""
     from soccer_env.leagues import find_league
     from soccer_env.leagues.options import field_comments
     from soccer_env.leagues.rules import SETS, Rules, rule_set
@@ -224,7 +224,7 @@ def rules(league: str) -> Iterator[Table]:
 
 
 def rule_in_words(value: bool | float) -> str:
-    """Return the value of a rule in words, for a table."""
+    """Return the value of a rule in words, as text for a table."""
     from soccer_env.leagues.rules import NEVER
 
     if isinstance(value, bool):
@@ -233,7 +233,7 @@ def rule_in_words(value: bool | float) -> str:
 
 
 def actions() -> Iterator[Table]:
-    """Yield tables of the kinds of actions: those of numbers, and the discrete set."""
+    """Yield the tables of action kinds: continuous actions, and the discrete set."""
     from soccer_env.actions import BOX, DISCRETE, MEANINGS
 
     rows = [(name, meaning, "box, full" if name in BOX else "full") for name, meaning in MEANINGS.items()]

@@ -1,4 +1,4 @@
-"""`soccer record`, `replay`, `export`, `watch` and `evaluate --recheck`, as command_line.py runs them."""
+"""The functions that run `soccer record`, `replay`, `export`, `watch` and `evaluate --recheck`."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def run_replay(words: list[str]) -> int:
 
 
 def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
-    """Run `soccer evaluate --recheck FOLDER`; `said` names the settings that the command line contains."""
+    """Run `soccer evaluate --recheck FOLDER`; `said`: the settings given on the command line."""
     from soccer_env.train.evaluate import recheck
 
     assert settings.recheck is not None
@@ -71,7 +71,7 @@ def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
 
 
 def print_pair(pair: int, differences: list[Difference]) -> None:
-    """Print the result of a replayed pair."""
+    """Print whether a pair of matches, played again, agrees with its stored lines."""
     print(f"pair {pair}, matches {2 * pair} and {2 * pair + 1}: {'differs' if differences else 'agrees'}")
     for difference in differences[:SHOWN]:
         print(f"  {difference}")
@@ -81,7 +81,7 @@ def print_pair(pair: int, differences: list[Difference]) -> None:
 
 
 def print_recheck_result(result: RecheckResult) -> None:
-    """Print the result of all replayed pairs, and the command that draws the same sample again."""
+    """Print the result of all pairs played again, and the command that draws this sample again."""
     played, differing = len(result.pairs), len(result.differing)
     drawn = f" (drawn with --pairs {played} --seed {result.seed})" if played < result.finished else ""
     which = f"{played} of {result.finished} finished pairs played again{drawn}"

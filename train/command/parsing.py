@@ -1,4 +1,4 @@
-"""Parse the arguments of a command into its settings; an error is a ValueError of one line.
+"""Parse command-line arguments into settings, with any error as a ValueError of one line.
 
 tyro passes each error to a hook as a record (`tyro._errors`, private to the version that pyproject.toml bounds); its
 own printed text is not used.
@@ -30,7 +30,7 @@ COMPLETION = ("--print-completion", "--tyro-print-completion")  # flags of `socc
 
 
 def read_settings(kind: type[T], words: list[str], name: str, default: T | None = None) -> T:
-    """Return the settings that the arguments of a command describe; ValueError in one line for a wrong argument.
+    """Parse the arguments of a command into settings; ValueError in one line for a wrong argument.
 
     With a `default`, such as the settings of a file, a yes-or-no setting has both flags: --mirror and --no-mirror.
     """
@@ -39,7 +39,7 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
 
     from soccer_env.train.command.left_out import REGISTRY
 
-    def refuse(event: Any) -> None:
+    def raise_parse_error(event: Any) -> None:
         raise ValueError(f"{describe_error(event, kind, words, default is not None)} (see soccer {name} --help)")
 
     more: dict[str, Any] = {"config": (tyro.conf.FlagCreatePairsOff,)} if default is None else {"default": default}
@@ -47,13 +47,13 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
     if {"-h", "--help"} & {*words}:
         print(cut_help_text(capture_printed_text(read), getattr(kind, "BASIC", ""), name))
         raise SystemExit(0)
-    with _errors.on_parse_error(refuse):
+    with _errors.on_parse_error(raise_parse_error):
         settings: T = read(args=["--help"] if ALL_OPTIONS in words else words)
         return settings
 
 
 def capture_printed_text(show: Callable[[], Any]) -> str:
-    """Return the text that `show` prints before it exits with SystemExit."""
+    """Run a function that prints and then exits with SystemExit; return the printed text."""
     content = io.BytesIO()
     text = io.TextIOWrapper(content, encoding=getattr(sys.stdout, "encoding", None) or "utf-8")  # decides on boxes
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(text):
@@ -63,7 +63,7 @@ def capture_printed_text(show: Callable[[], Any]) -> str:
 
 
 def cut_help_text(text: str, last: str, name: str) -> str:
-    """Cut the help text of a command after the option `last` and add the number of further options; "": no cut."""
+    """Cut a help text after the option `last` and append the number of options cut off; last "": cut nothing."""
     lines = text.splitlines()
     options = [at for at, line in enumerate(lines) if re.match("[│ ] -", line)]
     at = next((at for at, row in enumerate(options) if re.match(rf". --{last}\b", lines[row])), len(options)) + 1
@@ -74,7 +74,7 @@ def cut_help_text(text: str, last: str, name: str) -> str:
 
 
 def describe_error(event: Any, kind: type, words: list[str], pairs: bool) -> str:
-    """Return the message for tyro's record of an error; for an unknown kind of record, the name of the kind."""
+    """Return an error message for tyro's error record `event`; for an unknown record type, with the type's name."""
     record = type(event).__name__
     if record == "UnrecognizedArgs":
         return unknown_word_message(event.tokens[0], kind, pairs)
@@ -93,14 +93,14 @@ def describe_error(event: Any, kind: type, words: list[str], pairs: bool) -> str
 
 
 def argument_name(argument: Any) -> str:
-    """Return the name by which the help shows an argument: its longest flag, or for a positional argument its name."""
+    """Return the name of an argument as the help shows it: its longest flag, or its positional name."""
     flags: tuple[str, ...] = argument.lowered.name_or_flags
     name = max(flags, key=len, default="")
     return name if name.startswith("-") else str(argument.field.intern_name).upper()
 
 
 def unknown_word_message(word: str, kind: type, pairs: bool) -> str:
-    """Return the error message for a word that belongs to no option."""
+    """Return the error message for a command-line word that belongs to no option."""
     flags = flags_of(kind, pairs)
     if word.startswith("-"):
         return unknown("option", word.partition("=")[0], flags)
@@ -108,7 +108,7 @@ def unknown_word_message(word: str, kind: type, pairs: bool) -> str:
 
 
 def flags_of(kind: Any, pairs: bool) -> list[str]:
-    """Return the flags of a settings dataclass; `pairs`: with both --mirror and --no-mirror for a yes-or-no setting."""
+    """Return the flags of a settings class; `pairs`: yes-or-no settings have both --mirror and --no-mirror."""
     flags = []
     for field in fields(kind):
         if "Positional" in str(field.type):
@@ -119,7 +119,7 @@ def flags_of(kind: Any, pairs: bool) -> list[str]:
 
 
 def wrong_value_message(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
-    """Return the message of the ValueError that the settings raise for the value of a flag, "" if they accept it."""
+    """Return the settings' error message for the value of a flag, "" if they accept the value."""
     at = [index for index, word in enumerate(words) if word.partition("=")[0] == flag]
     if not flag or not at:
         return ""
@@ -137,7 +137,7 @@ def wrong_value_message(flag: str, kind: Callable[..., Any], words: list[str]) -
 
 
 def required_placeholders(kind: Any) -> dict[str, Path]:
-    """Return a placeholder for each required field of a settings dataclass: an empty path, as all of them are paths."""
+    """Return a placeholder value, an empty path, for each required field of a settings class."""
     defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
     return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
 
@@ -150,7 +150,7 @@ def reason_of(error: Exception) -> str:
 
 
 def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, str]) -> str:
-    """Return the completion script of a shell for all commands and options; ValueError for an unknown shell."""
+    """Return the shell completion script for all commands and options; ValueError for an unknown shell."""
     import tyro
 
     from soccer_env.train.command.left_out import REGISTRY
@@ -170,12 +170,12 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
 
 
 def make_sourceable(script: str) -> str:
-    """Change tyro's zsh script so that it can also be sourced: unchanged it works only as a file of $fpath."""
+    """Change tyro's zsh completion script so that it can be sourced, not only placed in $fpath."""
     return re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, script, flags=re.MULTILINE)
 
 
 def flatten_descriptions(script: str) -> str:
-    """Put each description in a completion script on one line, because shells take each line for a completion."""
+    """Join each description in a completion script into one line, since shells read each line as a completion."""
     lines = script.splitlines()
     for at, line in enumerate(lines):
         if "COMPLETION_SPEC = {" in line:
@@ -184,7 +184,7 @@ def flatten_descriptions(script: str) -> str:
 
 
 def take_out_flag(words: list[str], flag: str) -> tuple[str, list[str]]:
-    """Return the value of a flag ("" if it is absent) and the remaining words; ValueError if the value is missing."""
+    """Remove a flag from the words; return its value ("" if absent) and the rest; ValueError without a value."""
     for at, word in enumerate(words):
         if word.startswith(flag + "="):
             return word.partition("=")[2], words[:at] + words[at + 1 :]

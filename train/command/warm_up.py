@@ -53,7 +53,7 @@ class WarmUpSettings(CommandSettings):
 
 
 def warm_up(settings: WarmUpSettings) -> str:
-    """Play every part of `warm_up_parts` once; return a summary of the compiled functions."""
+    """Compile everything by playing each part of `warm_up_parts` once; return a summary."""
     started, before = time.monotonic(), COMPILED.functions
     parts = list(warm_up_parts(settings))
     with Progress("soccer_env: compiling", len(parts)) as progress:
@@ -67,7 +67,7 @@ def warm_up(settings: WarmUpSettings) -> str:
 
 
 def warm_up_parts(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
-    """Yield name and work of each part that compiles code of its own."""
+    """Yield name and function of each part that compiles code not compiled by other parts."""
     for league in BASE_LEAGUES if settings.league == "all" else (settings.league,):
         for way in WAYS:
             yield f"{league}, {' '.join(map(str, way.values()))}", partial(play, league, "chaser", **way)
@@ -83,7 +83,7 @@ def warm_up_parts(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
 
 
 def play(league: str, team: str, **settings: Any) -> None:
-    """Play one step of a match of the team against learners, then save and load the match."""
+    """Play one step of a match between a team and learners, then save and load the match."""
     match = Match(league, **{"home": 2, "away": 2, "seed": 0, "opponents": team, **settings})
     kind = match.settings.actions
     shape = (1, len(match.agents)) if kind.name == "discrete" else (1, len(match.agents), kind.size)

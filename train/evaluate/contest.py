@@ -1,4 +1,4 @@
-"""The matches of one team against another: pairs from the same seeds with sides swapped, many at once.
+"""The matches of one team against another: pairs of matches from one seed with sides swapped, many at once.
 
 Every match follows from its own seed alone, so no result depends on the threads or on the other matches of its batch.
 The seed decides which side kicks off first: in a pair each team does so once.
@@ -31,7 +31,7 @@ SIDES = ("home", "away")
 
 @dataclass(frozen=True)
 class Contest:
-    """Two teams, the league and the conditions of their matches."""
+    """Two teams, their league, and the conditions of their matches."""
 
     conditions: Conditions
     league: League
@@ -39,7 +39,7 @@ class Contest:
     second: str | Team
 
     def start(self, side: str, seeds: Sequence[int], threads: int = 1) -> Match:
-        """Return a Match with one match for each seed; the first team plays on `side`, "home" or "away"."""
+        """Start one match for each seed; the first team plays on `side`, "home" or "away"."""
         conditions, turn = self.conditions, 1 if side == "home" else -1
         teams, sizes, senses = (self.first, self.second)[::turn], conditions.players[::turn], conditions.senses[::turn]
         return Match(
@@ -51,7 +51,7 @@ class Contest:
 
 
 def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]) -> Contest:
-    """Return the contest of the teams that the conditions name; ValueError for an unknown team and for a drill."""
+    """Return the contest between the teams that the conditions name; ValueError for an unknown team or a drill."""
     scene = find_scene(conditions.scene)
     if scene.success != "none":
         how = f"run_drill({league.name!r}, {scene.name!r}, {conditions.home!r}, runs=100)"
@@ -59,11 +59,11 @@ def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]
             f"scene {scene.name!r} is a drill, evaluations play matches: `soccer record --scene {scene.name}` plays it "
             f"once, in Python {how} of soccer_env.train.evaluate.drills says how many of a hundred runs succeed"
         )
-    return Contest(conditions, league, *(find_team(name, teams) for name in (conditions.home, conditions.away)))
+    return Contest(conditions, league, *(team_or_name(name, teams) for name in (conditions.home, conditions.away)))
 
 
 def check_training_conditions(contest: Contest, settings: EvaluateSettings) -> None:
-    """Raise ValueError for a policy that was trained with other senses or pose, unless the settings choose them."""
+    """Raise ValueError for a policy trained with other senses or pose, unless the settings choose these explicitly."""
     for side, policy, setting, trained, here in differing_settings(contest):
         if getattr(settings, setting) is None:
             flag = f"--{setting}"
@@ -75,15 +75,15 @@ def check_training_conditions(contest: Contest, settings: EvaluateSettings) -> N
 
 
 def differing_settings(contest: Contest) -> Iterator[tuple[str, Policy, str, str, str]]:
-    """Yield side, policy, setting, value in training, value here for each setting that differs from the training."""
+    """Yield (side, policy, setting, value in training, value here) for each setting that differs from training."""
     conditions = contest.conditions
     for side, team, senses in zip(SIDES, (contest.first, contest.second), conditions.senses, strict=True):
         for difference in training_differences(team, senses, conditions.pose):
             yield side, *difference
 
 
-def find_team(name: str, teams: Mapping[str, Team]) -> str | Team:
-    """Return the team object of that name, or the name itself if the registry knows it."""
+def team_or_name(name: str, teams: Mapping[str, Team]) -> str | Team:
+    """Return the user's team object of that name, or the name itself if the registry knows it."""
     if name in teams:
         return make_team(teams[name])
     try:
@@ -98,7 +98,7 @@ def play_matches(
     contest: Contest, done: set[int], settings: str, threads: int,
     take: Callable[[list[MatchLine]], None], advance: Callable[[float], None],
 ) -> None:  # fmt: skip
-    """Play all matches whose numbers are not in `done`; `take` gets the lines of each batch, in order.
+    """Play all matches whose numbers are not in `done`; `take` is called with the lines of each batch, in order.
 
     Each thread plays its own batch. Batches of Python teams run one after another, because two threads may not call a
     team at once. Every thread calls `advance` with the number of control steps that it has played, over all matches.
@@ -111,7 +111,7 @@ def play_batches(
     contest: Contest, batches: Iterable[list[int]], settings: str, threads: int,
     take: Callable[[list[MatchLine]], None], advance: Callable[[float], None],
 ) -> None:  # fmt: skip
-    """Play batches of matches, the first team on one side in each batch; `take` gets their lines in order."""
+    """Play batches of matches; `take` is called with the result lines of each batch, in order."""
     compiled = all(isinstance(make_team(team), CompiledTeam) for team in (contest.first, contest.second))
     at_once = threads if compiled else 1
     seeds = seeds_for(contest.conditions.seed, contest.conditions.matches // 2).tolist()
@@ -130,7 +130,7 @@ def play_batches(
 
 
 def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
-    """Yield the matches still to play in batches of at most BATCH, the first team on one side in each batch."""
+    """Yield the remaining matches in batches of at most BATCH; the first team plays each batch on one side only."""
     pairs = matches // 2
     size = -(-pairs // max(-(-pairs // BATCH), (threads + 1) // 2))  # equal batches, at least one for each thread
     for first in range(0, matches, 2 * size):
@@ -144,7 +144,7 @@ def play(
     contest: Contest, batch: Sequence[int], seeds: Sequence[int], settings: str, threads: int,
     advance: Callable[[float], None], stopped: Event,
 ) -> list[MatchLine]:  # fmt: skip
-    """Play a batch to the end, or until `stopped` is set; `advance` gets the number of control steps of all matches."""
+    """Play a batch of matches to the end, or until `stopped` is set; `advance` gets the control steps played."""
     side = first_team_side(batch[0])
     match = contest.start(side, [seeds[number // 2] for number in batch], threads)
     lines: dict[int, MatchLine] = {}
@@ -170,7 +170,7 @@ def first_team_side(number: int) -> str:
 
 
 def line_of_match(match: Match, m: int, number: int, settings: str) -> MatchLine:
-    """Return the line of match m of a batch, which is match `number` of the evaluation, at its end."""
+    """Return the result line of match m of a batch at its end; `number` is its number in the evaluation."""
     record = match.matches[m]
     scored = record["score"].tolist()
     ours = number % 2  # the score's column

@@ -10,7 +10,7 @@ SEED = 1
 
 
 def run_drill(league: str, scene: str | Scene, team: str, runs: int, seed: int = SEED, threads: int = 2) -> int:
-    """Play a drill with sensors under its own rules; return the number of successful runs."""
+    """Play a drill `runs` times with sensors, under the drill's own rules; return the number of successes."""
     scene = find_scene(scene)
     home, away = sizes_of(scene)
     match = Match(

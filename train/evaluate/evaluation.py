@@ -1,4 +1,4 @@
-"""Evaluate one team against another: pairs of matches from the same seeds, sides swapped, many at once.
+"""Evaluate one team against another by pairs of matches from one seed, with sides swapped, many at once.
 
     result = evaluate(EvaluateSettings(home="chaser", away="random@0.5", matches=20))
 
@@ -45,7 +45,7 @@ COLUMNS, WIDTH = 4, 480  # of the sheet; [px] of a picture
 def evaluate(
     settings: EvaluateSettings, *, league: League | None = None, teams: Mapping[str, Team] | None = None
 ) -> EvaluationResult:
-    """Play the matches that settings.out lacks and return the result of all.
+    """Play the matches still missing in settings.out, and return the result of all matches.
 
     `league` replaces the named league by a user's own; `teams` gives names to team objects, which settings.home and
     settings.away may then use. Raises ValueError for settings that cannot be played and for a folder with another
@@ -65,7 +65,7 @@ def evaluate(
         check_team_hashes(made)
     about = {"command": command_of(settings), **date_and_commit()}
     folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
-    lines = play_missing(contest, folder, settings.threads)
+    lines = play_missing_matches(contest, folder, settings.threads)
     result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=training_notes(contest))
     folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
     folder.write("report.md", markdown(result, folder.about))
@@ -78,15 +78,15 @@ def evaluate(
 
 
 def training_notes(contest: Contest) -> dict[str, str]:
-    """Return, by name of policy, the settings of its training that differ from this contest, in words."""
+    """Describe, for each policy, the settings of its training that differ from this contest."""
     notes: dict[str, str] = {}
     for _, policy, setting, trained, _ in differing_settings(contest):
         notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))
     return notes
 
 
-def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
-    """Play every match that the folder lacks; return the lines of all."""
+def play_missing_matches(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
+    """Play every match that is missing in the folder; return the result lines of all matches."""
     conditions = contest.conditions
     lines = list(folder.results(MATCHES, MatchLine, "match").values())
     for line in lines:
@@ -105,7 +105,7 @@ def play_missing(contest: Contest, folder: ResultsFolder, threads: int) -> list[
 
 
 def draw_first_match(contest: Contest, folder: ResultsFolder, result: EvaluationResult) -> None:
-    """Play the first match again alone and write its pictures; RuntimeError if it ends in another state."""
+    """Play the first match again and draw pictures of it; RuntimeError if it ends in another state than before."""
     from soccer_env.render import Picture, contact_sheet, save_png
     from soccer_env.render.canvas import require_pygame
 
@@ -118,14 +118,14 @@ def draw_first_match(contest: Contest, folder: ResultsFolder, result: Evaluation
     line = result.lines[0]
     match = contest.start(line.side, [line.seed])
     picture, title = Picture(match.league, WIDTH), (result.conditions.home, result.conditions.away)
-    frames = [picture.draw(*moment, title=title) for moment in play_moments(match, line.steps)]
+    frames = [picture.draw(*moment, title=title) for moment in collect_moments(match, line.steps)]
     if match.state_hash(0) != line.state:
         raise RuntimeError(f"match 0 (seed {line.seed}) did not end as it did among others: a bug of soccer_env")
     save_png(contact_sheet(frames, COLUMNS), folder.path / "match.png")
 
 
-def play_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
-    """Play a single match to its end and return its moments for pictures: match record, ball and robots."""
+def collect_moments(match: Match, steps: int) -> list[tuple[Any, Any, Any]]:
+    """Play a single match to its end; return moments to draw: match record, ball and robots."""
     wanted = set(np.linspace(0, steps - 1, MOMENTS).astype(int).tolist())
     moments: list[tuple[Any, Any, Any]] = []
     goals = 0

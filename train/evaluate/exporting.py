@@ -28,7 +28,7 @@ KINDS = (".html", ".mp4", ".gif", ".png", *DATA)
 
 
 def export(settings: ExportSettings) -> str:
-    """Write a file in the format of its ending; return its name and size in words. Errors as of `Replay.video`."""
+    """Export a replay to the format of the file's ending; return name and size of the new file in words."""
     kind = settings.target.suffix.lower()
     if kind not in (MAPS if settings.maps else KINDS):
         with_maps = f"--out with --maps must end with {', '.join(MAPS)}"
@@ -40,7 +40,7 @@ def export(settings: ExportSettings) -> str:
             settings.target.with_suffix(".tmp")
         )  # only the folder above: `check_targets_free` checks NAME.cdf itself
         targets = export_data(settings)
-        total = sum(size_of(path) for path in targets)
+        total = sum(size_in_bytes(path) for path in targets)
         return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
     if settings.file.is_dir():
         return export_each(settings)
@@ -51,8 +51,8 @@ def export(settings: ExportSettings) -> str:
 
 
 def export_each(settings: ExportSettings) -> str:
-    """Write a film, page or picture of every replay below a folder; return the names and size of the files in words."""
-    sources = replays_of(settings.file)
+    """Export every replay below a folder to a film, page or picture; return names and size of the files in words."""
+    sources = find_replay_files(settings.file)
     targets = targets_of(settings.target, sources)
     check_target(targets[0])
     check_targets_free(targets, settings.anew)
@@ -63,7 +63,7 @@ def export_each(settings: ExportSettings) -> str:
 
 
 def export_one(settings: ExportSettings, kind: str) -> str:
-    """Write a film, page or picture of one replay; return the name and size of the file in words."""
+    """Export one replay to a film, page or picture; return name and size of the file in words."""
     if settings.maps:
         return str(export_maps(settings.file, settings.target))
     replay = Replay.read(settings.file)
@@ -82,14 +82,14 @@ def export_one(settings: ExportSettings, kind: str) -> str:
 
 
 def write_picture(replay: Replay, settings: ExportSettings) -> str:
-    """Write one frame as a picture; return the name and size of the file in words."""
+    """Write one frame of a replay as a picture; return name and size of the file in words."""
     overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
     save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
     return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
 
 
 def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
-    """Write a film, with a progress bar."""
+    """Write a replay as a film, and show a progress bar."""
     film = FilmSettings(**{item.name: getattr(settings, item.name) for item in fields(FilmSettings)})
     count = len(drawn_steps(film, settings.target.suffix.lower(), rate, len(replay))[0])
     with Progress(settings.target.name, count) as bar:
@@ -97,13 +97,13 @@ def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
 
 
 def export_data(settings: ExportSettings) -> list[Path]:
-    """Write the data of a replay, or of all replays below a folder; return the files and folders written.
+    """Write the data of one replay, or of all replays below a folder; return the files and folders written.
 
     ValueError for a target that exists (unless `anew`), for a folder without replays, for a file that is no replay.
     """
     kind = settings.target.suffix.lower()
     require_writer(kind)
-    sources = replays_of(settings.file)
+    sources = find_replay_files(settings.file)
     if kind in TABLES:
         targets = list(table_paths(settings.target).values())
     elif settings.file.is_dir():
@@ -121,8 +121,8 @@ def export_data(settings: ExportSettings) -> list[Path]:
     return targets
 
 
-def replays_of(path: Path) -> dict[str, Path]:
-    """Return the replay files below a folder (or the one at a path) by the names of their matches, in order."""
+def find_replay_files(path: Path) -> dict[str, Path]:
+    """Return the replay files below a folder, or the single file at a path, by the names of their matches."""
     if not path.is_dir():
         return {path.stem: path}
     replays = {file.relative_to(path).with_suffix("").as_posix(): file for file in sorted(path.rglob("*.replay"))}
@@ -132,7 +132,7 @@ def replays_of(path: Path) -> dict[str, Path]:
 
 
 def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
-    """Return the file to write for each match, NAME_MATCH beside `out`; ValueError if two matches get the same file."""
+    """Return the target file for each match, NAME_MATCH beside `out`; ValueError if two matches share a file."""
     targets: dict[Path, str] = {}
     for name in sources:
         target = out.with_name(f"{out.stem}_{name.replace('/', '_')}{out.suffix}")
@@ -150,7 +150,7 @@ def collect_matches(sources: dict[str, Path], bar: Progress) -> Iterator[MatchRe
 
 
 def check_targets_free(targets: list[Path], anew: bool) -> None:
-    """Raise ValueError for a target that exists already; with `anew` only for one of another kind."""
+    """Raise ValueError if a target exists; with `anew`, only if its kind (file or folder) differs."""
     for target in targets:
         folder = target.suffix.lower() == ".cdf"
         if target.is_symlink() or (target.exists() and (target.is_dir() != folder)):
@@ -161,6 +161,6 @@ def check_targets_free(targets: list[Path], anew: bool) -> None:
             raise ValueError(f"{target} exists already; give another --out, or --anew to write over it")
 
 
-def size_of(path: Path) -> int:
-    """Return the size of a file, or of all files of a folder [bytes]."""
+def size_in_bytes(path: Path) -> int:
+    """Return the size of a file, or the total size of a folder's files [bytes]."""
     return sum(file.stat().st_size for file in path.iterdir()) if path.is_dir() else path.stat().st_size

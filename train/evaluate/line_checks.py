@@ -17,7 +17,7 @@ SHOT = (0, 0, OUTCOMES[0], 0.0, 0.0)  # control step, player, outcome, x, y: as 
 
 
 def check_line(line: MatchLine, players: tuple[int, int]) -> None:
-    """Raise ValueError unless numbers, statistics and maps of a line have the right types; the last two may be missing.
+    """Raise ValueError unless the fields of a result line have the right types; statistics and maps may be missing.
 
     `players`: the sizes of the first and the second team.
     """
@@ -41,13 +41,13 @@ def check_line(line: MatchLine, players: tuple[int, int]) -> None:
 
 @cache
 def example_statistics(players: tuple[int, int]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the statistics and the maps of a match that has not begun, as examples of the right types."""
+    """Return statistics and maps of a match that has not begun, as examples of the right types."""
     record = np.full(1, FRESH)[0]
     return match_statistics(record, 0), maps_of_team(record, 0, players)
 
 
 def has_same_shape(value: Any, example: Any) -> bool:
-    """Tell whether a value has the shape of an example: a finite number, or nested lists of such numbers."""
+    """Tell whether a value has the form of an example: a finite number, or nested lists of such numbers."""
     if isinstance(example, list):
         same = isinstance(value, list) and len(value) == len(example)
         return same and all(has_same_shape(one, other) for one, other in zip(value, example, strict=True))
@@ -55,12 +55,12 @@ def has_same_shape(value: Any, example: Any) -> bool:
 
 
 def are_shots(value: Any) -> bool:
-    """Tell whether a value is a list of shots."""
+    """Tell whether a value is a list of valid shots."""
     return isinstance(value, list) and len(value) <= SHOTS and all(is_shot(shot) for shot in value)
 
 
 def is_shot(value: Any) -> bool:
-    """Tell whether a value is one shot."""
+    """Tell whether a value is a valid record of one shot."""
     if not isinstance(value, list) or len(value) != len(SHOT):
         return False
     return all(

@@ -23,7 +23,7 @@ MEASURES = ("length", "width", "goal_width", "goal_depth", "penalty_depth", "pen
 
 
 def export_maps(source: Path, out: Path) -> Path:
-    """Draw the maps of a result.json or replay; ValueError for a file without maps, ImportError without matplotlib."""
+    """Draw the maps of a result.json or a replay; ValueError for a file without maps; needs matplotlib."""
     if not can_draw():
         raise ImportError('maps need matplotlib: pip install "soccer_env[plot]"')
     maps = maps_from_result(source) if source.suffix.lower() == ".json" else maps_from_replay(source)
@@ -32,7 +32,7 @@ def export_maps(source: Path, out: Path) -> Path:
 
 
 def maps_from_replay(path: Path) -> Maps:
-    """Return the maps of the first match of a replay, from home's side."""
+    """Return the maps of the first match in a replay, seen from home's side."""
     replay = Replay.read(path)
     for match in replay.play():
         last = match
@@ -52,15 +52,15 @@ def maps_from_result(path: Path) -> Maps:
 
 
 def check_maps(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
-    """Check the shapes and numbers of maps from a file and return them as Maps; ValueError if they cannot be drawn."""
-    heat = {name: array_of(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
+    """Return maps read from a file as Maps, after checks of shapes and numbers; ValueError for invalid maps."""
+    heat = {name: checked_array(maps[f"heat_{name}"], (CELLS_WIDE, CELLS_LONG)) for name in ("for", "against", "ball")}
     players, passes, shots = {}, {}, {}
     for side in ("for", "against"):
         count = len(maps[f"players_{side}"])
         if not 1 <= count <= MAX_TEAM:
             raise ValueError(f"a team of {count}")
-        players[side] = array_of(maps[f"players_{side}"], (count, 3))
-        passes[side] = array_of(maps[f"passes_{side}"], (count, count))
+        players[side] = checked_array(maps[f"players_{side}"], (count, 3))
+        passes[side] = checked_array(maps[f"passes_{side}"], (count, count))
         shots[side] = [(str(shot[2]), float(shot[3]), float(shot[4])) for shot in maps[f"shots_{side}"][:MOST_SHOTS]]
         if not all(outcome in MARKS and np.isfinite([x, y]).all() for outcome, x, y in shots[side]):
             raise ValueError("a shot without a place or with an unknown outcome")
@@ -71,8 +71,8 @@ def check_maps(maps: dict[str, Any], teams: tuple[str, str]) -> Maps:
     return Maps(teams, pitch, heat, players, passes, shots)
 
 
-def array_of(values: Any, shape: tuple[int, ...]) -> np.ndarray:
-    """Return nested lists as an array of the given shape; ValueError unless all values are finite numbers."""
+def checked_array(values: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """Convert nested lists to an array of the given shape; ValueError unless all values are finite numbers."""
     array = np.array(values, np.float64)
     if array.shape != shape or not np.isfinite(array).all():
         raise ValueError(f"numbers of shape {array.shape}, not finite {shape}")

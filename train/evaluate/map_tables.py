@@ -1,4 +1,4 @@
-"""Tables of an evaluation's report: shots, thirds of the pitch, mean places, passes."""
+"""Tables of an evaluation's report: shots, thirds of the pitch, mean positions, passes."""
 
 from typing import Any
 
@@ -27,13 +27,13 @@ def map_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def share_by_third(heat: np.ndarray) -> list[float]:
-    """Return the share [%] of a heat map (16, 24) in each third of the pitch, from the own goal on."""
+    """Return the share [%] of a heat map (16, 24) in each third of the pitch, starting at the own goal."""
     total = max(int(heat.sum()), 1)
     return [100.0 * float(part.sum()) / total for part in np.split(heat, 3, axis=1)]
 
 
 def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return a row for each player number: mean place and passes of that player in the first and the second team."""
+    """Return a row for each player number: that player's mean position and passes, in the first and second team."""
     teams = [(np.array(maps[f"players_{side}"]), np.array(maps[f"passes_{side}"])) for side in SIDES]
     rows = []
     for number in range(max(len(players) for players, _ in teams)):
@@ -43,7 +43,7 @@ def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return rows (pair, both teams' passes) of the most frequent pairs of passer and receiver, and of the total."""
+    """Return rows (pair of players, passes in both teams) for the most frequent pairs, and for the total."""
     teams = [np.array(maps[f"passes_{side}"]) for side in SIDES]
     counts = {(a, b): [int(one[a, b]) if max(a, b) < len(one) else 0 for one in teams]
               for a, b in np.ndindex(*np.max([one.shape for one in teams], axis=0).tolist())}  # fmt: skip
@@ -53,7 +53,7 @@ def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
 
 
 def player_words(players: np.ndarray, passes: np.ndarray, number: int) -> str:
-    """Return the mean place of a player [m] and its passes; "-" if the team has no such player."""
+    """Return a player's mean position [m] and its passes in words; "-" if the team has no such player."""
     if number >= len(players) or players[number, 2] <= 0.0:
         return "-"
     x, y = players[number, :2] / players[number, 2]

@@ -25,7 +25,7 @@ FigureMaker = Callable[[EvaluationResult], Iterator[Drawn]]
 
 
 def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept] = ()) -> str:
-    """Return the page; `about`: command, date and commit of the evaluation's start."""
+    """Return the report as an HTML page; `about`: command, date and commit of the evaluation."""
     conditions = result.conditions
     page = ReportPage(f"{conditions.home} against {conditions.away}", f"soccer evaluate, {conditions.league}")
     page.say(verdict_sentence(result), strong=True)
@@ -55,7 +55,7 @@ def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept
 
 
 def add_figures(page: ReportPage, result: EvaluationResult) -> None:
-    """Add the pictures of FIGURE_MAKERS, or a sentence that names the missing package."""
+    """Add the plots of FIGURE_MAKERS to the page, or a sentence that names the missing package."""
     if not can_draw():
         page.say(MISSING[0].upper() + MISSING[1:])
         return
@@ -65,7 +65,7 @@ def add_figures(page: ReportPage, result: EvaluationResult) -> None:
 
 
 def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, str]) -> None:
-    """Add the tables and pictures of maps; nothing if the lines have no maps."""
+    """Add the tables and pictures of maps to the page, unless the result has no maps."""
     if not result.maps:
         return
     page.section("Where it happened")
@@ -81,7 +81,7 @@ def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, s
 
 
 def add_matches(page: ReportPage, result: EvaluationResult) -> None:
-    """Add the table of pairs, folded away."""
+    """Add the table of match pairs to the page, folded."""
     page.section("Matches")
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     page.fold(f"scores of {len(both)} pairs, {result.conditions.home} first")
@@ -96,7 +96,7 @@ def add_matches(page: ReportPage, result: EvaluationResult) -> None:
 
 
 def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
-    """Plot the number of matches with each goal difference."""
+    """Plot a histogram of the matches' goal differences."""
     ended = [line.goals_for - line.goals_against for line in result.lines]
     kinds = {
         "won": [difference for difference in ended if difference > 0],
@@ -118,7 +118,7 @@ def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:
 
 
 def draw_mean(result: EvaluationResult) -> Iterator[Drawn]:
-    """Plot the mean goal difference of the first n pairs, with its interval, against n."""
+    """Plot the mean goal difference of the first n pairs with its 95 % interval, against n."""
     means = pair_means(result.lines, lambda line: line.goals_for - line.goals_against)
     if len(means) < 3:
         return

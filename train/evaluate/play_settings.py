@@ -1,4 +1,4 @@
-"""The settings of `soccer record`, `replay` and `export`, and of a match that is played."""
+"""The settings of `soccer record`, `replay` and `export`, and of any command that plays a match."""
 
 from __future__ import annotations
 
@@ -114,5 +114,5 @@ class ExportSettings(OverlayFlags, CommandSettings):
 
     @property
     def target(self) -> Path:
-        """Return the file to write: `out`, or else a page (with --maps a picture) named after the replay."""
+        """Return the file to write: `out`, or by default a page (with --maps a picture) named after the replay."""
         return self.out or Path(self.file.resolve().stem + (".png" if self.maps else ".html"))

@@ -1,4 +1,4 @@
-"""Play a random sample of an evaluation again and compare every line bit for bit: `soccer evaluate --recheck FOLDER`.
+"""Replay a random sample of an evaluation and compare every line bit for bit: `soccer evaluate --recheck FOLDER`.
 
     result = recheck("runs/match", pairs=5)
 
@@ -34,7 +34,7 @@ AT_ONCE = 8  # pairs side by side for each thread: few, because a batch reports 
 
 @dataclass(frozen=True)
 class Difference:
-    """A field of a match's line that differs when the match is played again."""
+    """A field of a match's result line that differs after the match is played again."""
 
     pair: int
     match: int
@@ -53,7 +53,7 @@ Tell = Callable[[int, list[Difference]], None]
 
 @dataclass(frozen=True)
 class RecheckResult:
-    """The result of playing a sample of an evaluation again."""
+    """The result of playing a sample of an evaluation's matches again."""
 
     folder: str
     asked: int  # pairs of the whole evaluation
@@ -66,12 +66,12 @@ class RecheckResult:
 
     @property
     def agrees(self) -> bool:
-        """Tell whether no line and no field of result.json differs."""
+        """Tell whether all lines and all fields of result.json agree."""
         return not self.differences and not self.result
 
     @property
     def differing(self) -> tuple[int, ...]:
-        """Return the numbers of the pairs whose lines differ."""
+        """Return the numbers of the pairs with differing lines."""
         return tuple(sorted({difference.pair for difference in self.differences}))
 
     def as_dict(self) -> dict[str, Any]:
@@ -106,7 +106,7 @@ def recheck(
 
 
 def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
-    """Return `count` random pairs, sorted; all pairs if there are fewer."""
+    """Draw `count` random pairs, sorted; all pairs if there are no more than `count`."""
     if count == ALL or check_whole_number("pairs", count, 1) >= len(pairs):
         return list(pairs)
     drawn = np.random.default_rng(seed).choice(np.array(pairs), int(count), replace=False)
@@ -116,7 +116,7 @@ def sample(pairs: Sequence[int], count: int | str, seed: int) -> list[int]:
 def compare(
     stored: StoredEvaluation, contest: Contest, pairs: Sequence[int], threads: int, tell: Tell
 ) -> list[Difference]:
-    """Play pairs again; return the differences, by match number. `tell` gets each pair after both its matches."""
+    """Play pairs again and return the differences; `tell` is called after each pair with its differences."""
     differing: dict[int, list[Difference]] = {}
     steps = sum(max(0, stored.lines[number]["steps"]) for pair in pairs for number in (2 * pair, 2 * pair + 1))
     size = -(-len(pairs) // max(-(-len(pairs) // AT_ONCE), (threads + 1) // 2))
@@ -139,7 +139,7 @@ def compare(
 
 
 def result_differences(stored: StoredEvaluation, contest: Contest) -> tuple[str, ...] | None:
-    """Return the fields of a folder's result.json that do not follow from its lines; None if there is no such file.
+    """Return the fields of result.json that disagree with the match lines; None if there is no such file.
 
     While an evaluation grows, its folder holds the result of the smaller one.
     """
@@ -168,7 +168,7 @@ def result_differences(stored: StoredEvaluation, contest: Contest) -> tuple[str,
 
 
 def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference]:
-    """Return the fields in which two records of a match differ, each once; the number 1 differs from the text "1"."""
+    """Return the fields in which two lines of a match differ, each field once; 1 differs from "1"."""
     both = [dict(leaves(record)) for record in (there, json.loads(json.dumps(again)))]
     fields: dict[tuple[Any, ...], list[tuple[tuple[Any, ...], str, str]]] = {}
     for place in dict.fromkeys([*both[0], *both[1]]):
@@ -184,7 +184,7 @@ def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference
 
 
 def leaves(value: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], Any]]:
-    """Yield every leaf of nested tables and lists with the keys that lead to it; an empty table or list is a leaf."""
+    """Yield every leaf of nested dicts and lists, with its path of keys; an empty dict or list is a leaf."""
     if isinstance(value, (dict, list)) and value:
         for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
             yield from leaves(inner, (*place, key))
@@ -193,10 +193,10 @@ def leaves(value: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any,
 
 
 def exact_text(value: Any) -> str:
-    """Return a value as text; two texts are equal only if the values are equal bit for bit."""
+    """Convert a value to text that is equal only for values that are equal bit for bit."""
     return short_repr(value) if isinstance(value, str) and len(value) < 60 else json.dumps(value)[:200]
 
 
 def printable_key(key: Any) -> str:
-    """Return a key in printable form."""
+    """Return a key of a record as printable text."""
     return key if isinstance(key, str) and key.isidentifier() else short_repr(key)

@@ -19,7 +19,7 @@ NOTE_EVERY = 50  # control steps between two updates of the progress bar
 
 
 def start_match(settings: PlaySettings) -> tuple[Match, Cast]:
-    """Return the match of the settings at its start, and its cast; ValueError for settings that the scene forbids."""
+    """Start the match of the settings; return it with its cast (the team of each robot); ValueError if impossible."""
     scene, league = find_scene(settings.scene), find_league(settings.league)
     is_drill = scene.success != "none"
     episode = settings.episode or ("drill" if is_drill else "match")
@@ -40,12 +40,12 @@ def start_match(settings: PlaySettings) -> tuple[Match, Cast]:
 
 
 def record(settings: RecordSettings) -> Replay:
-    """Play a match, write its replay and return it; ValueError, before the match, if the file cannot be written."""
+    """Play a match and write its replay; return the Replay; ValueError at once if the file cannot be written."""
     return record_with_outcome(settings)[0]
 
 
 def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
-    """Record a match; return the replay and the outcome of a drill: success, failure, out of time; "" for a match."""
+    """Record a match; return the Replay and a drill's outcome (success, failure, out of time), "" for a match."""
     check_target(settings.out)
     match, cast = start_match(settings)
     recorder = Recorder(match, Thoughts(match, shown_memory_fields()))
@@ -62,7 +62,7 @@ def record_with_outcome(settings: RecordSettings) -> tuple[Replay, str]:
 
 
 def shown_memory_fields() -> dict[str, tuple[str, ...]]:
-    """Return the fields of teams' memories that a recording keeps for display, each with the words for its values."""
+    """Return the fields of teams' memories that recordings keep for display, with the words for their values."""
     from soccer_env.baselines.heinemann_2006.memory import ROLES
     from soccer_env.baselines.sacks_2001.memory import BEHAVIOURS
 
@@ -72,7 +72,7 @@ def shown_memory_fields() -> dict[str, tuple[str, ...]]:
 
 
 def check_target(path: Path) -> None:
-    """Make the folder of an output file; ValueError if no file can be written there."""
+    """Create the folder of an output file; ValueError if the file cannot be written there."""
     if path.is_dir():
         raise ValueError(f"--out is the file to write, but {path} is a folder")
     try:
@@ -84,7 +84,7 @@ def check_target(path: Path) -> None:
 
 
 def check_replay(path: Path) -> int:
-    """Play a replay file again and return its number of steps; ValueError names the first step that differs."""
+    """Play a replay file again and return the number of steps; ValueError names the first step that differs."""
     replay = Replay.read(path)
     with Progress(path.name, len(replay)) as bar:
         for _ in replay.play():

@@ -1,4 +1,4 @@
-"""The report of an evaluation in Markdown, and its tables on the screen, made from the result alone."""
+"""The report of an evaluation in Markdown and its terminal tables, computed from the result alone."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ VERDICTS = {
 
 
 def verdict_sentence(result: EvaluationResult, shown: Callable[[str], str] = str) -> str:
-    """Return the verdict as a sentence; `shown` formats the teams' names."""
+    """Return the verdict of an evaluation as a sentence; `shown` formats the teams' names."""
     text = VERDICTS.get(result.verdict, "There is {verdict}.")
     home, away = shown(result.conditions.home), shown(result.conditions.away)
     return text.format(home=home, away=away, verdict=result.verdict)
 
 
 def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
-    """Return the numbers of a result as rows of name, value and 95 % interval."""
+    """Return the main numbers of a result as rows of name, value and 95 % interval."""
     conditions = result.conditions
     matches, minutes = conditions.matches, conditions.matches * conditions.minutes
     difference = result.goal_difference
@@ -60,21 +60,21 @@ def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
 
 
 def percent(share: float) -> str:
-    """Return a share as a percentage."""
+    """Return a share (0 to 1) as a percentage."""
     return f"{100 * share:.1f} %"
 
 
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
-    """Return the report in Markdown; `about` holds the command, date and commit of the evaluation's start."""
-    home, away = escaped(result.conditions.home), escaped(result.conditions.away)
+    """Return the report in Markdown; `about`: command, date and commit of the evaluation."""
+    home, away = escape_text(result.conditions.home), escape_text(result.conditions.away)
     lines = [
         f"# {home} against {away}",
-        f"{verdict_sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
+        f"{verdict_sentence(result, escape_text)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
         table(("", "value", "95 % interval"), rows(result)),
         needed_matches_sentence(result),
-        *play_tables(result),
+        *statistics_tables(result),
         "## Conditions",
-        table(("", ""), [(escaped(name), escaped(value)) for name, value in conditions_rows(result, about)]),
+        table(("", ""), [(escape_text(name), escape_text(value)) for name, value in conditions_rows(result, about)]),
         "This command plays what is missing and writes this report again:",
         code_block(about.get("command", "")),
         "## Matches",
@@ -102,7 +102,7 @@ def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tup
 
 
 def needed_matches_sentence(result: EvaluationResult) -> str:
-    """Return a sentence with the number of matches that an interval of +- HALF_WIDTH needs."""
+    """Return a sentence with the number of matches needed for an interval of +- HALF_WIDTH."""
     if result.matches_needed is None:
         return ""
     return (
@@ -111,11 +111,11 @@ def needed_matches_sentence(result: EvaluationResult) -> str:
     )
 
 
-def play_tables(result: EvaluationResult) -> list[str]:
-    """Return the tables of statistics and of goals in Markdown; nothing if lines have no statistics."""
+def statistics_tables(result: EvaluationResult) -> list[str]:
+    """Return the tables of statistics and of goals in Markdown; none if the result lines have no statistics."""
     if not result.statistics:
         return []
-    head = ("", escaped(result.conditions.home), escaped(result.conditions.away))
+    head = ("", escape_text(result.conditions.home), escape_text(result.conditions.away))
     return [
         "## Play",
         "One value is of both teams together. `soccer list statistics` says what each of them is; result.json has all.",
@@ -127,7 +127,7 @@ def play_tables(result: EvaluationResult) -> list[str]:
 
 
 def map_tables_markdown(result: EvaluationResult, head: tuple[str, ...]) -> list[str]:
-    """Return the tables of maps in Markdown; nothing if lines have no maps."""
+    """Return the tables of maps in Markdown; none if the result lines have no maps."""
     if not result.maps:
         return []
     return [
@@ -153,25 +153,25 @@ def pairs_table(result: EvaluationResult) -> list[str]:
     ]
 
 
-def escaped(text: str) -> str:
-    """Return a name with Markdown and HTML escaped: policy files of strangers may have such names."""
+def escape_text(text: str) -> str:
+    """Escape a team's name for Markdown and HTML, because policy files of strangers may have malicious names."""
     return re.sub(r"([\\`*\[\]<>&#~]|\b_|_\b)", r"\\\1", " ".join(text.split()))
 
 
 def code_block(command: str) -> str:
-    """Return a command as a code block, whose fence is longer than any in the command."""
+    """Return a command as a Markdown code block, with a fence longer than any in the command."""
     fence = "`" * max(3, 1 + max(map(len, re.findall("`+", command)), default=0))
     return f"{fence}bash\n{command}\n{fence}"
 
 
 def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:
-    """Return a table in Markdown."""
+    """Return a Markdown table with the header `head` and the rows `cells`."""
     ruled = [head, ("---",) * len(head), *cells]
     return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in ruled)
 
 
 def plain_number(value: float, digits: int) -> str:
-    """Return a number in `digits` significant digits without an exponent; larger numbers as integers."""
+    """Return a number with `digits` significant digits and no exponent; larger numbers as integers."""
     if abs(value) >= 10**digits or not isfinite(value):
         return f"{value:.0f}"
     return np.format_float_positional(value, precision=digits, unique=False, fractional=False, trim="-")

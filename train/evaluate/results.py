@@ -1,4 +1,4 @@
-"""The results of an evaluation: one line for each match, and the result of all lines."""
+"""The results of an evaluation: one line for each match, and the summary of all lines."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
@@ -26,7 +26,7 @@ HALF_WIDTH = 0.25  # [goals a match] half width of the interval for which the nu
 
 @dataclass(frozen=True)
 class MatchLine:
-    """A finished match, as a line of matches.jsonl; goals are counted from the first team's side."""
+    """The result of a finished match, a line of matches.jsonl; goals are counted from the first team's side."""
 
     match: int  # 0, 1, ...; matches 2 p and 2 p + 1 are pair p
     pair: int
@@ -57,7 +57,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class EvaluationResult:
-    """The result of an evaluation from the first team's (home's) side."""
+    """The result of an evaluation, seen from the first team's (home's) side."""
 
     conditions: Conditions
     made_with: dict[str, str]  # versions and hashes
@@ -77,7 +77,7 @@ class EvaluationResult:
     trained: dict[str, str] = field(default_factory=dict)  # training settings that differ, by the policy's name
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the result as a dictionary of plain values, the contents of result.json."""
+        """Return the result as a dict of plain values, the contents of result.json."""
         record = asdict(self)
         conditions, lines = record.pop("conditions"), record.pop("lines")
         conditions |= {"players": self.conditions.sizes, "senses": self.conditions.senses_text}
@@ -90,7 +90,7 @@ class EvaluationResult:
 def summarise(
     conditions: Conditions, made_with: dict[str, str], lines: Sequence[MatchLine], pitch: Pitch | None = None
 ) -> EvaluationResult:
-    """Return the result of an evaluation from the lines of all matches; the maps include the dimensions of `pitch`."""
+    """Compute the result of an evaluation from the lines of all matches; maps get the dimensions of `pitch`."""
     ordered = tuple(sorted(lines, key=lambda line: line.match))
     if [line.match for line in ordered] != list(range(conditions.matches)):
         raise ValueError(f"expected matches 0 to {conditions.matches - 1}, got {len(ordered)} lines")
@@ -124,12 +124,12 @@ def sum_maps_on_pitch(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[s
 
 
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:
-    """Return, for each pair, the mean of `value` over its two matches; `lines` are sorted by match."""
+    """Return, for each pair of matches, the mean of the function `value` over its two lines; lines sorted by match."""
     return [(value(first) + value(second)) / 2 for first, second in zip(lines[::2], lines[1::2], strict=True)]
 
 
 def is_self_play(conditions: Conditions) -> bool:
-    """Tell whether a team plays itself under equal conditions: both matches of a pair are then identical."""
+    """Tell whether a team plays itself under equal conditions, so that both matches of a pair are identical."""
     sizes, senses = conditions.players, conditions.senses
     return conditions.home == conditions.away and sizes[0] == sizes[1] and senses[0] == senses[1]
 

@@ -1,4 +1,4 @@
-"""Read a folder of results without changing it, and rebuild its contest."""
+"""Read a folder of results without changing it, and rebuild the contest that produced them."""
 
 import json
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ MOST = 10_000_000  # matches
 
 @dataclass(frozen=True)
 class StoredEvaluation:
-    """An evaluation, as read from its folder."""
+    """An evaluation read from its folder."""
 
     path: Path
     conditions: dict[str, Any]
@@ -38,12 +38,12 @@ class StoredEvaluation:
 
     @property
     def pairs(self) -> list[int]:
-        """Return the numbers of the finished pairs: both matches have a line."""
+        """Return the numbers of the finished pairs, for which both matches have a result line."""
         return sorted(number // 2 for number in self.lines if number % 2 == 0 and number + 1 in self.lines)
 
 
 def read_folder(path: Path) -> StoredEvaluation:
-    """Return the evaluation in a folder; ValueError if the folder holds none, or a damaged one."""
+    """Read the evaluation in a folder; ValueError if there is none or it is damaged."""
     if not path.is_dir():
         raise ValueError(f"{path} is no folder" if path.exists() else f"there is no folder {path}")
     result = read_result(path / RESULT)  # before the lines: an evaluation may be adding some at this moment
@@ -66,7 +66,7 @@ def read_folder(path: Path) -> StoredEvaluation:
 def read_matches(
     path: Path, matches: int, mine: set[str], conditions: dict[str, Any], made_with: dict[str, str]
 ) -> dict[int, dict[str, Any]]:
-    """Return the lines of finished matches, by number, including lines from before the evaluation grew.
+    """Read the result lines of finished matches, by match number, including those of an earlier, smaller evaluation.
 
     ValueError for lines of another evaluation, for a match out of range, and for a match with two different lines.
     """
@@ -102,12 +102,12 @@ def read_result(path: Path) -> dict[str, Any] | None:
 def rebuild_contest(
     stored: StoredEvaluation, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
 ) -> tuple[Contest, list[str]]:
-    """Rebuild the contest of a folder; return it, and in words each version that differs from the present one.
+    """Rebuild the contest of a folder; return it with a list of the versions that differ from the present ones.
 
     ValueError for impossible conditions, for a contest that cannot be rebuilt, and for a changed team.
     """
-    values = conditions_in(stored, where, league, teams)
-    own = league or league_of(values, where)
+    values = updated_conditions(stored, where, league, teams)
+    own = league or league_of_conditions(values, where)
     check_conditions(stored, values, own)
     conditions = Conditions(**{**values, "players": tuple(values["players"]), "senses": tuple(values["senses"])})
     try:
@@ -120,13 +120,15 @@ def rebuild_contest(
             "where a file is now; a team or league object is given in Python, recheck(folder, teams={name: team})"
         ) from error
     modules = [where.get("league", ""), *scene_names(conditions.scene)]
-    return contest, differences_of(stored, {**made_with(own, contest.first, contest.second), **module_hashes(modules)})
+    return contest, version_differences(
+        stored, {**made_with(own, contest.first, contest.second), **module_hashes(modules)}
+    )
 
 
-def conditions_in(
+def updated_conditions(
     stored: StoredEvaluation, where: Mapping[str, str], league: League | None, teams: Mapping[str, Team]
 ) -> dict[str, Any]:
-    """Return the conditions of a folder, updated by `where`; ValueError for code that only the folder names."""
+    """Return the conditions stored in a folder, updated by `where`; ValueError for code named by the folder alone."""
     known, theirs = {field.name for field in fields(Conditions)}, stored.conditions
     if set(theirs) != known:
         raise ValueError(
@@ -151,8 +153,8 @@ def conditions_in(
     return conditions
 
 
-def league_of(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
-    """Return the league that the conditions name; for a user's own league, ValueError tells the user to name it."""
+def league_of_conditions(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
+    """Return the league that the conditions name; ValueError if it is a user's own league not named in `where`."""
     name = conditions["league"]
     if not where.get("league") and name not in LEAGUES:
         raise ValueError(
@@ -163,7 +165,7 @@ def league_of(conditions: dict[str, Any], where: Mapping[str, str]) -> League:
 
 
 def check_conditions(stored: StoredEvaluation, conditions: dict[str, Any], league: League) -> None:
-    """Raise ValueError unless there are settings of `evaluate` from which exactly these conditions follow."""
+    """Raise ValueError unless some settings of `evaluate` would give exactly these conditions."""
     where = stored.path / SETTINGS
     players, senses = conditions["players"], conditions["senses"]
     if not all(isinstance(both, list) and len(both) == 2 for both in (players, senses)):
@@ -186,8 +188,8 @@ def check_conditions(stored: StoredEvaluation, conditions: dict[str, Any], leagu
             raise ValueError(f"{where}: {name} must be {short_repr(meant[name])}, got {short_repr(value)}")
 
 
-def differences_of(stored: StoredEvaluation, now: dict[str, str]) -> list[str]:
-    """List the versions and hashes that differ from a folder's, in words; ValueError for another team or league.
+def version_differences(stored: StoredEvaluation, now: dict[str, str]) -> list[str]:
+    """Describe the versions and hashes that differ from a folder's; ValueError for another team or league.
 
     If the package's code differs, another team cannot be told from a new version: this is reported as a difference.
     """

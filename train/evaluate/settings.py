@@ -1,4 +1,4 @@
-"""The settings of an evaluation, and the conditions that follow from them.
+"""The settings of an evaluation, and the conditions derived from them.
 
 The help of `soccer evaluate` is the text beside each field here.
 """
@@ -110,7 +110,7 @@ class EvaluateSettings(CommandSettings):
 
 @dataclass(frozen=True)
 class Conditions:
-    """The settings that decide the result of an evaluation, with every default filled in."""
+    """The settings that determine the result of an evaluation, with every default filled in."""
 
     league: str
     home: str
@@ -127,23 +127,23 @@ class Conditions:
 
     @property
     def sizes(self) -> str:
-        """Return the team sizes as "3v3"."""
+        """Return the team sizes in the form "3v3"."""
         return f"{self.players[0]}v{self.players[1]}"
 
     @property
     def senses_text(self) -> str:
-        """Return the senses in the form of the option --senses."""
+        """Return the senses as a text for the option --senses."""
         first, second = self.senses
         return first if first == second else f"home={first},away={second}"
 
 
 def command_of(settings: EvaluateSettings) -> str:
-    """Return the command line of `soccer evaluate` with these settings."""
+    """Return the command line of `soccer evaluate` that has these settings."""
     return command_line("evaluate", settings, always=("league", "home", "away", "matches", "seed"))
 
 
 def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
-    """Return the conditions that follow from settings, with the league's defaults filled in."""
+    """Return the conditions derived from settings, with the league's defaults filled in."""
     minutes = settings.minutes
     if minutes is None:
         minutes = league.evaluation_minutes

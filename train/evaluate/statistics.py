@@ -1,4 +1,4 @@
-"""Statistics of play in evaluations: of a match's line, totals with intervals, and their tables.
+"""Statistics of play in evaluations: of one match, totals with intervals, and their tables.
 
 `soccer list statistics` explains each statistic.
 """
@@ -31,7 +31,7 @@ UNITS = {(RATE, ""): "/min", (RATE, "s"): "s/min", (SHARE, "s"): "%"}
 
 @dataclass(frozen=True)
 class Total:
-    """A statistic over all matches: its sum (or maximum, or length), and its value in reports with a 95 % interval."""
+    """A statistic over all matches: its sum (or maximum, or length), and its reported value with a 95 % interval."""
 
     total: float
     value: float | None  # a rate per minute of play, or a share; None for a share of zero
@@ -41,7 +41,7 @@ class Total:
 
 
 def match_statistics(record: Any, team: int) -> dict[str, Any]:
-    """Return the statistics for a match's line, from `team`'s side, and histograms of both teams' spell lengths."""
+    """Return the statistics for a match's result line, seen from `team`, with histograms of spell lengths."""
     lengths = {
         f"{LENGTHS}_{side}": record[LENGTHS][of].tolist() for side, of in zip(SIDES, (team, 1 - team), strict=True)
     }
@@ -49,7 +49,7 @@ def match_statistics(record: Any, team: int) -> dict[str, Any]:
 
 
 def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
-    """Return each statistic over all matches, by name, from lines sorted by pair; {} if a line has no statistics."""
+    """Return each statistic over all matches by name, from result lines sorted by pair; {} if any lacks statistics."""
     if not lines or not all(lines):
         return {}
     result: dict[str, Total] = {}
@@ -70,29 +70,29 @@ def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
 
 
 def statistics_by_name() -> list[tuple[str, Statistic]]:
-    """Return the names under which a line holds statistics ("kicks_for"), each with its Statistic."""
+    """Return the name of each statistic in a result line ("kicks_for"), with its definition."""
     return [(f"{x.name}_{side}" if x.team else x.name, x) for x in FIGURES for side in (SIDES if x.team else SIDES[:1])]
 
 
 def divisor_name(name: str, figure: Statistic) -> str:
-    """Return the name, in a line, of the quantity that a statistic is divided by."""
+    """Return the name, in a result line, of the quantity by which a statistic is divided."""
     whole = next(x for x in FIGURES if x.name == figure.whole)
     return f"{figure.whole}_{name.rpartition('_')[2]}" if whole.team else figure.whole
 
 
 def unit_of(figure: Statistic) -> str:
-    """Return the unit of a statistic in reports."""
+    """Return the unit of a statistic as shown in reports."""
     return UNITS.get((figure.kind, figure.unit), figure.unit)
 
 
 def sum_in_pairs(rows: list[list[float]]) -> np.ndarray:
-    """Return the rows of matches summed over the two matches of each pair; an odd last row stays alone."""
+    """Sum the rows of matches over the two matches of each pair; an odd last row stays alone."""
     numbers = np.array(rows, np.float64)
     return np.add.reduceat(numbers, np.arange(0, len(numbers), 2), axis=0)
 
 
 def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) -> Total:
-    """Return a quantile of the lengths of all spells in all matches, with its interval by resampling pairs."""
+    """Return a quantile of the lengths of all spells of possession, with an interval from resampled pairs."""
     counts = sum_in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
     weights = np.random.default_rng(0).multinomial(len(counts), [1.0 / len(counts)] * len(counts), size=1000)
     share = PERCENTS[figure.name]
@@ -136,7 +136,7 @@ GOALS = (
 
 
 def play_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
-    """Return the main statistics as rows (name, first team, second team); one for both teams has an empty last cell."""
+    """Return the main statistics as rows (name, first team, second team); the last cell is empty if shared by both."""
     rows = []
     for name, words in TELLING:
         if name in totals:
@@ -149,14 +149,14 @@ def play_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
 
 
 def goal_rows(totals: dict[str, Total]) -> list[tuple[str, str, str]]:
-    """Return rows (kind of goal, goals of the first team, goals of the second team)."""
+    """Return a row for each kind of goal: (kind, goals of the first team, goals of the second team)."""
     return [
         (words, f"{totals[f'{name}_for'].total:g}", f"{totals[f'{name}_against'].total:g}") for name, words in GOALS
     ]
 
 
 def whistles(totals: dict[str, Total], side: str) -> str:
-    """Return the number of whistles a minute against the team of a side ("for" or "against"), in words."""
+    """Return the rate of fouls whistled against the team of a side ("for" or "against"), such as "0.3/min"."""
     rates = [total.value or 0.0 for name, total in totals.items() if name.startswith("fouls_") and name.endswith(side)]
     return f"{sum(rates):.2g}/min"
 

@@ -31,7 +31,7 @@ __getattr__, __dir__ = lazy_names(
 
 
 def train(settings: TrainSettings) -> TrainResult:
-    """Train, or resume the run in `settings.out`; ValueError for settings that do not fit it or each other.
+    """Train, or resume the run in `settings.out`; ValueError for settings that fit neither the run nor each other.
 
     A run that was interrupted at any moment resumes from its last checkpoint with identical results.
     """

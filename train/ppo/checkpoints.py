@@ -1,4 +1,4 @@
-"""Checkpoints of a training run: everything it needs to resume with identical results.
+"""Checkpoints of a training run: all data needed to resume with identical results.
 
 Two files take turns; `latest.json` names the newer one with its sha256 and is replaced last, so that a kill or a full
 disk at any moment leaves a whole checkpoint. They hold only tensors and plain values; reading them runs no code.
@@ -22,7 +22,7 @@ NAMES = ("checkpoint-0.pt", "checkpoint-1.pt")
 
 
 def write_checkpoint(folder: Path, state: dict[str, Any], step: int) -> None:
-    """Write a checkpoint beside the last one, then let latest.json name it. An OSError leaves the last one valid."""
+    """Write a checkpoint beside the previous one, then point latest.json to it; an OSError keeps the previous one."""
     name = NAMES[1] if read_latest(folder).get("file") == NAMES[0] else NAMES[0]
     buffer = io.BytesIO()
     torch.save(as_tensors(state), buffer)
@@ -33,7 +33,7 @@ def write_checkpoint(folder: Path, state: dict[str, Any], step: int) -> None:
 
 
 def read_checkpoint(folder: Path) -> dict[str, Any] | None:
-    """Return the newest checkpoint of a folder, None if it has none; ValueError if it is damaged."""
+    """Return the newest checkpoint of a folder, None if there is none; ValueError if it is damaged."""
     if not (folder / LATEST).exists():
         return None
     about = read_latest(folder)
@@ -69,7 +69,7 @@ def read_latest(folder: Path) -> dict[str, Any]:
 
 
 def as_tensors(value: Any) -> Any:
-    """Convert arrays and bytes in a tree of plain values to tensors, which torch reads without running code."""
+    """Convert arrays and bytes in nested plain values to tensors, which torch can read without running code."""
     if isinstance(value, dict):
         return {key: as_tensors(part) for key, part in value.items()}
     if isinstance(value, (list, tuple)):
@@ -84,7 +84,7 @@ def as_tensors(value: Any) -> Any:
 
 
 def from_tensors(value: Any) -> Any:
-    """Convert a tree that `as_tensors` returned back to arrays and bytes."""
+    """Convert nested values that `as_tensors` returned back to arrays and bytes."""
     if isinstance(value, dict) and value.keys() == {"bytes"}:
         return value["bytes"].numpy().tobytes()
     if isinstance(value, dict) and value.keys() == {"array"}:
@@ -97,7 +97,7 @@ def from_tensors(value: Any) -> Any:
 
 
 def generator_states() -> dict[str, Any]:
-    """Return the states of the random generators that training uses: torch's, numpy's and Python's."""
+    """Return the states of the random generators used in training: torch's, numpy's and Python's."""
     _, keys, at, has_gauss, gauss = np.random.get_state()  # stable-baselines3 shuffles with numpy's global one
     version, internal, gauss_next = random.getstate()
     return {
@@ -109,7 +109,7 @@ def generator_states() -> dict[str, Any]:
 
 
 def restore_generators(state: dict[str, Any]) -> None:
-    """Restore the states of the random generators from `state`."""
+    """Restore the random generators to the states that `generator_states` returned."""
     torch.set_rng_state(state["torch"])
     if len(state["cuda"]) == (torch.cuda.device_count() if torch.cuda.is_available() else 0):
         torch.cuda.set_rng_state_all(state["cuda"])  # on another machine the draws differ, the run goes on

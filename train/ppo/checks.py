@@ -1,4 +1,4 @@
-"""Check that a training run can be played, before anything is written."""
+"""Check that a training run can be played, before any file is written."""
 
 import datetime
 import hashlib
@@ -32,7 +32,7 @@ TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated 
 
 
 def check_playable(settings: TrainSettings) -> None:
-    """Raise ValueError, with the setting's name, for teams, sizes and times that cannot be played or written down."""
+    """Raise ValueError, with the setting's name, for teams, sizes or times with which a run cannot be played."""
     check_device(settings.device)
     check_packages(settings.logs)
     league = settings.played
@@ -59,7 +59,7 @@ def check_playable(settings: TrainSettings) -> None:
 
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
-    """Raise ValueError unless the policy file of `start`, if any, has the shape of the policy to train (`blank`)."""
+    """Raise ValueError unless the policy file `start`, if given, has the shape of the policy to train (`blank`)."""
     if not settings.start:
         return
     with name_setting_in_error("start"):
@@ -76,7 +76,7 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
 
 
 def check_minutes(settings: TrainSettings, league: League) -> None:
-    """Raise ValueError unless an episode lasts whole decisions: else later ones would fall into other gait phases."""
+    """Raise ValueError unless an episode lasts a whole number of decisions, which keeps the gait phase."""
     half = ceil(30.0 * settings.minutes * league.control_rate - 0.5)  # [control steps] as the referee counts them
     if 2 * half % settings.action_repeat:
         least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
@@ -89,7 +89,7 @@ def check_minutes(settings: TrainSettings, league: League) -> None:
 
 @contextmanager
 def name_setting_in_error(setting: str) -> Iterator[None]:
-    """Put the name of a setting before the message of any ValueError in a `with` block."""
+    """Prefix the message of any ValueError in a `with` block with the name of a setting."""
     try:
         yield
     except ValueError as error:
@@ -104,7 +104,7 @@ def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
 
 
 def make_lesson_match(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
-    """Return a match of the teacher, to check that it can play with the settings of the matches to record."""
+    """Make a match for the teacher with the settings of the matches to record, to check that it can play."""
     players = {"home": settings.teacher, "away": settings.opponent_names[0]}
     return Match(
         settings.played, home=sizes[0], away=sizes[1], controllers=players, scene=settings.scene,
@@ -114,12 +114,12 @@ def make_lesson_match(settings: TrainSettings, sizes: tuple[int, int], senses: d
 
 @cache
 def digest(path: str) -> str:
-    """Return the SHA-256 of a file, as it was at the first call: the file may be moved during a run."""
+    """Return the SHA-256 of a file at the first call, since the file may move during a run."""
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
 def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
-    """Return the record of a policy's origin for its file: command, settings, versions; without the user's folders."""
+    """Return the origin of a policy for its file: command, settings, versions, without the user's folders."""
     begun = {"start": digest(settings.start)} if settings.start else {}
     settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
     return {
@@ -135,12 +135,12 @@ def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
 
 
 def make_curriculum(settings: TrainSettings) -> Curriculum:
-    """Return the curriculum of a run; places for past selves hold a team that stands still until there is one."""
+    """Make the curriculum of a run; a team that stands still fills the places of past selves until there is one."""
     return Curriculum(settings.opponent_names, settings.past, blank_policy(settings, settings.played))
 
 
 def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
-    """Return the environment of a run."""
+    """Make the training environment of a run."""
     return SoccerVecEnv(
         settings.played, scene=settings.scene, players=settings.sizes, matches=settings.matches,
         ideal_share=settings.ideal_share,

@@ -1,4 +1,4 @@
-"""The additional input of a centralised critic: the true state of the match, from the team's side."""
+"""The additional input to a centralised critic: the true state of the match, seen from the team's side."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from soccer_env.match import Match, truth_state
 
 
 def append_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:
-    """Append to each observation (M, L, n) the state (M, s) from the side of its robot; home's robots come first.
+    """Append to each observation (M, L, n) the state (M, s), seen from the robot's side; home's robots come first.
 
     records: of the match now, or of episodes that have ended (`match.final`); players: slots a side in the state.
     """
@@ -20,5 +20,5 @@ def append_state(observations: np.ndarray, match: Match, records: Any, players: 
 
 
 def records_of(match: Match) -> dict[str, np.ndarray]:
-    """Return the present records of matches, balls and robots, from which states are computed."""
+    """Return the present records of matches, balls and robots, from which `state` is computed."""
     return {"matches": match.matches, "balls": match.balls, "robots": match.robots}

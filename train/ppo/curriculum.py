@@ -1,4 +1,4 @@
-"""Choose a learner's opponents among scripted teams, policy files and past selves, evenly matched ones most often.
+"""The choice of opponents among scripted teams, policy files and past selves; even match-ups are the most frequent.
 
 Each opponent has the learner's recent share of points against it, and a rating (OpenSkill's Plackett-Luce model); both
 follow from the results of episodes and are kept with the run's checkpoints.
@@ -22,8 +22,8 @@ LEARNER = "learner"
 
 
 @dataclass
-class Standing:
-    """The learner's record against one opponent."""
+class OpponentStanding:
+    """The learner's results and rating against one opponent."""
 
     points: float = 0.5  # recent share of points that the learner won
     episodes: int = 0
@@ -32,7 +32,7 @@ class Standing:
 
 
 class Curriculum:
-    """The opponents of a run; `lineup`, which plays in the matches, draws one for each episode by their weights."""
+    """The opponents of a run, with their weights; `lineup` draws one opponent for each episode by these weights."""
 
     def __init__(self, names: Sequence[str], past: int, first: Policy) -> None:
         self.past_names = [f"past-{index}" for index in range(past)]
@@ -40,13 +40,13 @@ class Curriculum:
         self._past = [team_from_policy(first) for _ in self.past_names]
         self.filled = [0] * past  # the step at which each past self was taken, 0: not yet
         self.leaving = dict.fromkeys(self.past_names, 0)  # running episodes against a replaced past self
-        self.standings = {name: Standing() for name in (LEARNER, *self.names)}
+        self.standings = {name: OpponentStanding() for name in (LEARNER, *self.names)}
         self.lineup = Lineup([*names, *self._past], names=self.names)
         self.model = PlackettLuce()
-        self._weigh()
+        self._update_weights()
 
     def take(self, results: Iterable[Any]) -> None:
-        """Update the standings and the weights of opponents from the results of episodes (`vec_env.Result`)."""
+        """Update the opponents' standings and weights by the results of finished episodes."""
         for result in results:
             if self.leaving.get(result.opponent, 0) > 0:
                 self.leaving[result.opponent] -= 1
@@ -55,11 +55,11 @@ class Curriculum:
             opponent.points = MEMORY * opponent.points + (1.0 - MEMORY) * result.points
             opponent.episodes += 1
             learner.episodes += 1
-            self._rate(learner, opponent, result.points)
-        self._weigh()
+            self._update_ratings(learner, opponent, result.points)
+        self._update_weights()
 
     def add_past(self, policy: Policy, step: int, playing: Sequence[str] = ()) -> None:
-        """Replace the oldest past self by `policy`, the present learner, also in running episodes.
+        """Replace the oldest past self by `policy`, the present learner, even in running episodes.
 
         `playing` names the opponents of the running episodes: results against the replaced self will not count.
         """
@@ -69,8 +69,8 @@ class Curriculum:
             self.filled[oldest] = step
             self.leaving[self.past_names[oldest]] = sum(name == self.past_names[oldest] for name in playing)
             learner = self.standings[LEARNER]
-            self.standings[self.past_names[oldest]] = Standing(mu=learner.mu, sigma=learner.sigma)
-            self._weigh()
+            self.standings[self.past_names[oldest]] = OpponentStanding(mu=learner.mu, sigma=learner.sigma)
+            self._update_weights()
 
     def state(self) -> dict[str, Any]:
         """Return the standings and the past selves, for a checkpoint."""
@@ -79,15 +79,15 @@ class Curriculum:
         return {"standings": standings, "filled": list(self.filled), "past": numbers, "leaving": dict(self.leaving)}
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Restore standings and past selves from the result of `state`."""
-        self.standings = {name: Standing(**values) for name, values in state["standings"].items()}
+        """Restore the standings and the past selves from a checkpoint (a result of `state`)."""
+        self.standings = {name: OpponentStanding(**values) for name, values in state["standings"].items()}
         self.filled, self.leaving = list(state["filled"]), dict(state["leaving"])
         for team, numbers in zip(self._past, state["past"], strict=True):
             team.settings[:] = numbers
-        self._weigh()
+        self._update_weights()
 
-    def _weigh(self) -> None:
-        """Set each opponent's weight: p (1 - p) of its points p, plus a floor; 0 for a past self not yet taken."""
+    def _update_weights(self) -> None:
+        """Set each opponent's weight in proportion to p (1 - p), plus a floor; p: the learner's share of points."""
         shares = np.array([self.standings[name].points for name in self.names])
         weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares)
         first_past = len(self.names) - len(self.filled)
@@ -95,8 +95,8 @@ class Curriculum:
             weights[first_past:] *= (np.array(self.filled) > 0) / max(1, sum(step > 0 for step in self.filled))
         self.lineup.weights[:] = weights / weights.sum()
 
-    def _rate(self, learner: Standing, opponent: Standing, points: float) -> None:
-        """Update the ratings of the learner and an opponent after an episode; `points` are the learner's, 0 to 1."""
+    def _update_ratings(self, learner: OpponentStanding, opponent: OpponentStanding, points: float) -> None:
+        """Update the ratings of learner and opponent after an episode; `points` are the learner's, 0 to 1."""
         ranks = [1.0 - points, points]
         sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]
         for side, (rated,) in zip((learner, opponent), self.model.rate(sides, ranks=ranks), strict=True):

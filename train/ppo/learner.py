@@ -1,4 +1,4 @@
-"""The learner of a training run: PPO of stable-baselines3, step by step, and its state for checkpoints."""
+"""The learner of a training run: PPO of stable-baselines3 in single steps, with its state for checkpoints."""
 
 import warnings
 from collections import deque
@@ -22,7 +22,7 @@ RECENT = 100  # episodes whose results stable-baselines3 keeps, of which nothing
 
 
 class Learner:
-    """Actor and critic, and PPO that trains them over matches.
+    """Actor, critic, and the PPO algorithm that trains them in matches.
 
     It calls the two halves of stable-baselines3's `learn` separately, so that `train` can act between them. Names
     beginning with _ are private to that library, which is pinned below its next version: the start of a rollout
@@ -40,21 +40,21 @@ class Learner:
 
     @property
     def steps(self) -> int:
-        """Return the number of decisions so far, of all robots together."""
+        """Return the number of decisions so far, summed over all robots."""
         return self.model.num_timesteps
 
     @property
     def network(self) -> SoccerPolicy:
-        """Return the policy object that holds the actor and the critic."""
+        """Return the policy object with actor and critic."""
         assert isinstance(self.model.policy, SoccerPolicy)
         return self.model.policy
 
     def reset_matches(self) -> None:
         """Begin new episodes in all matches, for the first rollout."""
-        self._begin_at(self.matches.reset(), np.ones(self.model.n_envs, bool))
+        self._set_rollout_start(self.matches.reset(), np.ones(self.model.n_envs, bool))
 
     def collect_rollout(self, each_step: Callable[[], None]) -> None:
-        """Collect a rollout by the policy with its noise; `each_step` is called after each step of all matches."""
+        """Collect a rollout by the policy with exploration noise; `each_step` is called after each step."""
         model = self.model
 
         def stepped(*_: Any) -> bool:
@@ -63,20 +63,20 @@ class Learner:
 
         callback = ConvertCallback(stepped)
         callback.init_callback(model)
-        with self._weights_checked():
+        with self._explain_nan_errors():
             model.collect_rollouts(self.matches, callback, model.rollout_buffer, n_rollout_steps=model.n_steps)
 
     def update(self, actor: bool = True) -> None:
-        """Learn from the rollout by PPO; without `actor` only the critic learns."""
+        """Update actor and critic by PPO on the rollout; without `actor` only the critic."""
         for parameter in self.network.actor_parameters():
             parameter.requires_grad_(actor)
         self.model._update_current_progress_remaining(self.steps, self.settings.steps)
-        with self._weights_checked():
+        with self._explain_nan_errors():
             self.model.train()
         check_weights(self.model)
 
     def noted(self) -> dict[str, Any]:
-        """Return stable-baselines3's statistics of the last update, under the names of that library."""
+        """Return stable-baselines3's statistics of the last update, under its own names."""
         return dict(self.model.logger.name_to_value)
 
     def close(self) -> None:
@@ -94,19 +94,19 @@ class Learner:
         }
 
     def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
-        """Resume from `saved`, a result of `state`; the next rollout begins with these observations."""
+        """Resume from a checkpoint (a result of `state`); the next rollout begins with these observations."""
         self.network.load_state_dict(saved["network"])
         self.network.optimizer.load_state_dict(saved["optimizer"])
         self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]
-        self._begin_at(observations, saved["starts"])
+        self._set_rollout_start(observations, saved["starts"])
 
-    def _begin_at(self, observations: np.ndarray, starts: np.ndarray) -> None:
-        """Let the next rollout begin with these observations (rows, n); `starts` (rows,): whether an episode begins."""
+    def _set_rollout_start(self, observations: np.ndarray, starts: np.ndarray) -> None:
+        """Set the observations (rows, n) at which the next rollout begins; `starts` (rows,): an episode begins."""
         self.model._last_obs, self.model._last_episode_starts = observations, starts
 
     @contextmanager
-    def _weights_checked(self) -> Iterator[None]:
-        """Replace torch's long error about NaN in a rollout or an update by the one line of `check_weights`."""
+    def _explain_nan_errors(self) -> Iterator[None]:
+        """Replace torch's long error message about NaN by the one line of `check_weights`, in a `with` block."""
         try:
             yield
         except ValueError:
@@ -137,13 +137,13 @@ def make_model(settings: TrainSettings, matches: SoccerVecEnv, entries: list[Ent
 
 
 def check_device(device: str) -> None:
-    """Raise ValueError if `device` is "cuda" without a GPU; stable-baselines3 would silently take the CPU."""
+    """Raise ValueError if `device` is "cuda" without a GPU, since stable-baselines3 would silently use the CPU."""
     if device == "cuda" and not torch.cuda.is_available():
         raise ValueError("device='cuda' needs a GPU that torch can use; device='auto' takes one if there is one")
 
 
 def check_weights(model: PPO) -> None:
-    """Raise ValueError if a weight is NaN or infinite, or the noise is so or 0: nothing can be learned from then on."""
+    """Raise ValueError if any weight is NaN or infinite, or the exploration noise is invalid: training has failed."""
     noise: Any = model.policy.log_std
     if not all(bool(torch.isfinite(part).all()) for part in (*model.policy.parameters(), noise.exp(), (-noise).exp())):
         raise ValueError(
@@ -152,6 +152,6 @@ def check_weights(model: PPO) -> None:
 
 
 def minibatch_size(decisions: int, batch: int) -> int:
-    """Return a batch size near `batch` that cuts a rollout's decisions into nearly equal parts."""
+    """Return a batch size near `batch` that divides a rollout's decisions into nearly equal parts."""
     parts = max(1, round(decisions / batch))
     return -(-decisions // parts)

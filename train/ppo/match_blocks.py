@@ -1,4 +1,4 @@
-"""The arguments of a SoccerVecEnv, the division of its matches into blocks of sizes and senses, and their start.
+"""Blocks of matches in a SoccerVecEnv: the division by team sizes and senses, the start, and checks of arguments.
 
 A block is a Match of up to `BLOCK` matches that one thread plays by itself for a whole decision.
 """
@@ -21,7 +21,7 @@ from soccer_env.match.squads import playing_team_names
 
 @dataclass(frozen=True)
 class Result:
-    """The result of an episode, from the learners' side."""
+    """The result of an episode, seen from the learners' side."""
 
     players: tuple[int, int]  # a side
     opponent: str
@@ -37,7 +37,7 @@ class Result:
 def check_request(
     players: Sequence[tuple[int, int]], both: bool, repeat: int, threads: int, settings: dict[str, Any]
 ) -> None:
-    """Raise ValueError for settings that leave robots without a player, or rows without a robot.
+    """Raise ValueError for settings under which a robot has no player, or a row no robot.
 
     both: the robots of both sides learn.
     """
@@ -58,7 +58,7 @@ def check_request(
 def split_matches(
     players: Sequence[tuple[int, int]], matches: int, ideal_share: float
 ) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
-    """Divide matches evenly among team sizes, a share of each with ideal senses; return (sizes, matches, settings)."""
+    """Divide matches evenly among team sizes, a share with ideal senses; return (sizes, matches, settings) each."""
     if not 0.0 <= ideal_share <= 1.0:
         raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
     blocks: list[tuple[tuple[int, int], int, dict[str, str]]] = []
@@ -73,12 +73,12 @@ def split_matches(
 
 
 def split_evenly(whole: int, count: int) -> list[int]:
-    """Return `count` nearly equal whole numbers that add up to `whole`."""
+    """Split `whole` into `count` nearly equal whole numbers."""
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]
 
 
 def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: int, stagger: int) -> None:
-    """Begin the episodes of the seeds (M,), and let robots stand until their first decision.
+    """Begin episodes from the seeds (M,), and let the robots stand until their first decision.
 
     stagger: 0, or the control steps of an action; episodes then start at clock times that differ by whole actions.
     """
@@ -91,7 +91,7 @@ def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: in
 
 
 def stagger_clocks(match: Match, repeat: int) -> None:
-    """Start the first episodes of M matches at different times of the first half, each a whole number of actions."""
+    """Start the first episodes of M matches at different clock times, each after a whole number of actions."""
     half = match.settings.half_length
     if np.isfinite(half):
         strides = int(half / (match.league.dt * repeat))
@@ -99,12 +99,12 @@ def stagger_clocks(match: Match, repeat: int) -> None:
 
 
 def playing(match: Match) -> list[str]:
-    """Return, for each match, the name of the team that plays the last away robot now, or LEARNER."""
+    """Return for each match the name of the team that now plays the last away robot, or LEARNER."""
     return [name or LEARNER for name in playing_team_names(match.squads, len(match.agents) - 1, match.count)]
 
 
 def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarray:
-    """Return the actions of all rows, checked: numbers clipped to [-1, 1], or discrete actions; else ValueError."""
+    """Check the actions of all rows and return them, numbers clipped to [-1, 1]; ValueError for a wrong action."""
     if like.ndim == 1:
         return discrete_rows(actions, len(like))
     shape = like.shape
@@ -122,14 +122,14 @@ def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarra
 
 
 def learners_of(match: Match) -> list[tuple[int, str]]:
-    """Return (m, agent) of each learning robot of a block, in the order of its rows."""
+    """Return (match number, agent) of each learning robot of a block, in the order of rows."""
     learners = [agent for agent, learns in zip(match.agents, match.learns, strict=True) if learns]
     return [(m, agent) for m in range(match.count) for agent in learners]
 
 
 @contextmanager
 def undo_on_error(matches: Sequence[Match], opponents: list[list[str]], doing: str) -> Iterator[None]:
-    """Delay signals while all matches reset or step; if a signal or an error still interrupts, undo the step in all.
+    """Hold back signals while all matches reset or step, and undo the step in all of them after an error.
 
     Signals still interrupt matches that call a user's code, or that may have to compile.
     """
@@ -150,7 +150,7 @@ def undo_on_error(matches: Sequence[Match], opponents: list[list[str]], doing: s
 
 
 def discrete_rows(actions: Any, rows: int) -> np.ndarray:
-    """Return discrete actions (rows,), checked; ValueError unless they are whole numbers of known actions."""
+    """Check discrete actions (rows,) and return them; ValueError unless they are indices of known actions."""
     numbers = np.asarray(actions)
     if numbers.dtype.kind not in "iu" or numbers.shape != (rows,):
         raise ValueError(f"actions must be {rows} whole numbers, got {numbers.dtype} of shape {numbers.shape}")

@@ -1,4 +1,4 @@
-"""The actor and critic that PPO trains, and their export into a policy file.
+"""The actor and the critic that PPO trains, and the export of the actor to a policy file.
 
 The actor sees the robot's own observation; the critic sees this, optionally followed by the true state of the match
 (`state()`). With the kind "attention" other players are pooled before the actor's layers; the critic stays plain. With
@@ -27,7 +27,7 @@ ABSENT = -1e38  # logit of an empty slot: below all that a policy may reach, and
 
 
 def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
-    """Return linear layers of these sizes, each followed by the activation."""
+    """Return linear layers of the given sizes, each followed by the activation."""
     parts: list[nn.Module] = []
     for wide, out in zip(sizes, sizes[1:], strict=False):
         parts += [nn.Linear(wide, out), ACTIVATIONS[activation]()]
@@ -35,7 +35,7 @@ def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
 
 
 class Attention(nn.Module):
-    """The pooling of other players in networks of kind "attention"; `soccer_env.agents.attention` has the equations."""
+    """The attention that pools other players in networks of kind "attention"; equations in `agents.attention`."""
 
     def __init__(self, layout: Layout, width: int, activation: str) -> None:
         super().__init__()
@@ -46,7 +46,7 @@ class Attention(nn.Module):
         self.queries = nn.ModuleList(nn.Linear(layout.fixed, width, bias=False) for _ in layout.entries)
 
     def forward(self, own: torch.Tensor) -> torch.Tensor:
-        """Return the fixed entries, followed by the pooled team-mates and opponents."""
+        """Return the fixed entries of an observation, followed by the pooled team-mates and opponents."""
         layout = self.layout
         sizes = [slots * entries for slots, entries in zip(layout.slots, layout.entries, strict=True)]
         fixed, *players = torch.split(own, [layout.fixed, *sizes], dim=1)
@@ -66,7 +66,7 @@ class Attention(nn.Module):
 
 
 class ActorAndCritic(nn.Module):
-    """Two networks: of features (B, n + s) the actor gets the first n, with `signs` also their mirror image."""
+    """Actor and critic networks over features (B, n + s); the actor sees the first n, and their mirror image."""
 
     signs: torch.Tensor | None
 
@@ -84,7 +84,7 @@ class ActorAndCritic(nn.Module):
         self.value_net = layers([features, *critic], activation)
 
     def forward(self, features: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
-        """Return the last hidden layers of actor (B or 2 B, h) and critic (B, h)."""
+        """Return the last hidden layers of the actor (B or 2 B, h) and of the critic (B, h)."""
         return self.forward_actor(features), self.forward_critic(features)
 
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
@@ -101,7 +101,7 @@ class ActorAndCritic(nn.Module):
 
 
 class MirrorHead(nn.Module):
-    """The last layer of an actor with a mirror: the mean of its action and of the mirror image's, mirrored back."""
+    """The last layer of a mirrored actor: the mean of the action and the mirrored-back action of the mirror image."""
 
     signs: torch.Tensor
 
@@ -118,7 +118,7 @@ class MirrorHead(nn.Module):
 
 
 class SoccerPolicy(ActorCriticPolicy):
-    """The policy class for PPO; `entries` describe a robot's own observation."""
+    """The policy class for stable-baselines3's PPO; `entries` describe a robot's own observation."""
 
     def __init__(
         self,
@@ -160,12 +160,12 @@ class SoccerPolicy(ActorCriticPolicy):
         self.optimizer = self.optimizer_class(self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs)  # type: ignore[call-arg]
 
     def mean_actions(self, observations: torch.Tensor) -> torch.Tensor:
-        """Return the actor's actions (B, a) without noise, not clipped."""
+        """Return the actor's mean actions (B, a), without exploration noise and not clipped."""
         actions: torch.Tensor = self.action_net(self.mlp_extractor.forward_actor(observations))
         return actions
 
     def actor_parameters(self) -> list[nn.Parameter]:
-        """Return the parameters of the actor alone, including the width of its noise."""
+        """Return the parameters of the actor alone, including those of its exploration noise."""
         own = [*self.mlp_extractor.policy_net.parameters(), *self.action_net.parameters()]
         attention = self.mlp_extractor.attention
         return [*(attention.parameters() if attention else ()), *own, self.log_std]
@@ -175,7 +175,7 @@ def export_policy(
     network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str],
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
-    """Return the actor of a trained network as a policy for a file."""
+    """Return the actor of a trained network as a Policy, to be written to a file."""
     weights, biases, pooling = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
@@ -188,7 +188,7 @@ def export_policy(
 
 
 def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch.Tensor], list[torch.Tensor]]:
-    """Return the weights, biases and pooling tensors of an actor, in the order of `Policy`."""
+    """Return the weights, biases and attention tensors of an actor, in the order of `Policy`."""
     head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
     linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
     linear.append(head)
@@ -197,7 +197,7 @@ def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch
 
 
 def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
-    """Copy the actor of a policy of the same shape into a network; the noise and the critic of the network stay."""
+    """Copy the actor of a policy of equal shape into a network, whose noise and critic stay unchanged."""
     given = (policy.weights, policy.biases, policy.attention)
     with torch.no_grad():
         for parts, arrays in zip(actor_tensors(network), given, strict=True):
@@ -206,7 +206,7 @@ def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
 
 
 def blank_policy(settings: TrainSettings, league: League) -> Policy:
-    """Return a policy of the shape that a run trains, with all weights 0: its robots stand still."""
+    """Return a policy of the shape that a run trains, with all weights 0, so that its robots stand still."""
     entries = entries_of(league, settings.observe)
     names = tuple(entry.name for entry in entries)
     actions = 4

@@ -1,4 +1,4 @@
-"""The reports of a training run: its log line by line, evaluations with intervals, the learning curve."""
+"""The reports of a training run: its log, evaluations with intervals, and the learning curve."""
 
 import re
 import time
@@ -37,7 +37,7 @@ EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other m
 
 
 class ProgressBoard:
-    """Show a run's progress, time the stages of each rollout and write its line of the log."""
+    """A run's progress bar, the timer of each rollout's stages, and the writer of its log."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder) -> None:
         self.folder = folder
@@ -50,7 +50,7 @@ class ProgressBoard:
 
     @contextmanager
     def timed(self, stage: str) -> Iterator[None]:
-        """Add the time of a `with` block to one of STAGES."""
+        """Add the time of a `with` block to the time of a stage (of STAGES)."""
         started = time.perf_counter()
         try:
             yield
@@ -58,7 +58,7 @@ class ProgressBoard:
             self._spent[stage] += time.perf_counter() - started
 
     def show(self, step: int) -> None:
-        """Move the progress bar to a number of steps."""
+        """Move the progress bar to a total number of steps."""
         if self._progress is None:
             self._progress = Progress("training", self._steps)
             self._progress.__enter__()
@@ -69,7 +69,7 @@ class ProgressBoard:
         self, step: int, rollout: int, results: Sequence[Any], curriculum: Curriculum, noted: dict[str, Any],
         playing: float,
     ) -> None:  # fmt: skip
-        """Log a rollout and its update; `noted`: stable-baselines3's statistics; `playing` [s]: time of the matches."""
+        """Log a rollout and its update; `noted`: stable-baselines3's statistics; `playing`: time of the matches [s]."""
         spent, self._spent = self._spent, dict.fromkeys(STAGES, 0.0)
         seconds = {"matches": playing, "networks": spent.pop("rollout") - playing, **spent}
         points = {name: curriculum.standings[name].points for name in curriculum.names}
@@ -93,14 +93,14 @@ class ProgressBoard:
             self._progress.note(f"points {shares}{self._words}")
 
     def open_logs(self, step: int) -> Any:
-        """Open the optional logs; return the logger for stable-baselines3."""
+        """Open the optional logs; return the logger to be used by stable-baselines3."""
         from soccer_env.train.ppo.reporting.loggers import Logs
 
         self._logs = Logs(self._settings, self.folder, step)
         return self._logs.logger
 
     def note_evaluation(self, step: int, rows: Sequence[dict[str, Any]]) -> None:
-        """Show an evaluation beside the bar, and log it."""
+        """Show the results of an evaluation beside the progress bar, and log them."""
         if self._logs is not None:
             self._logs.write_evaluation(step, rows)
         self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} v {row['opponent']}" for row in rows)
@@ -114,12 +114,12 @@ class ProgressBoard:
 
 
 def rounded(value: Any) -> float | None:
-    """Round a number for the logs; return None for a missing number and for NaN, which JSON lacks."""
+    """Round a number for the logs; None for a missing number or NaN, which JSON lacks."""
     return round(float(value), 6) if value is not None and np.isfinite(value) else None
 
 
 def policy_contest(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
-    """Return the contest of a policy against an opponent of the evaluations."""
+    """Return the contest of a policy against one opponent of the evaluations."""
     players = max(settings.sizes)
     asked = EvaluateSettings(
         league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
@@ -131,7 +131,7 @@ def policy_contest(policy: Policy, opponent: str, settings: TrainSettings) -> Co
 
 
 def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
-    """Play a policy against each opponent of the evaluations; return a row for each with 95 % intervals."""
+    """Evaluate a policy against each opponent; return a row of results with 95 % intervals for each opponent."""
     rows = []
     for opponent in settings.judges:
         contest = policy_contest(policy, opponent, settings)
@@ -152,12 +152,12 @@ def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, A
 
 
 def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> bytes:
-    """Return the learning curve as a PNG, goal differences with 95 % intervals over steps; b"" without matplotlib."""
+    """Draw the learning curve, goal differences over steps with 95 % intervals; PNG, or b"" without matplotlib."""
     return draw_curves(curve_of(evaluations, settings)) if can_draw() else b""
 
 
 def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> dict[str, Any]:
-    """Return the learning curve as an argument of `draw_curves`."""
+    """Return the learning curve as the argument of `draw_curves`."""
     decisions = decisions_of(evaluations)
     unit, words = step_unit(max(decisions))
     curves = []
@@ -181,13 +181,13 @@ def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> 
 
 
 def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:
-    """Return, for each evaluation, the number of decisions the policy had learned from, advised ones included."""
+    """Return, for each evaluation, the number of decisions learned from so far, including a teacher's advice."""
     advised = max(one.get("advised", 0) for one in evaluations)
     return [one["step"] + (advised if one["step"] else one.get("advised", 0)) for one in evaluations]
 
 
 def step_unit(steps: int) -> tuple[float, str]:
-    """Return a unit that makes a number of steps short, and its words."""
+    """Return a unit (such as a million) that shortens a number of steps, with its name."""
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
 
 
@@ -213,7 +213,7 @@ def best_evaluation_sentence(result: Any) -> str:
 
 
 def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
-    """Keep the replays of `settings.keep` of best.safetensors against each opponent of the evaluations.
+    """Keep replays, as `settings.keep` says, of the best policy against each opponent of the evaluations.
 
     The matches of its evaluation are played again to find those worth keeping.
     """

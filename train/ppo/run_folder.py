@@ -1,4 +1,4 @@
-"""The folder of a training run: one training at a time, logs that are resumed, files written whole.
+"""The folder of a training run: locked for one process, with logs that continue and files written atomically.
 
 settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
 checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises)  report.html
@@ -36,7 +36,7 @@ TRAINING = RunKind(
 
 
 class RunFolder(ResultsFolder):
-    """The folder of a run; ValueError if another process uses it, or if it holds a run of other settings."""
+    """The folder of a run; ValueError if another process uses it, or if its run has other settings."""
 
     path: Path
 
@@ -50,12 +50,12 @@ class RunFolder(ResultsFolder):
         self.write(SETTINGS, json.dumps(whole, indent=2) + "\n")  # settings that may differ have their latest values
 
     def check_new(self) -> None:
-        """Raise ValueError if rollouts were logged but the checkpoint is missing."""
+        """Raise ValueError if the log has rollouts but the checkpoint is missing."""
         if self.lines():
             raise ValueError(f"{self.path} holds the log of a run without its {LATEST}; --anew starts again")
 
     def cut_logs_after(self, step: int) -> None:
-        """Cut the logs back to the step from which the run resumes."""
+        """Cut the logs back to the step at which the run resumes."""
         for name in (LOG, EVALUATIONS):
             path = self.path / name
             records = read_lines(path)
@@ -65,7 +65,7 @@ class RunFolder(ResultsFolder):
         self._write_table()
 
     def log(self, record: dict[str, Any]) -> None:
-        """Add the line of a rollout to log.jsonl and progress.csv."""
+        """Append the record of a rollout to log.jsonl and progress.csv."""
         self.add(LOG, [record])
         path = self.path / TABLE
         flat = flattened(record)
@@ -74,27 +74,27 @@ class RunFolder(ResultsFolder):
             file.write(header + csv_lines([list(flat.values())]))
 
     def log_evaluation(self, record: dict[str, Any]) -> None:
-        """Add an evaluation to evaluations.jsonl."""
+        """Append an evaluation to evaluations.jsonl."""
         self.add(EVALUATIONS, [record])
 
     def remove_evaluations_from(self, record: dict[str, Any]) -> None:
-        """Remove the logged evaluations that are not earlier than `record`, which is about to be logged."""
+        """Remove all logged evaluations at or after the time of `record`, which is about to be logged."""
         self._keep_lines(
             EVALUATIONS, [one for one in self.evaluations() if evaluation_order(one) < evaluation_order(record)]
         )
 
     def _keep_lines(self, name: str, kept: list[dict[str, Any]]) -> None:
-        """Rewrite a log with only the lines in `kept`, if it has more."""
+        """Rewrite a log file with only the lines in `kept`, unless nothing changes."""
         path = self.path / name
         if len(kept) < len(read_lines(path)):
             write_atomically(path, "".join(json.dumps(record) + "\n" for record in kept))
 
     def lines(self) -> list[dict[str, Any]]:
-        """Return the lines of all rollouts so far."""
+        """Return the log records of all rollouts so far."""
         return read_lines(self.path / LOG)
 
     def evaluations(self) -> list[dict[str, Any]]:
-        """Return all evaluations so far."""
+        """Return the records of all evaluations so far."""
         return read_lines(self.path / EVALUATIONS)
 
     def _write_table(self) -> None:
@@ -107,12 +107,12 @@ class RunFolder(ResultsFolder):
 
 
 def evaluation_order(evaluation: dict[str, Any]) -> tuple[int, int]:
-    """Return a sort key that orders the evaluations of a run in time."""
+    """Return a sort key that puts the evaluations of a run in order of time."""
     return evaluation["step"], evaluation.get("advised", 0)
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:
-    """Flatten a record of nested tables: {"points": {"chaser": 1}} becomes {"points_chaser": 1}."""
+    """Flatten nested dicts: {"points": {"chaser": 1}} becomes {"points_chaser": 1}."""
     flat: dict[str, Any] = {}
     for name, value in record.items():
         if isinstance(value, dict):
@@ -123,7 +123,7 @@ def flattened(record: dict[str, Any]) -> dict[str, Any]:
 
 
 def csv_lines(rows: list[list[Any]]) -> str:
-    """Return rows as lines of CSV."""
+    """Return rows as CSV text."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()

@@ -211,19 +211,19 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def played(self) -> League:
-        """Return the league with the rules of the run."""
+        """Return the league with the rules under which the run plays."""
         league = find_league(self.league)
         return replace(league, rules=rule_set(league.rules, self.rules))
 
     @property
     def paid(self) -> Rewards:
-        """Return the rewards of the run: a user's own, or the terms with the weights of the settings."""
+        """Return the rewards of the run: a user's own, or the built-in terms with the weights of the settings."""
         own = {name: getattr(self, name) for name in NAMES}
         return find_rewards(self.rewards) if self.rewards else Rewards(**own)
 
     @property
     def named(self) -> list[str]:
-        """Return the values of all settings that may have the form MODULE:NAME."""
+        """Return the values of all settings that may name code as MODULE:NAME."""
         scenes = scene_names(self.scenes)
         return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
 
@@ -234,13 +234,13 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
-        """Return (share of the matches, `senses` of Match) for the senses of the run and for ideal senses."""
+        """Return (share of matches, `senses` argument of Match) for the run's senses and for ideal senses."""
         kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
         return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
 
     @property
     def own_senses(self) -> dict[str, Any]:
-        """Return the fields of `Policy` that record the senses and the pose of the training."""
+        """Return the fields of `Policy` that record the senses and pose used in training."""
         own = split_senses(self.senses)[0]
         return senses_of_run({"senses": own, "ideal_share": self.ideal_share, "pose": self.pose})
 
@@ -256,12 +256,12 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def opponent_names(self) -> tuple[str, ...]:
-        """Return the opponents' names."""
+        """Return the names of the opponents in training."""
         return split_distinct_names("opponents", self.opponents)
 
     @property
     def logs(self) -> tuple[str, ...]:
-        """Return the names of the optional logs; ValueError for an unknown name."""
+        """Return the names of the optional logs; ValueError for an unknown log."""
         asked = split_distinct_names("log", self.log) if self.log else ()
         for kind in asked:
             if kind not in LOGS:
@@ -270,7 +270,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def judges(self) -> tuple[str, ...]:
-        """Return the names of the opponents of the evaluations."""
+        """Return the names of the opponents in evaluations."""
         return split_distinct_names("evaluate_against", self.evaluate_against)
 
     def as_dict(self) -> dict[str, Any]:
@@ -278,12 +278,12 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         return {**asdict(self), "out": str(self.out)}
 
     def decisive(self) -> dict[str, Any]:
-        """Return the settings that must not change when a run is resumed."""
+        """Return the settings that must be equal when a run is resumed."""
         return {name: value for name, value in self.as_dict().items() if name not in FREE}
 
 
 def command_of(settings: TrainSettings) -> str:
-    """Return the command line of `soccer train` with these settings."""
+    """Return the command line of `soccer train` that has these settings."""
     return command_line("train", settings)
 
 

@@ -21,7 +21,7 @@ BUNDLED = Path(agents.__file__).parent / "policies"  # in a checkout and where t
 
 
 def settings_of(config: Path | None) -> TrainSettings:
-    """Return the settings of a TOML file, or the defaults; ValueError names the file and the mistake.
+    """Read training settings from a TOML file, or return the defaults; ValueError names the file and the mistake.
 
     A bare name such as legged-2001 is that of a bundled file, unless there is a file of that name.
     """

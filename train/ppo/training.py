@@ -1,4 +1,4 @@
-"""A training run: its state, its output, and how it is resumed.
+"""A training run: its state, its output, and how to resume it.
 
 `soccer_env.train.ppo.train` shows the order of the calls.
 """
@@ -33,7 +33,7 @@ from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 @dataclass(frozen=True)
 class TrainResult:
-    """The result of a run."""
+    """The result of a training run."""
 
     steps: int
     seconds: float  # of this call
@@ -42,7 +42,7 @@ class TrainResult:
 
 
 class Training:
-    """One run; use it as a context manager, which shows a progress bar and ends threads and logs."""
+    """One training run; a context manager that shows a progress bar and closes threads and logs."""
 
     def __init__(
         self, settings: TrainSettings, folder: RunFolder, curriculum: Curriculum, matches: SoccerVecEnv,
@@ -66,19 +66,19 @@ class Training:
             self.keep_replays()
 
     def timed(self, stage: str) -> AbstractContextManager[None]:
-        """Return a context manager that adds the time of its block to a stage in the rollout's line of the log."""
+        """Return a context manager that adds the time of its block to a stage in the rollout's log record."""
         return self.board.timed(stage)
 
     def show_step(self) -> None:
-        """Move the progress bar on by a step of all matches."""
+        """Advance the progress bar by one step of all matches."""
         self.board.show(self.learner.steps)
 
     def count_rollout(self) -> None:
-        """Count a rollout and its update."""
+        """Count one more rollout with its update."""
         self.rollouts += 1
 
     def policy(self) -> Policy:
-        """Return the actor as it is now, as a policy."""
+        """Return the present actor as a policy."""
         settings = self.settings
         return export_policy(
             self.learner.network, name=settings.name, league=self.learner.league, observe=settings.observe,
@@ -87,7 +87,7 @@ class Training:
         )  # fmt: skip
 
     def log(self, results: Sequence[Result]) -> None:
-        """Write the line of a rollout and its update, with the results of the episodes that ended in it."""
+        """Write the log record of a rollout and its update, with the results of the episodes that ended in it."""
         self.board.log(
             self.learner.steps, self.rollouts, results, self.curriculum, self.learner.noted(),
             self.matches.take_seconds(),
@@ -100,7 +100,7 @@ class Training:
         return step >= self.settings.steps or step // every > before // every
 
     def begin(self, lessons: Lessons) -> None:
-        """Let the actor learn from its teacher, with an evaluation after every round, and start the matches."""
+        """Let the teacher teach the actor, with an evaluation after every round; then start the matches."""
         for advised in lessons.teach():
             self.evaluate(advised)
         self.learner.reset_matches()
@@ -108,7 +108,7 @@ class Training:
         lessons.kept.forget()
 
     def evaluate(self, advised: int = 0) -> None:
-        """Play the policy without noise; keep it if it is the best so far, and draw the learning curve.
+        """Evaluate the policy without noise; save it if it is the best so far, and draw the learning curve.
 
         `advised`: number of decisions that a teacher has labelled so far.
         """
@@ -132,12 +132,12 @@ class Training:
         self.board.note_evaluation(self.learner.steps, rows)
 
     def report(self, kept: Sequence[Kept] = ()) -> None:
-        """Write the report as a page, with the kept replays."""
+        """Write the HTML report of the run, including the kept replays."""
         page = page_of(self.settings, self.folder.lines(), self.folder.evaluations(), kept)
         self.folder.write(REPORT, page)
 
     def keep_replays(self) -> None:
-        """Keep replays of the best policy, once the run and its bar have ended."""
+        """Keep replays of the best policy, after the run has ended."""
         kept = keep_best(self.settings, self.folder)
         if kept:
             self.report(kept)
@@ -176,7 +176,7 @@ class Training:
         return saved is not None
 
     def _restore(self, saved: dict[str, Any]) -> None:
-        """Restore the state that `save_checkpoint` wrote."""
+        """Restore the run from the state that `save_checkpoint` wrote."""
         try:
             self.curriculum.restore(saved["curriculum"])  # first: saved matches refer to their opponents
             self.learner.restore(saved, self.matches.load(saved["matches"]))

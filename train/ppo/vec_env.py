@@ -1,4 +1,4 @@
-"""A stable-baselines3 VecEnv straight over the batched core: a row for each learning robot of each match.
+"""A stable-baselines3 VecEnv directly over the batched matches: one row for each learning robot of each match.
 
     rows = blocks of matches of one team size x matches x home robots; the away robots are played by opponents inside,
            or learn as well and come behind those of home
@@ -59,7 +59,7 @@ class SoccerVecEnv(VecEnv):
     _given: dict[str, Any]
 
     def __new__(cls, league: Any = "legged-2001", **settings: Any) -> SoccerVecEnv:
-        """Create an environment that remembers its settings, so that copies can be made."""
+        """Create an environment that stores its settings, so that it can be copied."""
         made = super().__new__(cls)
         made._given = {"league": league, **settings}
         return made
@@ -116,23 +116,23 @@ class SoccerVecEnv(VecEnv):
     # The interface of stable-baselines3
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
-        """Set the seed of the next reset."""
+        """Set the seed for the next reset."""
         self._seed = self._seed if seed is None else seed
         return [self._seed] * self.num_envs
 
     def reset(self) -> np.ndarray:
-        """Begin episodes in all matches; return the first observations (rows, n) on which robots decide."""
+        """Begin episodes in all matches; return the observations (rows, n) for the first decision."""
         with undo_on_error(self.matches, self.opponents, "reset"):
             seeds, apart = seeds_for(self._seed, sum(m.count for m in self.matches)), self.stagger * self.repeat
             for match in self.matches:
-                begin(match, seeds[: match.count], self._standing(match), self.first_decision, apart)
+                begin(match, seeds[: match.count], self._standing_actions(match), self.first_decision, apart)
                 seeds = seeds[match.count :]
             self.opponents[:] = [playing(match) for match in self.matches]
             self._returns[:], self._lengths[:] = 0.0, 0
             return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Set the actions of the next step: (rows, 4 or 7), or discrete ones (rows,); ValueError names a wrong row."""
+        """Set the actions for the next step: (rows, 4 or 7), or discrete (rows,); ValueError names a wrong row."""
         self._actions[:] = taken(actions, self._actions, self.matches)
         self._asked = True
 
@@ -150,9 +150,9 @@ class SoccerVecEnv(VecEnv):
             waits = all(signals_wait(match, "step") for match in self.matches)  # else one may compile: not in a thread
             workers = self._workers if waits else Workers(1)
             results = workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
-            return self._note(dict(zip(self._order, results, strict=True)), rewards, dones, infos, started)
+            return self._update_infos(dict(zip(self._order, results, strict=True)), rewards, dones, infos, started)
 
-    def _note(
+    def _update_infos(
         self, results: dict[int, list[Result]], rewards: np.ndarray, dones: np.ndarray, infos: Any, started: float
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
         """Update returns, lengths and infos after a step of all blocks; return the values of `step_wait`."""
@@ -169,11 +169,11 @@ class SoccerVecEnv(VecEnv):
         return observations, rewards, dones, infos
 
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
-        """Play a step of a block of matches; fill its rows of rewards and dones; return results of ended episodes."""
+        """Play a step of one block of matches, write its rewards and dones, and return results of ended episodes."""
         results: list[Result] = []
         match, learners = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
-        stand = self._standing(match)
+        stand = self._standing_actions(match)
         actions = stand.copy()
         actions[:, :learners] = self._actions[rows].reshape(match.count, learners, *self._actions.shape[1:])
         gained, over = rewards[rows].reshape(match.count, learners), np.zeros(match.count, bool)
@@ -181,15 +181,15 @@ class SoccerVecEnv(VecEnv):
             _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
             gained += np.where(over[:, None], 0.0, paid[:, :learners])
             if len(match.ended):
-                results += self._note_ends(index, terminated, over, infos)
+                results += self._write_terminal_infos(index, terminated, over, infos)
                 over[match.ended], actions[match.ended] = True, stand[match.ended]
         dones[rows] = np.repeat(over, learners)
         return results
 
-    def _note_ends(
+    def _write_terminal_infos(
         self, index: int, terminated: np.ndarray, over: np.ndarray, infos: list[dict[str, Any]]
     ) -> list[Result]:
-        """Write the last observations of ended matches into the infos of their rows; return their results."""
+        """Write the last observations of ended matches into the infos of their rows; return the matches' results."""
         results = []
         match, learners = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :learners]
@@ -209,15 +209,15 @@ class SoccerVecEnv(VecEnv):
         self.opponents[index] = playing(match)
         return results
 
-    def _standing(self, match: Match) -> np.ndarray:
-        """Return actions (M, R) or (M, R, 4 or 7) with which robots stand and their heads track the ball."""
+    def _standing_actions(self, match: Match) -> np.ndarray:
+        """Return actions (M, R) or (M, R, 4 or 7) with which robots stand still and their heads track the ball."""
         actions = np.zeros((match.count, len(match.agents), *self._actions.shape[1:]), self._actions.dtype)
         if actions.shape[2:] == (len(FULL),):
             actions[..., FULL.index("head")] = -1.0
         return actions
 
     def _observations(self) -> np.ndarray:
-        """Return the observations (rows, n) of all learners, in a new array."""
+        """Return the observations (rows, n) of all learners as a new array."""
         parts = []
         for match, learners in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :learners]
@@ -227,17 +227,17 @@ class SoccerVecEnv(VecEnv):
         return np.concatenate(parts)
 
     def take_results(self) -> list[Result]:
-        """Return the results of the episodes that ended since the last call."""
+        """Return the results of the episodes that ended since the last call of this method."""
         taken, self.results = self.results, []
         return taken
 
     def take_seconds(self) -> float:
-        """Return the time [s] that steps have taken since the last call."""
+        """Return the time [s] that steps have taken since the last call of this method."""
         taken, self.seconds = self.seconds, 0.0
         return taken
 
     def playing(self) -> list[str]:
-        """Return the name of the opponent of every match."""
+        """Return the name of the present opponent in each match."""
         return [name for names in self.opponents for name in names]
 
     # Methods of VecEnv for environments that are separate objects; here they are rows
@@ -249,7 +249,7 @@ class SoccerVecEnv(VecEnv):
             match.close()
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """Return an attribute of this environment, once for each row asked for."""
+        """Return an attribute of this environment, once for each requested row."""
         return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
@@ -261,7 +261,7 @@ class SoccerVecEnv(VecEnv):
         raise AttributeError(f"rows of a SoccerVecEnv have no method {method_name!r} of their own")
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
-        """Return False for each row asked for."""
+        """Return False for each requested row, since rows have no wrappers."""
         return [False] * len(list(self._get_indices(indices)))
 
     def __repr__(self) -> str:
@@ -269,13 +269,13 @@ class SoccerVecEnv(VecEnv):
         return f"<SoccerVecEnv of {self.num_envs} robots in {len(self.playing())} matches: {given}>"
 
     def _repr_png_(self) -> bytes | None:
-        """Return the picture for a notebook: the first match, or None where it cannot be drawn."""
+        """Return a picture of the first match for a notebook, or None if it cannot be drawn."""
         return self.matches[0]._repr_png_()
 
     # Saving
 
     def save(self) -> dict[str, Any]:
-        """Return the full state of the environment, as plain values, and rebuild the matches from it."""
+        """Return the full state of the environment as plain values, and rebuild the matches from it."""
         return {
             "matches": [match.save() for match in self.matches],
             "returns": self._returns.tolist(),
@@ -283,7 +283,7 @@ class SoccerVecEnv(VecEnv):
         }
 
     def load(self, saved: dict[str, Any]) -> np.ndarray:
-        """Restore the state `saved` by `save`; return the observations. ValueError for a save of other settings."""
+        """Restore a state from `save`; return the observations. ValueError for a save with other settings."""
         with undo_on_error(self.matches, self.opponents, "load"):
             for match, bits in zip(self.matches, saved["matches"], strict=True):
                 match.load(bits)
@@ -292,7 +292,7 @@ class SoccerVecEnv(VecEnv):
             return self._observations()
 
     def __reduce__(self) -> Made:
-        """Copy by settings and `save`: copies by pickle, cloudpickle and copy.deepcopy play on identically."""
+        """Pickle or copy by settings and `save`, so that copies play on identically."""
         return reduce_by_save(self, type(self), {**self._given, "seed": self._seed})
 
 

@@ -1,4 +1,4 @@
-"""Reports: pictures of results in one style, and pages that hold them, in one file for any browser.
+"""Reports: plots of results in one style, and HTML pages of plots and tables, each in a single file.
 
     page = ReportPage("chaser against random", "soccer evaluate")
     page.say("chaser beats random.")

@@ -1,4 +1,4 @@
-"""Curves, counts as bars, intervals beside the required range, and tables of numbers with coloured cells."""
+"""Plots: curves, bars of counts, intervals against a required range, and tables of numbers with coloured cells."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -58,7 +58,7 @@ def draw_curves(figure: Mapping[str, Any]) -> Any:
 
 
 def draw_curve(axes: Any, curve: Mapping[str, Any], colour: str, marker: str, line: Any) -> None:
-    """Plot one curve with its interval; of many points only some get a marker."""
+    """Plot one curve with its interval; if it has many points, only some get a marker."""
     x, y = numbers(curve["x"]), numbers(curve["y"])
     each = max(1, len(x) // 24)
     axes.plot(x, y, color=colour, marker=marker, linestyle=line, markevery=each, label=curve["name"])
@@ -76,7 +76,7 @@ def draw_curve(axes: Any, curve: Mapping[str, Any], colour: str, marker: str, li
 
 
 def numbers(values: Sequence[float | None]) -> list[float]:
-    """Return the numbers to plot, with NaN for None."""
+    """Return the values to plot, with NaN in place of None."""
     return [float("nan") if value is None else value for value in values]
 
 
@@ -85,7 +85,7 @@ def draw_bars(
     title: str, x_label: str, y_label: str, groups: Sequence[tuple[str, Sequence[float], Sequence[float]]],
     mark: tuple[str, float, float, float] | None = None,
 ) -> Any:  # fmt: skip
-    """Plot counts as bars: groups (name, x of bars, counts); `mark`: an estimate above, (words, value, low, high)."""
+    """Plot counts as bars: groups (name, x of bars, counts); `mark`: an estimate (words, value, low, high) above."""
     drawn, axes = canvas()
     top = max((count for _, _, counts in groups for count in counts), default=1.0)
     styles = zip(groups, COLOURS, HATCHES, strict=False)
@@ -110,7 +110,7 @@ def draw_bars(
 
 @dataclass(frozen=True)
 class Row:
-    """An estimate with its interval, and the range required of it; an open side of either is infinite."""
+    """An estimate with its interval and its required range; inf marks an open side of either."""
 
     name: str
     text: str  # the numbers, with unit
@@ -123,7 +123,7 @@ class Row:
 
 @picture_maker
 def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") -> Any:
-    """Plot a row for each estimate: a band for the required range (label `asked`), a bar for the measured interval."""
+    """Plot each estimate in a row: a band for the required range (labelled `asked`), a bar for its interval."""
     drawn, axes = canvas(ROW * len(rows) + 0.85, WIDTH)
     drawn.set_layout_engine("none")
     axes.set_position((0.0, 0.0, 1.0, 1.0))
@@ -131,7 +131,7 @@ def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") ->
     axes.axis("off")
     axes.text(0.01, -0.98, title, fontsize=10.5, fontweight="bold", va="center")
     for at, row in enumerate(rows):
-        draw_row(axes, at, row)
+        draw_interval_row(axes, at, row)
     place = len(rows)
     axes.fill_betweenx([place - 0.2, place + 0.2], LEFT, LEFT + 0.05, **BAND)
     axes.text(LEFT + 0.06, place, asked, va="center", fontsize=8.5)
@@ -143,8 +143,8 @@ def draw_intervals(title: str, rows: Sequence[Row], asked: str = "asked for") ->
 BAND: Any = {"color": COLOURS[2] + "40", "edgecolor": COLOURS[2], "linewidth": 0.8, "hatch": "////"}
 
 
-def draw_row(axes: Any, at: int, row: Row) -> None:
-    """Draw one row: its name, its scale, and its numbers."""
+def draw_interval_row(axes: Any, at: int, row: Row) -> None:
+    """Draw one row of an interval plot: its name, its scale, and its numbers."""
     ends = [end for end in (row.value, row.low, row.high, row.least, row.most) if isfinite(end)]
     low, high = min(ends), max(ends)
     margin = 0.25 * (high - low) or 0.1 * abs(high) or 1.0
@@ -166,7 +166,7 @@ def draw_heat_table(
     title: str, rows: Sequence[str], columns: Sequence[str], values: Sequence[Sequence[float | None]],
     x_label: str = "", y_label: str = "", form_of_number: str = "{:+.2f}",
 ) -> Any:  # fmt: skip
-    """Draw a table of `values[row][column]`, None: empty; blue above 0, orange and hatched below, darker for larger."""
+    """Draw `values[row][column]` as a table of coloured cells: blue above 0, orange and hatched below, None empty."""
     long = max(map(len, columns), default=1) * LETTER > (WIDTH - 1.5) / max(len(columns), 1)
     head = 0.5 + (max(map(len, columns), default=1) * LETTER * 0.75 if long else 0.25)
     drawn, axes = canvas(CELL * len(rows) + head + (0.7 if x_label else 0.3), WIDTH)
@@ -188,7 +188,7 @@ def draw_heat_table(
 
 
 def draw_cell(axes: Any, row: int, column: int, value: float, largest: float, form_of_number: str) -> None:
-    """Draw one cell, coloured by its number relative to `largest`, with the number in it."""
+    """Draw one table cell with its number, coloured by the number relative to `largest`."""
     depth = DEEPEST * min(abs(value) / largest, 1.0) if isfinite(value) else 0.0
     above = not value < 0.0
     colour = COLOURS[0 if above else 1]

@@ -1,4 +1,4 @@
-"""A report page: parts in order, with every text escaped, in one file with its style and pictures."""
+"""A report page as a single HTML file: parts in order, every text escaped, with style and pictures inside."""
 
 import html
 import re
@@ -15,7 +15,7 @@ NUMBER = re.compile(r"[-+±]?\d[\d,.:]*(\s?(%|s|s?/min|m|cm|kB|MB))?( \(.*\))?|[
 
 
 class ReportPage:
-    """The page of a report; `what` is the command that made it. Markup in texts is shown, not interpreted."""
+    """The page of a report; `what` is the command that made it; markup in texts is shown literally."""
 
     def __init__(self, title: str, what: str) -> None:
         self._title, self._what = title, what
@@ -24,46 +24,46 @@ class ReportPage:
         self._figures = 0
 
     def say(self, text: str, strong: bool = False) -> None:
-        """Add a paragraph; text between `backticks` is code."""
+        """Add a paragraph to the page; text between `backticks` is code."""
         if text:
             start = '<p class="lead">' if strong else "<p>"
-            self._parts.append(f"{start}{inline(text)}</p>")
+            self._parts.append(f"{start}{to_html(text)}</p>")
 
     def section(self, title: str) -> None:
-        """Begin a section, which the page's head links to."""
+        """Begin a section, linked from the top of the page."""
         self._sections.append(title)
-        self._parts.append(f'<h2 id="section{len(self._sections)}">{inline(title)}</h2>')
+        self._parts.append(f'<h2 id="section{len(self._sections)}">{to_html(title)}</h2>')
 
     def heading(self, title: str) -> None:
-        """Begin a part of a section."""
-        self._parts.append(f"<h3>{inline(title)}</h3>")
+        """Begin a subsection with a title."""
+        self._parts.append(f"<h3>{to_html(title)}</h3>")
 
     def table(self, head: Sequence[str], rows: Iterable[Sequence[str]], sorts: bool = False) -> None:
-        """Add a table; columns of numbers stand to the right. `sorts`: a tap on a head sorts it."""
+        """Add a table with right-aligned numbers; `sorts`: tapping a column's head sorts by that column."""
         self._table(head, [(row, "") for row in rows], ' class="sorts"' if sorts else "")
 
     def links(self, head: Sequence[str], rows: Iterable[tuple[Sequence[str], Sequence[tuple[str, str]]]]) -> None:
-        """Add a table whose rows end with links: texts, and (words, file beside the page)."""
+        """Add a table whose rows are texts followed by links (words, file beside the page)."""
         self._table(head, [(texts, f"<td>{' '.join(link(*one) for one in those)}</td>") for texts, those in rows])
 
     def _table(self, head: Sequence[str], rows: list[tuple[Sequence[str], str]], kind: str = "") -> None:
-        """Add a table; each row is its texts, and markup for further cells at its end."""
+        """Add a table of texts; each row may end with cells of HTML markup."""
         kinds = [alignment([texts[at] for texts, _ in rows if at < len(texts)]) for at in range(len(head))]
-        heads = "".join(f'<th scope="col"{one}>{inline(name)}</th>' for name, one in zip(head, kinds, strict=True))
+        heads = "".join(f'<th scope="col"{one}>{to_html(name)}</th>' for name, one in zip(head, kinds, strict=True))
         body = "".join(
-            f"<tr>{''.join(f'<td{one}>{inline(text)}</td>' for text, one in zip(texts, kinds, strict=False))}{end}</tr>"
+            f"<tr>{''.join(f'<td{one}>{to_html(text)}</td>' for text, one in zip(texts, kinds))}{end}</tr>"
             for texts, end in rows
         )
         top = f"<thead><tr>{heads}</tr></thead>" if any(head) else ""
         self._parts.append(f'<div class="wide" tabindex="0"><table{kind}>{top}<tbody>{body}</tbody></table></div>')
 
     def figure(self, svg: bytes, caption: str) -> None:
-        """Add a picture of `train.report`, drawn with form="svg"."""
+        """Add a picture (SVG) that a function of `train.report` has drawn with form="svg"."""
         self._figures += 1
         drawn = adapt_svg(svg, f"figure{self._figures}")
         drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{html.escape(caption)}"', 1)
         self._parts.append(
-            f'<figure><div class="plot" tabindex="0">{drawn}</div><figcaption>{inline(caption)}</figcaption></figure>'
+            f'<figure><div class="plot" tabindex="0">{drawn}</div><figcaption>{to_html(caption)}</figcaption></figure>'
         )
 
     def command(self, text: str) -> None:
@@ -71,19 +71,19 @@ class ReportPage:
         self._parts.append(f"<pre>{html.escape(text)}</pre>")
 
     def fold(self, summary: str) -> None:
-        """Begin a part that the reader can unfold; `unfold` ends it."""
-        self._parts.append(f"<details><summary>{inline(summary)}</summary>")
+        """Begin a folded part that the reader can open; `unfold` ends it."""
+        self._parts.append(f"<details><summary>{to_html(summary)}</summary>")
 
     def unfold(self) -> None:
-        """End a part that `fold` began."""
+        """End the folded part that `fold` began."""
         self._parts.append("</details>")
 
     def html(self) -> str:
-        """Return the page as HTML."""
-        names = "".join(f'<a href="#section{n}">{inline(name)}</a>' for n, name in enumerate(self._sections, 1))
+        """Return the whole page as HTML."""
+        names = "".join(f'<a href="#section{n}">{to_html(name)}</a>' for n, name in enumerate(self._sections, 1))
         filled = {
             "TITLE": html.escape(self._title),
-            "WHAT": inline(self._what),
+            "WHAT": to_html(self._what),
             "STYLE": style(),
             "SECTIONS": names,
             "BODY": "\n".join(self._parts),
@@ -95,24 +95,24 @@ class ReportPage:
         return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
 
 
-def inline(text: str) -> str:
-    """Escape a text for HTML; text between `backticks` becomes code."""
+def to_html(text: str) -> str:
+    """Escape a text for HTML, and turn text between `backticks` into code."""
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(text))
 
 
 def alignment(texts: Sequence[str]) -> str:
-    """Return the HTML class of a column's cells: that of numbers if most of its texts are numbers, else ""."""
+    """Return the HTML class for a column's cells: the class of numbers if most texts are numbers, else ""."""
     told = [bool(NUMBER.fullmatch(text)) for text in texts if text]
     return ' class="number"' if told and 2 * sum(told) > len(told) else ""
 
 
 def link(words: str, file: str) -> str:
     """Return an HTML link to a file beside the page."""
-    return f'<a href="{html.escape(quote(file))}">{inline(words)}</a>'
+    return f'<a href="{html.escape(quote(file))}">{to_html(words)}</a>'
 
 
 def style() -> str:
-    """Return the CSS of a page: the colours of the browser replay, the colours of curves, and report.css."""
+    """Return the CSS of a page: shared colours of the browser replay, colours of curves, and report.css."""
     light, dark = (
         rule.group() for rule in list(ROOT.finditer(files(browser).joinpath("look.css").read_text("utf-8")))[:2]
     )

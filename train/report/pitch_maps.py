@@ -1,4 +1,4 @@
-"""Maps of play on a pitch: presence of robots and ball, mean places with completed passes, and shots.
+"""Maps of play on a pitch: presence of robots and ball, mean positions with completed passes, and shots.
 
 Each team attacks to the right on its own pitches. mplsoccer 1.8 was tried: its pitch "custom" has the penalty areas
 and goals of grass pitches (16.5 m deep, on our 3 m), ours need a class of its dimensions with the arcs switched off;
@@ -29,7 +29,7 @@ HEIGHTS = {2: 2.5, 3: 2.25}  # [inch] of a row of so many pitches
 
 @dataclass(frozen=True)
 class Maps:
-    """The data of the pictures; "for" is the first team's side."""
+    """The data of heat maps, pass networks and shot maps; "for" is the first team's side."""
 
     teams: tuple[str, str]
     pitch: dict[str, float]  # [m] fields of `leagues.league.Pitch`
@@ -39,7 +39,7 @@ class Maps:
     shots: dict[str, list[tuple[str, float, float]]]  # outcome, x [m], y [m]
 
     def sides(self) -> list[tuple[str, str]]:
-        """Return (side, name of its team) for "for" and "against"."""
+        """Return (side, team name) for the sides "for" and "against"."""
         return [("for", self.teams[0]), ("against", self.teams[1])]
 
 
@@ -47,28 +47,28 @@ class Maps:
 def draw_presence(maps: Maps) -> Any:
     """Draw heat maps: the presence of each team's robots and of the ball over the pitch."""
     drawn, axes = canvas(HEIGHTS[3], columns=3)
-    fill_presence(drawn, axes, maps)
+    plot_presence(drawn, axes, maps)
     return drawn
 
 
 @picture_maker
 def draw_network(maps: Maps) -> Any:
-    """Draw pass networks: the players of each team at their mean places, and their completed passes."""
+    """Draw pass networks: each team's players at their mean positions, with their completed passes."""
     drawn, axes = canvas(HEIGHTS[2], columns=2)
-    fill_network(drawn, axes, maps)
+    plot_network(drawn, axes, maps)
     return drawn
 
 
 @picture_maker
 def draw_shots(maps: Maps) -> Any:
-    """Draw shot maps: the shots of each team and their outcomes."""
+    """Draw shot maps: each team's shots and their outcomes."""
     drawn, axes = canvas(HEIGHTS[2] + 0.2, columns=2)
-    fill_shots(drawn, axes, maps)
+    plot_shots(drawn, axes, maps)
     return drawn
 
 
 def draw_maps(maps: Maps, form: str) -> bytes:
-    """Return all maps as one picture on white, "png", "svg" or "pdf"; it depends on the maps alone."""
+    """Draw all maps as one picture on white, "png", "svg" or "pdf"; return its bytes."""
     import io
 
     import matplotlib
@@ -78,7 +78,7 @@ def draw_maps(maps: Maps, form: str) -> bytes:
         heights = [HEIGHTS[3], HEIGHTS[2], HEIGHTS[2] + 0.2]
         drawn = Figure(figsize=(7.6, 1.19 * sum(heights)), layout="constrained")
         parts: Any = drawn.subfigures(3, 1, height_ratios=heights)
-        for part, columns, fill in zip(parts, (3, 2, 2), (fill_presence, fill_network, fill_shots), strict=True):
+        for part, columns, fill in zip(parts, (3, 2, 2), (plot_presence, plot_network, plot_shots), strict=True):
             fill(part, part.subplots(1, columns), maps)
         file = io.BytesIO()
         unstamped: Any = {"png": {"Software": ""}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[form]
@@ -86,20 +86,22 @@ def draw_maps(maps: Maps, form: str) -> bytes:
     return file.getvalue()
 
 
-def fill_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw, for each team's robots and for the ball, the share of the time spent in each cell."""
+def plot_presence(part: Any, axes: Sequence[Any], maps: Maps) -> None:
+    """Draw heat maps of the share of time spent in each cell, for each team's robots and for the ball."""
     from matplotlib.patches import Patch
 
     for one, (name, title) in zip(axes, [*maps.sides(), ("ball", "ball")], strict=True):
-        draw_tiles(one, maps.heat[name], maps.pitch)
+        plot_heat_cells(one, maps.heat[name], maps.pitch)
         draw_pitch(one, maps.pitch, cut_team_name(title))
-    shades = [Patch(facecolor=shade(depth), label=f"{level:g}") for level, depth in zip(LEVELS, DEPTHS, strict=True)]
+    shades = [
+        Patch(facecolor=heat_colour(depth), label=f"{level:g}") for level, depth in zip(LEVELS, DEPTHS, strict=True)
+    ]
     part.legend(handles=shades, loc="outside lower center", ncols=len(shades), handlelength=1.2, columnspacing=1.0,
                 title="share of the time in a cell, from [%]", title_fontsize=9.0)  # fmt: skip
 
 
-def draw_tiles(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
-    """Draw the cells of a heat map, all cells of one level as one path, which keeps a page small."""
+def plot_heat_cells(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
+    """Draw the cells of a heat map; cells of equal level share one path, which keeps the file small."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
 
@@ -114,16 +116,16 @@ def draw_tiles(axes: Any, heat: np.ndarray, pitch: dict[str, float]) -> None:
             vertices = (cells[:, None] + corners) * cell
             codes = np.tile([Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY], len(cells))
             path = Path(vertices.reshape(-1, 2), codes)
-            axes.add_patch(PathPatch(path, facecolor=shade(depth), edgecolor="none", zorder=1))
+            axes.add_patch(PathPatch(path, facecolor=heat_colour(depth), edgecolor="none", zorder=1))
 
 
-def shade(depth: float) -> str:
-    """Return the colour of the heat maps with the opacity `depth` [1]."""
+def heat_colour(depth: float) -> str:
+    """Return the colour of heat maps with an opacity `depth` of 0 to 1."""
     return f"{COLOURS[0]}{round(255 * depth):02x}"
 
 
-def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw players at their mean places, and arrows from passer to receiver, wider for more passes."""
+def plot_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
+    """Draw players at their mean positions, and arrows from passer to receiver, wider for more passes."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         players, passes = maps.players[side], maps.passes[side]
         draw_pitch(one, maps.pitch, f"{cut_team_name(team)}: {count_in_words(int(passes.sum()), 'pass', 'es')}")
@@ -139,11 +141,11 @@ def fill_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
                 share = passes[sender, receiver] / passes.max()
                 draw_arrow(one, places[sender], places[receiver], size, share, f"{passes[sender, receiver]:g}")
         for number, place in places.items():
-            draw_badge(one, place, size, f"{number}")
+            draw_player_disc(one, place, size, f"{number}")
 
 
 def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share: float, words: str) -> None:
-    """Draw an arrow that bends to its right, with its number of passes if there is room."""
+    """Draw a curved arrow for passes, labelled by their number if there is room."""
     from matplotlib.patches import FancyArrowPatch
 
     way = end - start
@@ -161,7 +163,7 @@ def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share
         axes.text(*top, words, fontsize=7.0, color=INK, zorder=4, ha="center", va="center", bbox=behind)
 
 
-def draw_badge(axes: Any, place: np.ndarray, size: float, words: str) -> None:
+def draw_player_disc(axes: Any, place: np.ndarray, size: float, words: str) -> None:
     """Draw a player as a disc with its number."""
     from matplotlib.patches import Circle
 
@@ -169,8 +171,8 @@ def draw_badge(axes: Any, place: np.ndarray, size: float, words: str) -> None:
     axes.text(*place, words, ha="center", va="center", fontsize=7.5, color=INK, zorder=6)
 
 
-def fill_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
-    """Draw a mark for each shot where the ball was played."""
+def plot_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
+    """Draw a marker at the position of each shot, with a symbol for its outcome."""
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         shots = maps.shots[side]
         draw_pitch(one, maps.pitch, f"{cut_team_name(team)}: {count_in_words(len(shots), 'shot')}")
@@ -183,7 +185,7 @@ def fill_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
 
 
 def draw_pitch(axes: Any, pitch: dict[str, float], title: str) -> None:
-    """Draw the lines of a pitch, goals outside it; both axes in metres."""
+    """Draw the lines of a pitch and the goals behind them, with both axes in metres."""
     x, y, look = 0.5 * pitch["length"], 0.5 * pitch["width"], {"color": DIM, "linewidth": 0.9, "zorder": 2}
     axes.plot([-x, x, x, -x, -x], [-y, -y, y, y, -y], **look)
     axes.plot([0.0, 0.0], [-y, y], **look)
@@ -208,17 +210,17 @@ def draw_pitch(axes: Any, pitch: dict[str, float], title: str) -> None:
 
 
 def cut_team_name(name: str) -> str:
-    """Return a team's name, cut to fit over a pitch."""
+    """Return a team's name, shortened to fit above a pitch."""
     return name if len(name) <= LONGEST else name[: LONGEST - 1] + "…"
 
 
 def count_in_words(number: int, thing: str, plural: str = "s") -> str:
-    """Return a number and its noun, in the plural unless the number is 1: "2 passes"."""
+    """Return a number with its noun, in the plural unless the number is 1: "2 passes"."""
     return f"{number} {thing}{'' if number == 1 else plural}"
 
 
 def spread_places(places: np.ndarray, distance: float) -> np.ndarray:
-    """Move places (N, 2) at least `distance` apart, across the pitch rather than along it; without random numbers."""
+    """Move positions (N, 2) at least `distance` apart, mostly across the pitch, without random numbers."""
     moved = np.array(places, np.float64).reshape(-1, 2)
     if len(moved) < 2:
         return moved

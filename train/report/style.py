@@ -1,4 +1,4 @@
-"""The style of all pictures of results: sizes, fonts, colours; markers, lines and hatches that need no colour."""
+"""The style of all plots: sizes, fonts, colours, and markers, lines and hatches readable without colour."""
 
 import io
 import itertools
@@ -50,12 +50,12 @@ def can_draw() -> bool:
 
 
 def curve_styles() -> Iterator[Look]:
-    """Yield the colour, the marker and the line style of each further curve of a picture."""
+    """Yield a new combination of colour, marker and line style for each curve of a plot."""
     return itertools.cycle(zip(COLOURS, MARKERS, LINES, strict=True))
 
 
 def canvas(height: float = HEIGHT, width: float = WIDTH, rows: int = 1, columns: int = 1, **shared: Any) -> Any:
-    """Return a new figure [inch] and its axes, one or an array (rows, columns), without pyplot's global state."""
+    """Return a new figure [inch] with one axes or an array (rows, columns) of them, independent of pyplot."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), layout="constrained")
@@ -63,7 +63,7 @@ def canvas(height: float = HEIGHT, width: float = WIDTH, rows: int = 1, columns:
 
 
 def label_axes(axes: Any, title: str, x_label: str, y_label: str) -> None:
-    """Set the title and the axis labels (quantity and unit); a title wider than the picture is wrapped."""
+    """Set title and axis labels (quantity and unit) of a plot; a title wider than the plot is wrapped."""
     from textwrap import fill
 
     axes.set_title(fill(title, 76), wrap=False)
@@ -72,14 +72,14 @@ def label_axes(axes: Any, title: str, x_label: str, y_label: str) -> None:
 
 
 def use_whole_ticks(axis: Any) -> None:
-    """Put the ticks of an axis at whole numbers."""
+    """Place the ticks of an axis at whole numbers only."""
     from matplotlib.ticker import MaxNLocator
 
     axis.set_major_locator(MaxNLocator(integer=True))
 
 
 def add_legend(figure: Any, axes: Any) -> None:
-    """Put the legend below the axes, where it hides no curve; the figure grows by the height of the legend."""
+    """Place the legend below the axes, where it hides no curve, and enlarge the figure for it."""
     handles, names = axes.get_legend_handles_labels()
     if not handles:
         return
@@ -90,7 +90,7 @@ def add_legend(figure: Any, axes: Any) -> None:
 
 
 def picture_maker(make: Callable[P, Any]) -> Callable[..., bytes]:
-    """Turn a function that returns a matplotlib figure into one that returns a picture in the common style.
+    """Turn a function that returns a matplotlib figure into a function that returns a picture's bytes.
 
     The picture depends on the arguments alone. `form`: "png", or "svg" for a page. ImportError without matplotlib.
     """
@@ -112,7 +112,7 @@ def picture_maker(make: Callable[P, Any]) -> Callable[..., bytes]:
 
 
 def adapt_svg(svg: bytes, name: str) -> str:
-    """Change an SVG for use in a page: colours become the page's variables, and ids begin with `name`."""
+    """Adapt an SVG to a page: use the page's colour variables, and begin all ids with `name`."""
     text = svg.decode()
     text = re.sub(r'(?<= d=")[^"]+', lambda found: shorten_svg_path(found[0]), text[text.index("<svg") :])
     text = re.sub(r'(<rect [^>]*) fill="(#\w{6})"', r'\1 style="fill: \2"', text)  # where variables hold
@@ -128,6 +128,6 @@ def adapt_svg(svg: bytes, name: str) -> str:
 
 
 def shorten_svg_path(path: str) -> str:
-    """Shorten an SVG path: hundredths of a point, no repeated letter for lines. This halves the size of a page."""
+    """Shorten an SVG path by rounding to hundredths of a point and dropping repeated letters."""
     text = " ".join(re.sub(r"(\.\d\d)\d+", r"\1", path).split())
     return re.sub(r"[ML] \S+ \S+(?: L \S+ \S+)+", lambda lines: lines[0].replace(" L ", " "), text)

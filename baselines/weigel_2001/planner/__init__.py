@@ -1,4 +1,4 @@
-"""Plan paths round obstacles by a potential field on a grid.  [Heinemann 2006, 3]  MH09 to MH18, MH25
+"""Plan paths past obstacles by a potential field on a grid.  [Heinemann 2006, 3]  MH09 to MH18, MH25
 
 The planner of Weigel et al. as Heinemann et al. describe it, and their own, which predicts where obstacles move.
 It knows neither team nor match: places [m] and velocities in a pitch's frame go in, and a plan comes out. A "way" is a

@@ -1,4 +1,4 @@
-"""Plots of plans and of travels, on axes of matplotlib: pitch, obstacles, cells, path and forces.  MH18
+"""Plots of plans and travels on matplotlib axes: pitch, obstacles, cells, path and forces.  MH18
 
     import matplotlib.pyplot as plt
 
@@ -23,7 +23,7 @@ ROUND = np.linspace(0.0, 2.0 * np.pi, 41)
 
 
 def draw_plan(axes: Any, plan: Plan, forces: bool = True) -> None:
-    """Plot a plan: the obstacles with their paths until the plan ends, the cells, the path, the forces."""
+    """Plot a plan: obstacles with their motion until the plan's end, the cells, the path, the forces."""
     draw_pitch(axes, plan.settings)
     draw_obstacles(axes, plan.at(0.0)[1], plan.obstacles, plan.time)
     cells = plan.cells * plan.settings.cell
@@ -36,7 +36,7 @@ def draw_plan(axes: Any, plan: Plan, forces: bool = True) -> None:
 
 
 def draw_travel(axes: Any, travel: Travel, cycle: int) -> None:
-    """Plot a travel at the beginning of a cycle: the path planned then, and the path travelled so far.  MH18"""
+    """Plot a travel at the start of a cycle: the path planned then, and the path driven so far.  MH18"""
     cycle = min(cycle, len(travel.stations) - 1)
     draw_pitch(axes, travel.settings)
     left = (len(travel.stations) - 1 - cycle) * CYCLE
@@ -49,7 +49,7 @@ def draw_travel(axes: Any, travel: Travel, cycle: int) -> None:
 
 
 def draw_pitch(axes: Any, settings: PlannerSettings) -> None:
-    """Plot the pitch's lines, with equal scale on both axes."""
+    """Plot the lines of the pitch, with equal scale on both axes."""
     x, y = 0.5 * settings.pitch_length, 0.5 * settings.pitch_width
     axes.plot([-x, x, x, -x, -x], [-y, -y, y, y, -y], color=LINES, linewidth=0.8)
     axes.plot([0.0, 0.0], [-y, y], color=LINES, linewidth=0.8)
@@ -58,7 +58,7 @@ def draw_pitch(axes: Any, settings: PlannerSettings) -> None:
 
 
 def draw_obstacles(axes: Any, places: np.ndarray, obstacles: np.ndarray, seconds: float) -> None:
-    """Plot obstacles as circles at `places` (n, 2) [m], with a line from each to its place `seconds` later."""
+    """Plot obstacles as circles at `places` (n, 2) [m], each with a line to its position `seconds` later."""
     for (x, y), one in zip(places, obstacles, strict=True):
         axes.fill(x + one["radius"] * np.cos(ROUND), y + one["radius"] * np.sin(ROUND), color=OBSTACLES)
         to_x, to_y = x + seconds * one["vx"], y + seconds * one["vy"]
@@ -66,6 +66,6 @@ def draw_obstacles(axes: Any, places: np.ndarray, obstacles: np.ndarray, seconds
 
 
 def draw_robot_and_target(axes: Any, robot: np.ndarray, target: np.ndarray) -> None:
-    """Plot marks at the robot's place and at the target."""
+    """Plot marks at the positions of robot and target."""
     axes.plot(robot[0], robot[1], "x", color=TRAVELLED, markersize=8)
     axes.plot(target[0], target[1], "+", color=TRAVELLED, markersize=8)

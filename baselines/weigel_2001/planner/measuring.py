@@ -10,7 +10,7 @@ from soccer_env.geometry import length
 
 @compiled
 def place_along_path(path, count, far, place):
-    """Write the point at a distance [m] along a path into `place`; return the index of the path's next point."""
+    """Write the point at distance `far` [m] along a path into `place`; return the index of the next path point."""
     left = far
     for i in range(1, count):
         dx, dy = path[i].x - path[i - 1].x, path[i].y - path[i - 1].y
@@ -26,7 +26,7 @@ def place_along_path(path, count, far, place):
 
 @compiled
 def least_gap(plan, obstacles, settings, step, place):
-    """Return the smallest gap [m] to any obstacle along a plan driven from now at full speed, sampled every `step` [s].
+    """Return the smallest gap [m] to any obstacle while driving a plan at full speed, sampled every `step` [s].
 
     Obstacles keep their velocities. place: scratch record (1,).
     """
@@ -41,7 +41,7 @@ def least_gap(plan, obstacles, settings, step, place):
 
 @compiled
 def fill_forces(plan, obstacles, settings, forces):
-    """Fill `forces` (count, 4) at a plan's cells: x, y of the attractive force, x, y of the repulsive force."""
+    """Compute the forces (count, 4) at a plan's cells: x, y of the attractive, x, y of the repulsive force."""
     goal = plan.robot if settings.backward == 1 else plan.target
     for i in range(plan.count):
         cell = plan.cells[i]
@@ -52,7 +52,7 @@ def fill_forces(plan, obstacles, settings, forces):
 
 
 def total_turn(path: np.ndarray) -> float:
-    """Return the total turn of a path (N, 2) [rad]: the sum of its left and right bends."""
+    """Return the total turn of a path (N, 2) [rad]: the sum of the absolute angles of its bends."""
     steps = np.diff(path, axis=0)
     steps = steps[np.hypot(steps[:, 0], steps[:, 1]) > 1e-9]
     if len(steps) < 2:

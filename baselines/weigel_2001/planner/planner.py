@@ -1,4 +1,4 @@
-"""`Planner`: plans for Python, from plain numbers, which are checked."""
+"""`Planner`: the Python interface of the planner, which takes plain numbers and checks them."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -18,7 +18,7 @@ FORM = "rows of x, y, vx, vy, and a radius if you like"
 
 
 class Planner:
-    """Plan paths past standing or moving obstacles.
+    """A planner of paths past standing or moving obstacles.
 
     settings: PlannerSettings, or None for the paper's settings; keywords change settings by name, as in
     Planner(time_variant=False, search=False). A planner holds no state between plans.
@@ -31,7 +31,7 @@ class Planner:
         self._scratch = np.zeros(1, SCRATCH)
 
     def plan(self, robot: Sequence[float], target: Sequence[float], obstacles: Any = (), side: int = 1) -> Plan:
-        """Return a plan from robot to target, both (x, y) [m], the middle of the pitch at 0, 0.
+        """Plan a path from robot to target, both (x, y) [m] from the middle of the pitch; return the Plan.
 
         obstacles: up to 32 rows of x, y [m], vx, vy [m/s] and maybe a radius [m], or records.OBSTACLE. side: +1 or -1,
         the side of y on which to pass if both are equal; a mirrored scene needs the opposite sign. Places beyond the
@@ -42,7 +42,7 @@ class Planner:
     def travel(
         self, robot: Sequence[float], target: Sequence[float], obstacles: Any = (), seconds: float = 10.0, side: int = 1
     ) -> Travel:
-        """Return the travel of a point that drives at full speed to the target and plans anew every 20 ms.
+        """Simulate a point that drives to the target at full speed and plans anew every 20 ms; return its Travel.
 
         Obstacles keep their velocities; arguments as in `plan`. The travel ends after `seconds` at the latest.
         """
@@ -63,7 +63,7 @@ class Planner:
 
 
 def check_place(name: str, value: Any) -> tuple[float, float]:
-    """Check a place [m] and return it as two numbers; ValueError names the argument."""
+    """Return a position [m] as two numbers, checked; ValueError names the argument."""
     point = as_float_array(name, "two numbers x, y", value)
     if point.shape != (2,):
         raise_not_allowed(name, "two numbers x, y", value)
@@ -73,7 +73,7 @@ def check_place(name: str, value: Any) -> tuple[float, float]:
 
 
 def check_obstacles(value: Any) -> np.ndarray:
-    """Check obstacles and return them as records; ValueError names the obstacle and its fault."""
+    """Return obstacles as records, checked; ValueError names the obstacle and its fault."""
     if isinstance(value, np.ndarray) and value.dtype == OBSTACLE and value.ndim == 1:
         rows = np.stack([value[name] for name in OBSTACLE.names or ()], axis=-1)
     else:
@@ -87,7 +87,7 @@ def check_obstacles(value: Any) -> np.ndarray:
 
 
 def obstacle_records(rows: np.ndarray) -> np.ndarray:
-    """Convert rows of x, y, vx, vy and maybe a radius to records; ValueError for numbers out of range."""
+    """Convert rows of x, y, vx, vy and optionally a radius to records; ValueError for numbers out of range."""
     obstacles = np.zeros(len(rows), OBSTACLE)
     obstacles["radius"] = OBSTACLE_RADIUS
     limits = {"x": FARTHEST, "y": FARTHEST, "vx": FASTEST, "vy": FASTEST, "radius": 5.0}

@@ -1,4 +1,4 @@
-"""Passes over the grid until the way takes the time that its planning assumed.  [Heinemann 2006, 3]  MH16, MH17
+"""Repeated passes over the grid until the way takes as long as its planning assumed.  [Heinemann 2006, 3]  MH16, MH17
 
 Planning backwards needs the robot's travel time T before there is a way. T begins as the time of the straight line,
 and moves towards the time of each way found, until both agree:
@@ -25,7 +25,7 @@ WORSE = 1e6  # [s] by which a way that does not join robot and target is worse t
 
 @compiled
 def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, scratch, plan):
-    """Fill a plan from robot to target [m] past obstacles (OBSTACLE), as many as the array holds.  MH16, MH17
+    """Plan a path from robot to target [m] past obstacles (OBSTACLE) and write it into `plan`.  MH16, MH17
 
     side: the side of y on which to pass if both are equal: +1, or -1 in the mirrored scene.
     settings, scratch (SCRATCH), plan (PLAN): records.
@@ -41,7 +41,7 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
         agrees = not again or off < settings.threshold
         worth = off if ended == ARRIVED else off + WORSE
         if i == 0 or agrees or is_kept(worth, best, settings):
-            keep_pass(i, ended, took, settings, scratch, plan)
+            copy_pass_to_plan(i, ended, took, settings, scratch, plan)
             best = worth
         if agrees:
             plan.converged = 1
@@ -53,13 +53,13 @@ def plan_way(robot_x, robot_y, target_x, target_y, side, obstacles, settings, sc
 
 @compiled
 def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, plan):
-    """Initialise a plan from robot to target, with both places moved into the grid."""
+    """Initialise a plan from robot to target, with both positions moved into the grid."""
     half_u = int(floor((0.5 * settings.pitch_length + settings.margin) / settings.cell))
     half_v = int(floor((0.5 * settings.pitch_width + settings.margin) / settings.cell))
     half_v = min(half_v, (GRID // (2 * half_u + 1) - 1) // 2)  # never beyond the marks, whatever the record says
     far_x, far_y = half_u * settings.cell, half_v * settings.cell
-    plan.robot.x, plan.robot.y = clip_place(robot_x, far_x), clip_place(robot_y, far_y)
-    plan.target.x, plan.target.y = clip_place(target_x, far_x), clip_place(target_y, far_y)
+    plan.robot.x, plan.robot.y = clip_coordinate(robot_x, far_x), clip_coordinate(robot_y, far_y)
+    plan.target.x, plan.target.y = clip_coordinate(target_x, far_x), clip_coordinate(target_y, far_y)
     straight = length(plan.target.x - plan.robot.x, plan.target.y - plan.robot.y)
     plan.least_time = straight / settings.speed
     plan.side, plan.converged, plan.iterations = side, 0, 0
@@ -68,8 +68,8 @@ def begin_plan(robot_x, robot_y, target_x, target_y, side, settings, scratch, pl
 
 
 @compiled
-def clip_place(place, far):
-    """Return a coordinate clipped to +-far; NaN becomes -far."""
+def clip_coordinate(place, far):
+    """Return a coordinate clipped to the range -far to +far; NaN becomes -far."""
     if not place > -far:
         return -far
     return far if place > far else place
@@ -77,7 +77,7 @@ def clip_place(place, far):
 
 @compiled
 def depends_on_time(obstacles, settings):
-    """Tell whether the way may depend on T: it is planned backwards, and an obstacle moves."""
+    """Tell whether the way depends on the assumed time T: it is planned backwards, and an obstacle moves."""
     if settings.time_variant == 0 or settings.backward == 0:
         return False
     speeds = 0.0
@@ -88,7 +88,7 @@ def depends_on_time(obstacles, settings):
 
 @compiled
 def smooth_and_time(settings, scratch, plan):
-    """Smooth the way and return the time [s] to drive it, at least that of the straight line."""
+    """Smooth the way to a path and return the path's driving time [s], at least that of the straight line."""
     if settings.backward == 1:
         smooth(plan.target, plan.robot, settings, scratch)
     else:
@@ -104,14 +104,14 @@ def smooth_and_time(settings, scratch, plan):
 
 @compiled
 def is_kept(worth, best, settings):
-    """Tell whether a plan whose times do not agree yet replaces the plan kept before."""
+    """Tell whether a plan whose times do not agree yet is better than the best plan so far."""
     if settings.literal == 1:
         return True
     return settings.fallback != FIRST and (settings.fallback != BEST or worth < best)
 
 
 @compiled
-def keep_pass(number, ended, took, settings, scratch, plan):
+def copy_pass_to_plan(number, ended, took, settings, scratch, plan):
     """Copy the cells and the path of a pass into the plan, in order from robot to target."""
     last = scratch.count - 1
     for i in range(scratch.count):
@@ -128,7 +128,7 @@ def keep_pass(number, ended, took, settings, scratch, plan):
 
 @compiled
 def reflect_index(i, last):
-    """Reflect an index into 0 to last; return it, and the index of the end that reflected it, -1 for none."""
+    """Reflect an index into the range 0 to last; return the index and the end that reflected it, -1 for none."""
     if i < 0:
         return -i, 0
     if i > last:
@@ -137,8 +137,8 @@ def reflect_index(i, last):
 
 
 @compiled
-def cell_at(i, last, way):
-    """Return u and v of cell i of the way; beyond an end, of the way's point reflection about that end."""
+def cell_of_way(i, last, way):
+    """Return u, v of cell i of the way; for an index beyond an end, of the reflection about that end."""
     inner, end = reflect_index(i, last)
     if end < 0:
         return way[inner].u, way[inner].v
@@ -147,7 +147,7 @@ def cell_at(i, last, way):
 
 @compiled
 def smooth(begin, end, settings, scratch):
-    """Fill the path: a running mean of the way's cells, shifted so that it starts at `begin` and stops at `end`.  MH16
+    """Compute the path: a running mean of the way's cells, shifted to start at `begin` and stop at `end`.  MH16
 
     The shift changes linearly from the first cell to the last.
     """
@@ -155,7 +155,7 @@ def smooth(begin, end, settings, scratch):
     h = min(settings.smoothing, last)
     sum_u, sum_v = 0, 0
     for i in range(-h, h + 1):
-        u, v = cell_at(i, last, way)
+        u, v = cell_of_way(i, last, way)
         sum_u, sum_v = sum_u + u, sum_v + v
     first_x, first_y = begin.x - settings.cell * way[0].u, begin.y - settings.cell * way[0].v
     last_x, last_y = end.x - settings.cell * way[last].u, end.y - settings.cell * way[last].v
@@ -164,8 +164,8 @@ def smooth(begin, end, settings, scratch):
         path[i].x = settings.cell * sum_u / (2 * h + 1) + first_x + share * (last_x - first_x)
         path[i].y = settings.cell * sum_v / (2 * h + 1) + first_y + share * (last_y - first_y)
         if i < last:
-            gone_u, gone_v = cell_at(i - h, last, way)
-            u, v = cell_at(i + 1 + h, last, way)
+            gone_u, gone_v = cell_of_way(i - h, last, way)
+            u, v = cell_of_way(i + 1 + h, last, way)
             sum_u, sum_v = sum_u + u - gone_u, sum_v + v - gone_v
     path[0].x, path[0].y = begin.x, begin.y
     path[last].x, path[last].y = end.x, end.y

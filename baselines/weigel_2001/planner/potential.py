@@ -1,4 +1,4 @@
-"""The potential field: the forces of target, obstacles and lines, their size, and its gradient.  MH09, MH10
+"""The potential field: the forces of target, obstacles and lines, the potential, and its gradient.  MH09, MH10
 
 Two readings of P = |f_att + sum f_rep,i|  (1): "vector" adds the forces as vectors and takes the norm of the sum, as
 the equation is written; "scalar" adds their norms. The way descends the chosen potential.
@@ -19,7 +19,7 @@ FARTHEST = 1e9  # [m] gap to an obstacle where there is none
 
 @compiled
 def size_at(gap, gain, reach, settings):
-    """Return the size of a repulsive force at a gap d [m] within its reach d0: F = kr (1/d - 1/d0), or F / d^2.
+    """Return the magnitude of a repulsive force at a gap d [m] within its reach d0: F = kr (1/d - 1/d0), or F / d^2.
 
     Below a least gap the force grows linearly: a way that begins inside an obstacle leaves it on the nearest side.
     """
@@ -32,7 +32,7 @@ def size_at(gap, gain, reach, settings):
 
 @compiled
 def border_force(place, half, settings):
-    """Return the signed force of two border lines at +-half along one axis on a point with coordinate `place` [m]."""
+    """Return the force along one axis of the two border lines at +-half on a point at `place` [m], with its sign."""
     force = 0.0
     if half - place < settings.border_reach:
         force -= size_at(half - place, settings.border_gain, settings.border_reach, settings)
@@ -43,7 +43,7 @@ def border_force(place, half, settings):
 
 @compiled
 def scalar_potential(x, y, t, goal, obstacles, settings):
-    """Return the sum of the sizes of all forces at a place ("scalar")."""
+    """Return the sum of the magnitudes of all forces at a position ("scalar")."""
     total = settings.attraction * length(goal.x - x, goal.y - y)
     for i in range(len(obstacles)):
         o = obstacles[i]
@@ -59,7 +59,7 @@ def scalar_potential(x, y, t, goal, obstacles, settings):
 
 @compiled
 def repulsive_force(x, y, t, obstacles, settings):
-    """Return the sum of the forces of obstacles and lines at a place, as a vector."""
+    """Return the summed force of obstacles and border lines at a position, as a vector."""
     fx, fy = 0.0, 0.0
     for i in range(len(obstacles)):
         o = obstacles[i]
@@ -77,13 +77,13 @@ def repulsive_force(x, y, t, obstacles, settings):
 
 @compiled
 def attractive_force(x, y, goal, settings):
-    """Return the attractive force of the way's goal as a vector, proportional to the goal's distance."""
+    """Return the force towards the way's goal as a vector, proportional to the goal's distance."""
     return settings.attraction * (goal.x - x), settings.attraction * (goal.y - y)
 
 
 @compiled
 def potential(x, y, t, goal, obstacles, settings):
-    """Return the potential at a place for obstacles t [s] from now.  MH09"""
+    """Return the potential at a position, with the obstacles as predicted for t [s] from now.  MH09"""
     if settings.form == VECTOR:
         ax, ay = attractive_force(x, y, goal, settings)
         rx, ry = repulsive_force(x, y, t, obstacles, settings)
@@ -93,7 +93,7 @@ def potential(x, y, t, goal, obstacles, settings):
 
 @compiled
 def gradient(u, v, t, goal, obstacles, settings):
-    """Return the gradient at a cell by central differences: from the potential at its four neighbours.  MH10"""
+    """Return the gradient of the potential at a cell by central differences over its four neighbours.  MH10"""
     a = settings.cell
     right = potential((u + 1) * a, v * a, t, goal, obstacles, settings)
     left = potential((u - 1) * a, v * a, t, goal, obstacles, settings)
@@ -104,7 +104,7 @@ def gradient(u, v, t, goal, obstacles, settings):
 
 @compiled
 def gap_at(x, y, t, obstacles, settings):
-    """Return the smallest gap [m] between robot and obstacles, from surface to surface, below 0 where they overlap."""
+    """Return the smallest gap [m] between the robot's surface and obstacles, below 0 where they overlap."""
     least = FARTHEST
     for i in range(len(obstacles)):
         o = obstacles[i]

@@ -1,4 +1,4 @@
-"""Out of a local minimum: a search on the grid, begun when the way meets itself.  [Heinemann 2006, 3]  MH12
+"""Escape from a local minimum: a grid search that begins when the way meets itself.  [Heinemann 2006, 3]  MH12
 
 Neighbours are tried in the order of their potential, until one is lower than every cell of the way. A search also ends
 near the way's end if the straight line to the end is free: an obstacle beside the end can move the minimum elsewhere.
@@ -20,25 +20,25 @@ NEAR_V = np.array([0, 1, 1, 1, 0, -1, -1, -1])
 
 @compiled
 def index_of(u, v, scratch):
-    """Return the index of a cell in `scratch.marks`."""
+    """Return the index of a cell (u, v) in `scratch.marks`."""
     return (u + scratch.half_u) * (2 * scratch.half_v + 1) + v + scratch.half_v
 
 
 @compiled
 def is_inside(u, v, scratch):
-    """Tell whether a cell lies inside the grid."""
+    """Tell whether a cell (u, v) lies inside the grid."""
     return abs(u) <= scratch.half_u and abs(v) <= scratch.half_v
 
 
 @compiled
 def is_at_end(u, v, scratch):
-    """Tell whether a cell is the way's end or one of its eight neighbours."""
+    """Tell whether a cell (u, v) is the way's end cell or one of its eight neighbours."""
     return abs(u - scratch.end_u) <= 1 and abs(v - scratch.end_v) <= 1
 
 
 @compiled
 def add_cell(u, v, t, scratch):
-    """Append a cell to the way; the caller has made sure that there is room."""
+    """Append a cell to the way, which must have room."""
     cell = scratch.way[scratch.count]
     cell.u, cell.v, cell.t = u, v, t
     cell.slope_x, cell.slope_y = 0.0, 0.0
@@ -55,20 +55,20 @@ def cut_way(count, scratch):
 
 
 @compiled
-def potential_of(u, v, t, obstacles, settings, scratch):
-    """Return the potential at the middle of a cell for obstacles moved by t [s], and count the evaluation."""
+def potential_of_cell(u, v, t, obstacles, settings, scratch):
+    """Return the potential at a cell's middle, with obstacles moved by t [s], and count the evaluation."""
     scratch.evaluations += 1
     return potential(u * settings.cell, v * settings.cell, t, scratch.goal, obstacles, settings)
 
 
 @compiled
 def leave_minimum(obstacles, settings, scratch):
-    """Search on from the lowest of the way's last cells; return GOES_ON, or how the pass ends.  MH12"""
+    """Search for an escape from the lowest of the way's last cells; return GOES_ON, or how the pass ends.  MH12"""
     scratch.searches += 1
     lowest, at = inf, scratch.count - 1
     for i in range(max(scratch.count - settings.last_cells, 0), scratch.count):
         cell = scratch.way[i]
-        value = potential_of(cell.u, cell.v, obstacle_time(cell.t, settings), obstacles, settings, scratch)
+        value = potential_of_cell(cell.u, cell.v, obstacle_time(cell.t, settings), obstacles, settings, scratch)
         if value < lowest:
             lowest, at = value, i
     scratch.lowest = min(scratch.lowest, lowest)
@@ -81,7 +81,7 @@ def leave_minimum(obstacles, settings, scratch):
 
 @compiled
 def search_escape(obstacles, settings, scratch):
-    """Search from the way's last cell; return the last node of an escape, the number of nodes, and how the pass ends.
+    """Search from the way's last cell; return the escape's last node, the number of nodes, and how the pass ends.
 
     GOES_ON: the node is lower than every cell of the way. ARRIVED: the line from node to end is free. Without an escape
     the node of lowest potential is returned.
@@ -94,7 +94,7 @@ def search_escape(obstacles, settings, scratch):
         node = pop(heap, size, nodes)
         size -= 1
         one = nodes[node]
-        if sees_end(one, obstacles, settings, scratch):
+        if has_free_line_to_end(one, obstacles, settings, scratch):
             return node, made, ARRIVED
         if one.under == 0 and one.potential < scratch.lowest - settings.gained:
             return node, made, GOES_ON
@@ -107,8 +107,8 @@ def search_escape(obstacles, settings, scratch):
 
 
 @compiled
-def sees_end(node, obstacles, settings, scratch):
-    """Tell whether the way's end is within the obstacles' reach of a node and the straight line to it is free."""
+def has_free_line_to_end(node, obstacles, settings, scratch):
+    """Tell whether the way's end is near a node and the straight line from the node to the end is free."""
     to_u, to_v = scratch.end_u - node.u, scratch.end_v - node.v
     away = step_length(to_u, to_v, settings)
     if away > settings.reach:
@@ -125,7 +125,7 @@ def sees_end(node, obstacles, settings, scratch):
 
 @compiled
 def expand_node(node, made, size, obstacles, settings, scratch):
-    """Add nodes for the free neighbours of a node; return the number of nodes and the heap's size."""
+    """Add nodes for the free neighbours of a node; return the number of nodes and the size of the heap."""
     here = scratch.nodes[node]
     for i in range(len(NEAR_U)):
         du, dv = NEAR_U[i], NEAR_V[i] * scratch.side
@@ -140,7 +140,7 @@ def expand_node(node, made, size, obstacles, settings, scratch):
 
 @compiled
 def add_node(made, u, v, parent, obstacles, settings, scratch):
-    """Add a node for a cell unless an obstacle that the search is not leaving blocks it; return the number of nodes."""
+    """Add a node for a cell unless an obstacle blocks the cell; return the number of nodes."""
     node, first = scratch.nodes[made], scratch.way[scratch.count - 1]
     node.far = 0.0
     if parent >= 0:
@@ -152,7 +152,7 @@ def add_node(made, u, v, parent, obstacles, settings, scratch):
     if parent >= 0 and node.gap <= scratch.tight and node.gap <= scratch.nodes[parent].gap:
         return made
     node.u, node.v, node.parent = u, v, parent
-    node.potential = potential_of(u, v, now, obstacles, settings, scratch)
+    node.potential = potential_of_cell(u, v, now, obstacles, settings, scratch)
     index = index_of(u, v, scratch)
     node.under = scratch.marks[index]
     scratch.marks[index] = -1 - made
@@ -161,7 +161,7 @@ def add_node(made, u, v, parent, obstacles, settings, scratch):
 
 @compiled
 def append_escape(last, settings, scratch):
-    """Append the nodes up to `last` to the way, without loops; return False if there is no room."""
+    """Append the nodes up to `last` to the way, without loops; return False if the way is full."""
     nodes, way = scratch.nodes, scratch.way
     many, node = 0, last
     while nodes[node].under == 0:
@@ -184,18 +184,18 @@ def append_escape(last, settings, scratch):
 
 
 @compiled
-def comes_first(a, b, nodes):
+def precedes(a, b, nodes):
     """Tell whether node a comes before node b in the queue: lower potential, or equal and older."""
     return nodes[a].potential < nodes[b].potential or (nodes[a].potential == nodes[b].potential and a < b)
 
 
 @compiled
 def push(heap, size, node, nodes):
-    """Add a node to a heap of `size` nodes; return the new size."""
+    """Add a node to a heap of `size` nodes; return the heap's new size."""
     at = size
     while at > 0:
         above = (at - 1) // 2
-        if not comes_first(node, heap[above], nodes):
+        if not precedes(node, heap[above], nodes):
             break
         heap[at] = heap[above]
         at = above
@@ -205,13 +205,13 @@ def push(heap, size, node, nodes):
 
 @compiled
 def pop(heap, size, nodes):
-    """Remove and return the first node of a heap of `size` nodes, at least 1; the caller lowers the size by 1."""
+    """Remove and return the first node of a heap of `size` >= 1 nodes; the caller decrements the size."""
     first, last = heap[0], heap[size - 1]
     at, below = 0, 1
     while below < size - 1:
-        if below + 1 < size - 1 and comes_first(heap[below + 1], heap[below], nodes):
+        if below + 1 < size - 1 and precedes(heap[below + 1], heap[below], nodes):
             below += 1
-        if comes_first(last, heap[below], nodes):
+        if precedes(last, heap[below], nodes):
             break
         heap[at] = heap[below]
         at, below = below, 2 * below + 1

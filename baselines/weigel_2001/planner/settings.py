@@ -20,7 +20,7 @@ FALLBACKS = {"best": 0, "first": 1, "last": 2}
 
 @dataclass(frozen=True)
 class PlannerSettings(Options):
-    """How the planner works; `Planner(time_variant=False)` changes a switch by name."""
+    """The settings of the planner; `Planner(time_variant=False)` changes a switch by name."""
 
     NAMES = {"form": FORMS, "repulsion": REPULSIONS, "stepping": STEPPINGS, "fallback": FALLBACKS}
     BOUNDS = {
@@ -85,10 +85,10 @@ class PlannerSettings(Options):
 
     @property
     def half_u(self) -> int:
-        """Return the number of cells from the middle cell to either end of the pitch."""
+        """Return the number of cells from the middle of the pitch to either end."""
         return floor((0.5 * self.pitch_length + self.margin) / self.cell)
 
     @property
     def half_v(self) -> int:
-        """Return the number of cells from the middle cell to either side of the pitch."""
+        """Return the number of cells from the middle of the pitch to either side."""
         return floor((0.5 * self.pitch_width + self.margin) / self.cell)

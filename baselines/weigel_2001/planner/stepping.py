@@ -1,4 +1,4 @@
-"""From cell to cell: the next cell, the time to reach it, and the obstacles' time then.  MH11, MH15"""
+"""Steps from cell to cell: the next cell, the time to reach it, and the time to predict obstacles for.  MH11, MH15"""
 
 from math import floor, sqrt
 
@@ -11,7 +11,7 @@ HALF_OF_45 = sqrt(2.0) - 1.0  # tan(22.5 degrees): a direction nearer to an axis
 
 @compiled
 def cell_of(place, half, settings):
-    """Return the index, along one axis, of the cell nearest to a coordinate [m]; NaN becomes the lowest index.
+    """Return the index, along one axis, of the grid cell nearest to a coordinate [m]; NaN becomes the lowest index.
 
     Halves are rounded away from the middle on both sides, so that a mirrored place has the mirrored cell.
     """
@@ -27,13 +27,13 @@ def cell_of(place, half, settings):
 
 @compiled
 def sign(value):
-    """Return -1, 0 or +1."""
+    """Return the sign of a value: -1, 0 or +1."""
     return (1 if value > 0.0 else 0) - (1 if value < 0.0 else 0)
 
 
 @compiled
 def next_cell(down_x, down_y, rest_x, rest_y, settings):
-    """Return the step (du, dv) to the neighbour in a direction, and the remainders of x and y for later steps.  MH11
+    """Return the step (du, dv) to the neighbour cell in a direction, and remainders in x and y to carry on.  MH11
 
     "carried": one cell along the longer axis; the component along the other axis adds up until it exceeds half a cell,
     so that the way keeps the direction. "quantised": the nearest of eight directions, with no remainders.
@@ -56,13 +56,13 @@ def next_cell(down_x, down_y, rest_x, rest_y, settings):
 
 @compiled
 def step_length(du, dv, settings):
-    """Return the distance [m] to the cell (du, dv) cells away: 1 or sqrt(2) cells to a neighbour."""
+    """Return the length [m] of a step by (du, dv) cells: 1 or sqrt(2) cells to a neighbour."""
     return settings.cell * sqrt(float(du * du + dv * dv))
 
 
 @compiled
 def step_time(du, dv, settings):
-    """Return tau [s], the time to a neighbour at full speed: step / v_max.  MH15"""
+    """Return tau [s], the time of a step to a neighbour cell at full speed: step / v_max.  MH15"""
     return step_length(du, dv, settings) / settings.speed
 
 

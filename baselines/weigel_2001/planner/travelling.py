@@ -34,7 +34,7 @@ STATION = np.dtype(
 
 @dataclass(frozen=True, eq=False)
 class Travel:
-    """How a point drove to its target: S stations, one for each cycle."""
+    """The drive of a point to its target: S stations, one for each cycle."""
 
     stations: np.ndarray  # (S,) of STATION
     plans: np.ndarray  # (S,) of records.PLAN, the last one empty
@@ -44,7 +44,7 @@ class Travel:
 
     @property
     def path(self) -> np.ndarray:
-        """The point's place (S, 2) [m] in each cycle."""
+        """The position (S, 2) [m] of the point in each cycle."""
         return np.stack([self.stations["x"], self.stations["y"]], axis=-1)
 
     @property
@@ -59,7 +59,7 @@ class Travel:
 
     @property
     def turn(self) -> float:
-        """The total turn, left and right [rad]."""
+        """The total turn [rad] of the drive, to the left and to the right."""
         return total_turn(self.path)
 
     @property
@@ -69,17 +69,17 @@ class Travel:
 
     @property
     def cycles_away(self) -> int:
-        """The number of cycles in which the point drove away from the target."""
+        """The number of cycles in which the point moved away from the target."""
         return int((np.diff(self.stations["left"]) > 0.0).sum())
 
     def planned(self, cycle: int) -> np.ndarray:
-        """Return the path (N, 2) [m] that was planned at the beginning of a cycle."""
+        """Return the path (N, 2) [m] that was planned at the start of a cycle."""
         plan = self.plans[cycle]
         points = plan["path"][: plan["count"]]
         return np.stack([points["x"], points["y"]], axis=-1)
 
     def others(self, cycle: int) -> np.ndarray:
-        """Return the places (n, 2) [m] of the obstacles at the beginning of a cycle."""
+        """Return the positions (n, 2) [m] of the obstacles at the start of a cycle."""
         t = cycle * CYCLE
         return np.stack([self.obstacles[a] + t * self.obstacles[f"v{a}"] for a in "xy"], axis=-1)
 
@@ -92,7 +92,7 @@ def make_travel(
     scratch: np.ndarray,
     seconds: float,
 ) -> Travel:
-    """Make a travel from input that has been checked."""
+    """Simulate a travel from checked input."""
     most = round(seconds / CYCLE)
     stations, plans = np.zeros(most + 1, STATION), np.zeros(most + 1, PLAN)
     now = obstacles.copy()
@@ -103,7 +103,7 @@ def make_travel(
 
 @compiled
 def travel(x, y, target_x, target_y, side, obstacles, now, settings, scratch, plans, stations, place):
-    """Fill stations and plans cycle by cycle until the target is within one cycle; return the number of stations.  MH14
+    """Simulate a travel cycle by cycle until the target is one cycle away; return the number of stations.  MH14
 
     now: a copy of the obstacles, which this function moves; place: scratch record (1,).
     """

@@ -18,7 +18,7 @@ from soccer_env.compiled import compiled
 
 @compiled
 def plan_pass(guess, obstacles, settings, scratch, plan):
-    """Fill the way from its beginning to its end, assuming a time T [s] for all of it; return how it ended.  MH13, MH15
+    """Plan the way from its beginning to its end for an assumed time `guess` [s]; return how it ended.  MH13, MH15
 
     A backward way begins at the target, with the obstacles predicted for T, and time decreases from cell to cell; a
     forward way begins at the robot, now. The marks are 0 again afterwards.
@@ -42,7 +42,7 @@ def plan_pass(guess, obstacles, settings, scratch, plan):
 
 @compiled
 def blocking_gap(begin, t_begin, end, t_end, obstacles, settings):
-    """Return the gap [m] at or below which a cell is blocked: 0, or less if an obstacle is at either end of the way."""
+    """Return the gap [m] at or below which a cell is blocked: 0, or less if an end of the way is inside an obstacle."""
     first = gap_at(begin.x, begin.y, obstacle_time(t_begin, settings), obstacles, settings)
     last = gap_at(end.x, end.y, obstacle_time(t_end, settings), obstacles, settings)
     nearer = min(first, last)
@@ -83,7 +83,7 @@ def is_new(u, v, scratch):
 
 @compiled
 def complete_way_straight(settings, scratch):
-    """Complete the way: append its end cell, after a straight line of cells if the pass did not arrive."""
+    """Append the end cell to the way, after a straight line of cells if the pass did not arrive."""
     here, rest_x, rest_y = scratch.way[scratch.count - 1], 0.0, 0.0
     while not is_at_end(here.u, here.v, scratch) and scratch.count < MOST_CELLS - 1:
         to_u, to_v = scratch.end_u - here.u, scratch.end_v - here.v

@@ -1,4 +1,4 @@
-"""The ball that a legged robot believes in.  [Sacks 2001, 2, 3.1.1, 3.2]  MS02, MS03, MS08 to MS18
+"""The ball in a legged robot's belief.  [Sacks 2001, 2, 3.1.1, 3.2]  MS02, MS03, MS08 to MS18
 
 Every frame, the remembered places are moved against the robot's own steps, the picture is searched for the ball, and
 the last few sightings are averaged; every third of a second the velocity is measured. A robot that lies on its side or
@@ -85,7 +85,7 @@ def believe_ball(percept, own, ball, memory, k, s, w, table):
 
 @compiled
 def forget_ball(memory):
-    """Forget the ball's place and motion because the robot was carried, and perhaps the ball too."""
+    """Forget the ball's position and motion because the robot was carried, and perhaps the ball too."""
     memory.known = memory.has_sample = memory.count = 0
 
 
@@ -118,7 +118,7 @@ def move_remembered_ball(ball, memory, body, frame, k, w):
 
 @compiled
 def is_dribbling(body, memory, frame, k, w):
-    """Tell whether the robot walks forward with the ball at its chest: near, within 45 degrees (assumed).  MS15
+    """Tell whether the robot walks forward with the ball at its chest: near, and within 45 degrees (assumed).  MS15
 
     A robot with no confidence in the ball's place does not dribble.
     """
@@ -129,7 +129,7 @@ def is_dribbling(body, memory, frame, k, w):
 
 @compiled
 def confidence_in_ball(memory, frame, k, w):
-    """Return the confidence in the ball's place: 100 while the ball is seen, then fading.  MS03"""
+    """Return the confidence in the ball's position: 100 while the ball is seen, then fading.  MS03"""
     if memory.known == 0:
         return 0.0
     return max(SURE - w.fading * (frame - memory.seen) * k.dt, 0.0)
@@ -137,7 +137,7 @@ def confidence_in_ball(memory, frame, k, w):
 
 @compiled
 def was_ball_near(memory, frame, k, w):
-    """Tell whether the ball has been seen recently and nearby.  MS14"""
+    """Tell whether the robot has recently seen the ball nearby.  MS14"""
     if memory.known == 0 or (frame - memory.seen) * k.dt > w.area_recent + ROUNDING:
         return False
     return length(np.float64(memory.x), np.float64(memory.y)) < w.area_near
@@ -145,7 +145,7 @@ def was_ball_near(memory, frame, k, w):
 
 @compiled
 def remember_sighting(memory, x, y, frame, w):
-    """Store a new sighting, and average the last `averaged` ones in Cartesian coordinates.  MS16, footnote 3"""
+    """Store a new sighting, and average the last `averaged` sightings in Cartesian coordinates.  MS16, footnote 3"""
     count = min(memory.count + 1, w.averaged)
     for i in range(count - 1, 0, -1):
         older, newer = memory.recent[i], memory.recent[i - 1]
@@ -176,7 +176,7 @@ def forget_old_sightings(memory, frame, k, w):
 
 @compiled
 def fill_ball_belief(ball, memory, frame, k, w):
-    """Fill in the ball's distance and bearing, 0 straight ahead, and the confidence in them.  MS02, MS03
+    """Write the ball's distance, its bearing (0 straight ahead) and the confidence into the belief.  MS02, MS03
 
     A ball that was never seen is believed half a pitch ahead, with confidence 0.
     """
@@ -189,12 +189,12 @@ def fill_ball_belief(ball, memory, frame, k, w):
     ball.filtered_distance, ball.filtered_bearing = length(ball.x, ball.y), atan2(ball.y, ball.x)
     ball.confidence = confidence_in_ball(memory, frame, k, w)
     ball.age = (frame - memory.seen) * k.dt if memory.known == 1 else inf
-    ball.held = 1 if ball.age <= HELD_TIME and lies_in_pocket(x, y, k) else 0
+    ball.held = 1 if ball.age <= HELD_TIME and is_between_paws(x, y, k) else 0
 
 
 @compiled
-def lies_in_pocket(x, y, k):
-    """Tell whether a ball at x, y [m], robot frame, lies between the paws, within the kicker's reach.
+def is_between_paws(x, y, k):
+    """Tell whether a ball at x, y [m], robot frame, lies between the forepaws, within reach of the kicker.
 
     This is the kicker's own rule, extended to a ball that is believed to overlap the chest.
     """

@@ -1,4 +1,4 @@
-"""From orange blobs in the picture to a place of the ball.  [Sacks 2001, 3.1.1]  MS08 to MS14
+"""From orange blobs in the picture to a position of the ball.  [Sacks 2001, 3.1.1]  MS08 to MS14
 
     blob     the largest that is large enough (MS14) and not above the horizontal (MS13)
     bearing  head angles plus place in the picture (MS08)
@@ -39,7 +39,7 @@ def choose_blob(percept, was_near, s, w):
 
 @compiled
 def least_ball_area(was_near, s, w):
-    """Return the least area [px] of a ball: larger if the robot has just seen the ball nearby.  MS14
+    """Return the smallest area [px] accepted as a ball: larger if the robot has just seen the ball nearby.  MS14
 
     The settings are given at 88x72; each step of resolution has four times as many pixels.
     """
@@ -65,7 +65,7 @@ def blob_centre(blob):
 
 @compiled
 def place_of_ball(percept, blob, k, s, w, table):
-    """Return the place x, y [m], robot frame, of the ball that a blob shows, and the height of the line of sight there.
+    """Return the position x, y [m], robot frame, of the ball in a blob, and the height [m] of the line of sight.
 
     The direction is head angles plus place in the picture (MS08). The range counts from the camera, which moves with
     the neck, and is converted to the body's origin here. The height [m] equals the ball's radius if the range is right.
@@ -109,7 +109,7 @@ def range_ahead(percept, blob, elevation, k, s, w, table):
 
 @compiled
 def range_by_size(blob, w, table):
-    """Return the range [m] by the calibration tables: the smaller of the ranges by height and by width.  MS09, MS11
+    """Return the range [m] by the calibration tables: the shorter of the ranges by height and by width.  MS09, MS11
 
     A ball that is partly hidden or cut by the picture's border looks smaller and so farther: cut in one dimension, the
     other still gives the range; cut in both, the range is too long, and only the infrared ranger gives a better one.
@@ -125,13 +125,13 @@ def range_by_size(blob, w, table):
 
 @compiled
 def read_table(ranges, size):
-    """Return the range [m] for a size in whole pixels; sizes beyond the table read as its ends."""
+    """Return the table's range [m] for a size in whole pixels; sizes beyond the table use its end values."""
     return ranges[min(max(size, 0), ranges.shape[0] - 1)]
 
 
 @compiled
 def beam_meets_blob(blob, s, w):
-    """Tell whether the camera's axis, the ranger's beam, meets a blob or passes within `centred` of it.  MS12"""
+    """Tell whether the ranger's beam, the camera's axis, meets a blob or passes within `centred` of it.  MS12"""
     edge = tan(w.centred)
     aside, above = edge * focal_x(s), edge * focal_y(s)
     return blob.right - aside <= 0.0 <= blob.left + aside and blob.low - above <= 0.0 <= blob.high + above

@@ -1,4 +1,4 @@
-"""The memory of a legged robot: ball, players, obstacle, own pose, gaze, and what it hears.  [Sacks 2001, 2 to 4]  MS01
+"""The belief of a legged robot: ball, players, obstacle, own pose, gaze, heard words.  [Sacks 2001, 2 to 4]  MS01
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """

@@ -1,4 +1,4 @@
-"""From blobs of one jersey colour to players: which blobs belong together.  [Sacks 2001, 4.1.1, 4.1.2]  MS29, MS34
+"""Group the blobs of one jersey colour into players.  [Sacks 2001, 4.1.1, 4.1.2]  MS29, MS34
 
 A jersey has several stickers, so two red blobs may be one player or two. A blob belongs to the player of a larger blob
 if the two are closer than `grouping` times the size of the larger one:
@@ -37,7 +37,7 @@ def blob_size(blob):
 
 @compiled
 def is_larger(blobs, i, j):
-    """Tell whether blob i counts as larger than blob j: by size, then area, then as the vision orders them."""
+    """Tell whether blob i ranks before blob j: by size, then by area, then by index."""
     one, other = blob_size(blobs[i]), blob_size(blobs[j])
     if one != other:
         return one > other
@@ -47,8 +47,8 @@ def is_larger(blobs, i, j):
 
 
 @compiled
-def gap_between(one, other):
-    """Return the distance between the middles of two blobs [px]."""
+def distance_between_blobs(one, other):
+    """Return the distance between the centres of two blobs [px]."""
     aside = 0.5 * (int(one.left) + int(one.right) - int(other.left) - int(other.right))
     above = 0.5 * (int(one.high) + int(one.low) - int(other.high) - int(other.low))
     return length(aside, above)
@@ -56,7 +56,7 @@ def gap_between(one, other):
 
 @compiled
 def largest_ungrouped_blob(blobs, done):
-    """Return the index of the largest blob whose bit in `done` is not set, -1 if there is none."""
+    """Return the index of the largest blob not yet grouped (its bit in `done` is 0), -1 if there is none."""
     largest = -1
     for i in range(BLOBS):
         if blobs[i].area > 0 and done & (1 << i) == 0 and (largest < 0 or is_larger(blobs, i, largest)):
@@ -66,7 +66,7 @@ def largest_ungrouped_blob(blobs, done):
 
 @compiled
 def largest_blob_of_player(blobs, i, grouping):
-    """Return the index of the largest blob of the player to which blob i belongs; it may be i itself.  MS29
+    """Return the index of the largest blob of the player that blob i belongs to, perhaps i.  MS29
 
     A blob near another blob of a player belongs to that player.
     """
@@ -79,21 +79,21 @@ def largest_blob_of_player(blobs, i, grouping):
 
 @compiled
 def larger_blob_nearby(blobs, i, grouping):
-    """Return the index of the largest blob that is larger than blob i and near it, -1 if there is none.  MS29"""
+    """Return the index of the largest blob that is near blob i and larger than blob i, -1 if there is none.  MS29"""
     largest = -1
     for j in range(BLOBS):
         if blobs[j].area <= 0 or not is_larger(blobs, j, i):
             continue
         if largest >= 0 and not is_larger(blobs, j, largest):
             continue
-        if gap_between(blobs[i], blobs[j]) < grouping * blob_size(blobs[j]):
+        if distance_between_blobs(blobs[i], blobs[j]) < grouping * blob_size(blobs[j]):
             largest = j
     return largest
 
 
 @compiled
 def box_of_player(blobs, i, w):
-    """Return the box [px] that stands for the player whose largest blob is i: left, right, high, low.  MS34
+    """Return the bounding box [px] of the player whose largest blob is i: left, right, high, low.  MS34
 
     The default is that blob's box alone: when a player walks away, its head stickers vanish, and a box round all its
     blobs would suddenly be half as high. With `player_blob` "combined" the box encloses all the player's blobs.

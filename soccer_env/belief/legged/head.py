@@ -1,4 +1,4 @@
-"""Where the head looks by itself: at the ball's blob while it is seen, else in search of it.  [Sacks 2001, 3]  MS07
+"""The default control of the head: look at the ball's blob while it is seen, else search for it.  [Sacks 2001, 3]  MS07
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
@@ -32,7 +32,7 @@ HEAD_MEMORY = ranged_record(
 
 @compiled
 def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
-    """Choose pan and tilt [rad] for the next step: at the ball, or in search of it.  [Sacks 2001, 3]  MS07
+    """Choose the next pan and tilt [rad]: towards the ball, or in search of the ball.  [Sacks 2001, 3]  MS07
 
     A ball in the picture is brought to the picture's middle: the head turns to a point on the line of sight to the
     blob, `height` [m] over the ground at the believed distance. The believed place on the ground would not do: a
@@ -78,7 +78,7 @@ def gaze_at_point(ahead, left, height, s):
 
 @compiled
 def choose_search_gaze(ball, memory, handedness, k, w):
-    """Return the pan and tilt [rad] of a head in search: sweeps between the pan limits at two tilts in turn.  MS07
+    """Return the pan and tilt [rad] for a search: sweeps between the pan limits, alternating two tilts.  MS07
 
     A sweep takes w.search_period. The first one begins on the side where the ball was believed last, low if it was
     believed at the robot's feet, or is unknown: a robot that has just been placed may have it there.

@@ -1,4 +1,4 @@
-"""The own pose of a legged robot: particles weighed by the landmarks and goals that it sees.  MH08
+"""The own pose of a legged robot, by particles weighed by the landmarks and goals that the robot sees.  MH08
 
 A landmark gives a bearing and, by its known height, a range. A goal gives the bearings of its two ends, unless the
 image's border or a robot cuts it: the visible part must lie between the posts, and most likely ends at them.
@@ -90,7 +90,7 @@ def believe_pose_legged(percept, own, crowded, memory, particles, noise, k, s, w
 
 @compiled
 def measure_landmarks(percept, view, k, s, w):
-    """Fill in the landmarks and goals in view; return how many measurements they give.
+    """Measure the landmarks and goals in view; return the number of measurements.
 
     A robot that lies on its side gets none. A landmark cut off at a side of the image is left out; a landmark cut off
     above or below gives no range.
@@ -108,8 +108,8 @@ def measure_landmarks(percept, view, k, s, w):
         blob = percept.landmarks[which]
         if blob.area > 0 and blob.left < edge and blob.right > -edge:
             sight = view.sights[view.count]
-            sight.x, sight.y = place_of_landmark(which, k, s)
-            numbers += read_landmark(blob, sight, blob.high < top and blob.low > -top, pan, tilt, s)
+            sight.x, sight.y = landmark_position(which, k, s)
+            numbers += measure_landmark(blob, sight, blob.high < top and blob.low > -top, pan, tilt, s)
             view.count += 1
     numbers += read_goal(percept.own_goal, view.goals[0], -1.0, edge, pan, tilt, s)
     numbers += read_goal(percept.opponent_goal, view.goals[1], 1.0, edge, pan, tilt, s)
@@ -117,16 +117,16 @@ def measure_landmarks(percept, view, k, s, w):
 
 
 @compiled
-def place_of_landmark(which, k, s):
-    """Return the place of a landmark's middle [m], team frame: just outside the field."""
+def landmark_position(which, k, s):
+    """Return the position of a landmark's middle [m], team frame: just outside the field."""
     x = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
     y = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
     return x * (which // 2 - 1), y * (1 - 2 * (which % 2))
 
 
 @compiled
-def read_landmark(blob, sight, whole, pan, tilt, s):
-    """Fill in the direction and range of a landmark from its blob; return the number of measurements.
+def measure_landmark(blob, sight, whole, pan, tilt, s):
+    """Compute the direction and range of a landmark from its blob; return the number of measurements.
 
     The range is that at which the landmark's known height fills the angle between the blob's upper and lower edge.
     """
@@ -145,7 +145,7 @@ def read_landmark(blob, sight, whole, pan, tilt, s):
 
 @compiled
 def read_goal(blobs, goal, side, edge, pan, tilt, s):
-    """Fill in the directions of the two ends of a goal's visible part, one blob or more; return the number of ends."""
+    """Compute the directions of the two ends of a goal's visible part, one blob or more; return the number of ends."""
     left = -10_000
     right = 10_000
     height = 0.0
@@ -172,7 +172,7 @@ def read_goal(blobs, goal, side, edge, pan, tilt, s):
 
 @compiled
 def weigh_particles_by_landmarks(particles, view, motion, noise, hand, k, w):
-    """Move all particles, and store in each weight the cost of the robot's measurements for that pose.  MH08"""
+    """Move all particles, and store in each weight the cost of the measurements for the particle's pose.  MH08"""
     half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
     for i in range(particles.shape[0]):
         particle = particles[i]
@@ -189,7 +189,7 @@ def weigh_particles_by_landmarks(particles, view, motion, noise, hand, k, w):
 
 @compiled
 def landmark_cost(sight, x, y, cosine, sine, w):
-    """Return the cost of a landmark's measured bearing and range for a camera at x, y in a body with this heading."""
+    """Return the cost of a landmark's measured bearing and range for a camera at x, y and a heading (cosine, sine)."""
     ahead, left, far = direction_in_frame(sight.x - x, sight.y - y, cosine, sine)
     miss = 2.0 - 2.0 * (ahead * sight.ahead + left * sight.left)  # square of the chord [rad2]
     cost = bounded_cost(max(miss, 0.0) / (w.pose_bearing_noise * w.pose_bearing_noise), OUTLIER)
@@ -201,7 +201,7 @@ def landmark_cost(sight, x, y, cosine, sine, w):
 
 @compiled
 def goal_cost(goal, x, y, cosine, sine, hand, k, w):
-    """Return the cost of a goal's two measured ends for a camera at x, y in a body with this heading."""
+    """Return the cost of a goal's two measured ends for a camera at x, y and a heading (cosine, sine)."""
     across = goal.side * 0.5 * k.pitch_goal_width  # the left post as seen from the field
     along = goal.side * 0.5 * k.pitch_length - x
     ahead, left, _ = direction_in_frame(along, across - y, cosine, sine)
@@ -213,7 +213,7 @@ def goal_cost(goal, x, y, cosine, sine, hand, k, w):
 
 @compiled
 def goal_end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
-    """Return how badly a goal whose end is seen in direction (ahead, left) fits a post in (post_ahead, post_left).
+    """Return the cost of a goal end seen in direction (ahead, left) for a post in direction (post_ahead, post_left).
 
     Beyond the post, to the left for `outward` 1, nothing of the goal can be seen. Before the post an end costs little,
     since something may hide the rest, and nothing if the image's border cuts the goal off there.
@@ -228,7 +228,7 @@ def goal_end_cost(post_ahead, post_left, ahead, left, cut, outward, w):
 
 @compiled
 def direction_in_frame(x, y, cosine, sine):
-    """Return the unit vector towards (x, y) [m] in the frame with this heading, and the distance [m]."""
+    """Return the unit vector towards (x, y) [m] in the frame with a heading (cosine, sine), and the distance [m]."""
     far = max(sqrt(x * x + y * y), 1e-3)
     ahead, left = into_frame(x, y, cosine, sine)
     return ahead / far, left / far, far
@@ -236,7 +236,7 @@ def direction_in_frame(x, y, cosine, sine):
 
 @compiled
 def draw_from_landmark(particle, view, noise, hand, k, w):
-    """Draw a new pose for a particle from one of the landmarks and goals in view.  MH08"""
+    """Draw a new pose for a particle from one of the landmarks or goals in view.  MH08"""
     things = view.count + view.goals[0].seen + view.goals[1].seen
     which = int(things * draw_uniform(noise, PARTICLES))
     if which < view.count:

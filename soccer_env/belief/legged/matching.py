@@ -1,4 +1,4 @@
-"""Which player in memory is the one that is seen now.  [Sacks 2001, 4.1.1, after Veloso et al. 1999]  MS30, MS31, MS32
+"""Match the players in view to the players in memory.  [Sacks 2001, 4.1.1, after Veloso et al. 1999]  MS30, MS31, MS32
 
 For a player A in the view and a player B of the same team in memory:
 
@@ -36,20 +36,20 @@ def track_uncertainty(track, w):
 
 @compiled
 def inverse_power(value, power):
-    """Return value^-power for a value above zero and any power, bit-identical in compiled and plain Python."""
+    """Return value^-power for a value above zero and any power, with equal bits in compiled and plain Python."""
     return exp(min(-power * log(value), EXPONENT_MOST))
 
 
 @compiled
 def angle_between(one, other):
-    """Return the angle [rad], 0 to pi, between two bearings in [-pi, pi]; bit-identical in a mirror."""
+    """Return the angle [rad], 0 to pi, between two bearings in [-pi, pi]; equal to the last bit in a mirrored match."""
     angle = abs(one - other)
     return TURN - angle if angle > pi else angle
 
 
 @compiled
 def match_likelihood(track, x, y, bearing, w):
-    """Return the likelihood that a slot's player is the player seen at x, y [m], robot frame, bearing [rad].  MS30
+    """Return the likelihood that the player seen at x, y [m], robot frame, is the player of a track.  MS30
 
     With `distance_power` 1, tried first, one player filled all slots; `angle_power` 0 leaves the angle out.  MS31
     """
@@ -63,7 +63,7 @@ def match_likelihood(track, x, y, bearing, w):
 
 @compiled
 def likeliest_slot(tracks, first, last, x, y, w):
-    """Return the slot from `first` to before `last` that a player seen at x, y [m] replaces, -1 if none is left.  MS30
+    """Return the slot, first to last - 1, to which a player seen at x, y [m] most likely belongs, -1 if none.  MS30
 
     Slots of age 0 have been taken by another player of the same view.
     """

@@ -1,4 +1,4 @@
-"""The obstacle that a legged robot makes of a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
+"""The obstacle that a legged robot infers from a reading of its infrared ranger.  [Sacks 2001, 4.3.3]  MS49
 
 The black head of a player that looks down hides its jersey: the player seems much farther than it is, or is not seen at
 all. A reading significantly closer than every player in memory, both from the camera to the surface of a body, reveals
@@ -26,7 +26,7 @@ from soccer_env.optics.head_camera import camera_place
 
 @compiled
 def believe_obstacle(percept, belief, tracks, k, s, w):
-    """Update the obstacle of a BELIEF from the percept of a frame; its tracks (slots,) are up to date already.  MS49
+    """Update the obstacle of a BELIEF from the percept of a frame, after the tracks (slots,) were updated.  MS49
 
     A robot that lies on its side or is sent off does not look.
     """
@@ -35,13 +35,13 @@ def believe_obstacle(percept, belief, tracks, k, s, w):
     if w.obstacle == 1 and body.active == 1 and body.upright == 1 and beam_meets_player(percept, k, s, w):
         reading = range_by_infrared(percept, np.float64(percept.tilt), k) - chest_to_middle(k)
         if reading < w.obstacle_share * nearest_player_distance(percept, tracks, k, s):
-            x, y = player_place_in_beam(percept, k, s)
+            x, y = player_position_in_beam(percept, k, s)
             obstacle.distance, obstacle.bearing = length(x, y), atan2(y, x)
 
 
 @compiled
 def beam_meets_player(percept, k, s, w):
-    """Tell whether the beam meets a near thing, higher than the carpet, the ball and the boards.  MS49"""
+    """Tell whether the beam meets a near object that is higher than the carpet, the ball and the boards.  MS49"""
     if not 0.0 < percept.infrared < w.player_infrared_far:
         return False
     tilt = np.float64(percept.tilt)
@@ -51,8 +51,8 @@ def beam_meets_player(percept, k, s, w):
 
 
 @compiled
-def player_place_in_beam(percept, k, s):
-    """Return the place x, y [m], robot frame, of a player whose chest the beam meets."""
+def player_position_in_beam(percept, k, s):
+    """Return the position x, y [m], robot frame, of the player whose chest the ranger's beam meets."""
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     ahead, left, _ = camera_place(pan, tilt, s)
     away = range_by_infrared(percept, tilt, k)

@@ -1,4 +1,4 @@
-"""The other players that a legged robot believes in.  [Sacks 2001, 4.1]  MS02, MS03, MS08, MS28 to MS36
+"""The other players in a legged robot's belief.  [Sacks 2001, 4.1]  MS02, MS03, MS08, MS28 to MS36
 
 Every frame: the players in memory are moved by the robot's own steps and grow older, the blobs of each jersey colour
 are sorted into players (`grouping.py`), each gets a place, and replaces the likeliest player in memory (`matching.py`).
@@ -77,7 +77,7 @@ def move_tracks(tracks, body, last):
 
 @compiled
 def set_track_place(track, x, y):
-    """Set the place of a track: x, y [m] in the robot frame, and the paper's polar coordinates.  MS02"""
+    """Set the position of a track: x, y [m] in the robot frame, and the paper's polar coordinates.  MS02"""
     track.x, track.y = x, y
     track.distance, track.bearing = length(x, y), atan2(y, x)
 
@@ -99,7 +99,7 @@ def age_tracks(tracks, last, k, w):
 
 @compiled
 def remember_seen_players(percept, blobs, tracks, first, last, teammate, k, s, w, table):
-    """Group the blobs of one colour into players and remember the players; return their number.  MS28
+    """Group the blobs of one colour into players and store the players; return their number.  MS28
 
     Slots from `first` to before `last` are this team's. Players come largest blob first. The old memory keeps only the
     nearest player in view, in the first slot.
@@ -113,7 +113,7 @@ def remember_seen_players(percept, blobs, tracks, first, last, teammate, k, s, w
         done |= 1 << i
         if largest_blob_of_player(blobs, i, w.grouping) != i:
             continue
-        x, y = place_of_player(percept, blobs, i, k, s, w, table)
+        x, y = player_position(percept, blobs, i, k, s, w, table)
         seen += 1
         if w.slots != NEAREST:
             remember_player(tracks, likeliest_slot(tracks, first, last, x, y, w), x, y, teammate)
@@ -128,7 +128,7 @@ def remember_seen_players(percept, blobs, tracks, first, last, teammate, k, s, w
 
 @compiled
 def remember_player(tracks, slot, x, y, teammate):
-    """Put a player seen at x, y [m], robot frame, into a slot; slot -1, no slot is left, does nothing."""
+    """Store a player seen at x, y [m], robot frame, in a slot; do nothing for slot -1 (no slot is left)."""
     if slot < 0:
         return
     track = tracks[slot]
@@ -142,8 +142,8 @@ def remember_player(tracks, slot, x, y, teammate):
 
 
 @compiled
-def place_of_player(percept, blobs, i, k, s, w, table):
-    """Return the place x, y [m], robot frame, of the player whose largest blob is i.
+def player_position(percept, blobs, i, k, s, w, table):
+    """Return the position x, y [m], robot frame, of the player whose largest blob is i.
 
     The direction is head angles plus place in the picture (MS08); ranges count from the camera, which moves with the
     neck.
@@ -176,7 +176,7 @@ def range_by_height(height, w, table):
 
 @compiled
 def is_player_in_beam(percept, left, right, high, low, s, w):
-    """Tell whether a box [px] covers the picture's centre while the ranger measures a near thing.  MS35
+    """Tell whether a box [px] covers the picture's centre while the ranger measures a near object.  MS35
 
     A centre within `centred` of the box counts as covered. A reading of 0 means no reading.
     """

@@ -1,4 +1,4 @@
-"""From a player's middle to its surface, as the sensors measure it, and back.  [Sacks 2001, 4.1.2, 4.3]  MS35, MS42
+"""Distances to a player's middle converted to distances to its surface.  [Sacks 2001, 4.1.2, 4.3]  MS35, MS42
 
 Tracks hold middles, in the robot's own frame: from middle to middle. In the paper a robot's distance to another player
 is a reading of the ranger or of a table, from its camera to the nearest part of the other's jersey:
@@ -16,7 +16,7 @@ from soccer_env.geometry import length
 
 @compiled
 def chest_to_middle(k):
-    """Return the distance of a player's middle behind the surface that sensors measure [m]: its chest, assumed.
+    """Return the distance [m] from a player's chest, which the sensors measure, to the player's middle; assumed.
 
     The value is for the head-on view, the most common. From the side it is 3 cm less, from behind 2 cm more, but vision
     does not show headings.

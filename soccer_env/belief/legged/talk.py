@@ -1,4 +1,4 @@
-"""Words of four bits by loudspeaker: how far the ball is, 1 to 15, or 0 "I do not see it".  MS06
+"""Messages by loudspeaker: four bits for the distance to the ball, 1 to 15, or 0 "I do not see it".  MS06
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
@@ -33,7 +33,7 @@ SOUND_MESSAGE = message_dtype(WORD)
 
 @compiled
 def exchange_words(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
-    """Let the robots of one match say a word of four bits each second, and hear their team-mates.  MS06
+    """Let the robots of one match send a message of four bits each second, and hear their team-mates.  MS06
 
     Four bits a second: s.audio_period between two words, heard after s.audio_delay, lost with probability s.audio_loss.
     """
@@ -42,7 +42,7 @@ def exchange_words(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
         message, frame = messages[r], np.int64(percepts[r].body.frame)
         deliver_message(message, frame)
         if percepts[r].body.active == 1 and frame % pause == 0:
-            say_word(message.reports[1 - message.latest], beliefs[r].ball)
+            write_distance_word(message.reports[1 - message.latest], beliefs[r].ball)
             send_report(message, frame, wait, draw_uniform(noise[r], RADIO) < s.audio_loss)
             deliver_message(message, frame)
     for r in rows:
@@ -50,8 +50,8 @@ def exchange_words(percepts, beliefs, tracks, messages, noise, k, s, w, home, ro
 
 
 @compiled
-def say_word(report, ball):
-    """Write the word for the distance to the ball into a report.  MS06"""
+def write_distance_word(report, ball):
+    """Write the four-bit word for the distance to the ball into a report.  MS06"""
     seen = ball.confidence > 0.0 and ball.age < SEEN
     report.word = word_for_distance(ball.filtered_distance) if seen else SILENT
     report.distance = distance_of_word(report.word)

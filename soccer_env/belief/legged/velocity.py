@@ -1,4 +1,4 @@
-"""How fast the ball moves, from two of its places a third of a second apart.  [Sacks 2001, 3.2]  MS17, MS18
+"""The ball's velocity, from two of its positions a third of a second apart.  [Sacks 2001, 3.2]  MS17, MS18
 
 Two velocities come out of each pair of readings:
 
@@ -22,7 +22,7 @@ ROUNDING = 1e-9  # [s] times of whole frames that differ by less are the same
 
 @compiled
 def update_velocity(ball, memory, frame, dt, w):
-    """Take a reading of the ball every `velocity_interval`, and compute the velocity when it is due.  MS17
+    """Every `velocity_interval`, sample the ball's position and compute the velocity since the last sample.  MS17
 
     memory is a BALL_MEMORY in which `sample_x`, `sample_y` have been moved along by odometry. Radial and angular
     velocity are kept between readings; vx and vy too, in axes that turn with the robot.
@@ -41,7 +41,7 @@ def update_velocity(ball, memory, frame, dt, w):
 
 @compiled
 def take_reading(ball, memory, frame, since, w):
-    """Compute the velocity from the ball's place and the reading `since` [s] ago; store a reading.  MS17, MS18
+    """Compute the velocity from the ball's position now and in the sample `since` [s] ago; store a sample.  MS17, MS18
 
     After a gap of more than `velocity_gap` the reading is only stored. Each reading is the believed place at its time;
     for a ball missed in just this frame, odometry has updated that place.
@@ -61,6 +61,6 @@ def take_reading(ball, memory, frame, since, w):
 
 @compiled
 def turn_velocity(ball, memory, forward, left, cosine, sine):
-    """Convert velocity and last reading to the robot frame of now, after the own motion since the last frame."""
+    """Convert velocity and last sample to the present robot frame, after the robot's motion since the last frame."""
     ball.vx, ball.vy = into_frame(ball.vx, ball.vy, cosine, sine)
     memory.sample_x, memory.sample_y = into_frame(memory.sample_x - forward, memory.sample_y - left, cosine, sine)

@@ -1,4 +1,4 @@
-"""The ball that a middle-size robot tracks: place and velocity.  [Heinemann et al. 2006, 1, 4]  MH06
+"""The ball that a middle-size robot tracks: position and velocity.  [Heinemann et al. 2006, 1, 4]  MH06
 
 frame    carried by the odometry, rolls on
 reading  by the camera, or by the light barrier while the own body hides the ball
@@ -73,7 +73,7 @@ def believe_ball(percept, own, believed, memory, motions, frames, k, s, w):
 
 @compiled
 def predict_ball(memory, motion, kicked, k, s, w):
-    """Predict the rolling ball for a frame, relative to the moving robot; its own kick makes the speed uncertain."""
+    """Predict the rolling ball one frame ahead, relative to the moving robot; a kick makes the velocity uncertain."""
     filter = memory.filter
     memory.age += k.dt
     filter.seen = 0
@@ -90,7 +90,7 @@ def predict_ball(memory, motion, kicked, k, s, w):
 
 @compiled
 def correct_ball(memory, x, y, late, age, alone, k, s, w):
-    """Correct the ball with a reading (x, y) [m] of an age [s] that the team takes for `late` [s].  MH06
+    """Correct the ball by a reading (x, y) [m], `age` [s] old; `late` [s]: the age that the robot assumes.  MH06
 
     `alone`: this reading may start a track without a second one that agrees.
 
@@ -120,7 +120,7 @@ def correct_ball(memory, x, y, late, age, alone, k, s, w):
 
 @compiled
 def fill_ball_belief(believed, memory, own):
-    """Fill in the belief from the tracked ball; radial and angular velocity are relative to the turning robot."""
+    """Write the tracked ball into the belief; radial and angular velocity are relative to the turning robot."""
     believed.distance = length(memory.raw_x, memory.raw_y)
     believed.bearing = atan2(memory.raw_y, memory.raw_x)
     x, y = memory.x, memory.y

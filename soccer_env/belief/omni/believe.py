@@ -29,7 +29,7 @@ OMNI_MEMORY = ranged_record(
 
 @compiled
 def make_scratch():
-    """Return scratch arrays: readings of other players, a track and its filter."""
+    """Return scratch arrays: readings of other players, a track and the track's filter."""
     return scratch_records(OTHERS, READING), scratch_records(1, TRACK), scratch_records(1, FILTER)
 
 
@@ -43,7 +43,7 @@ def believe_robot(percept, belief, tracks, memory, particles, noise, gaze, scrat
 
 @compiled
 def track_ball_and_players(percept, belief, tracks, memory, scratch, k, s, w):
-    """Update ball and players from the percept; a robot that is told a new place first forgets both.  MH06"""
+    """Update ball and players from the percept; forget both first if the robot was placed anew.  MH06"""
     note_motion(memory.motions, percept.body)
     if percept.body.pose == POSE_TOLD:
         forget_ball_and_players(memory, tracks)
@@ -54,7 +54,7 @@ def track_ball_and_players(percept, belief, tracks, memory, scratch, k, s, w):
 
 @compiled
 def picture_age(percept, k, w):
-    """Return how many frames old the picture counts as: 0 if delay is not compensated."""
+    """Return the age of the picture in frames that the robot assumes: 0 if delay is not compensated."""
     if w.delay_compensation == 0:
         return 0
     return min(int(np.float64(percept.age) / k.dt + 0.5), DELAYS)

@@ -1,4 +1,4 @@
-"""The own pose of a middle-size robot: particles weighed by the white lines and goals that it sees.  MH08
+"""The own pose of a middle-size robot, by particles weighed by the white lines and goals that the robot sees.  MH08
 
 Each direction in which a line was seen gives a point on the ground; a pose fits if its points lie near white lines
 [Lauer, Lange, Riedmiller 2006]. Lines look the same after a half-turn: the goals say which half is the own one.
@@ -68,7 +68,7 @@ def believe_pose_omni(percept, own, crowded, memory, particles, noise, k, s, w, 
 
 @compiled
 def measure_lines_and_goals(percept, own, view, k, s, w):
-    """Fill in the lines and goals in view; return how many measurements they give.
+    """Measure the lines and goals in view; return the number of measurements.
 
     The picture is old when it arrives: its measurements are corrected for the robot's motion since the exposure.
     """
@@ -93,7 +93,7 @@ def measure_lines_and_goals(percept, own, view, k, s, w):
 
 @compiled
 def read_goal(sighting, goal, x, forward, aside, turn):
-    """Fill in direction and range of a goal, corrected for the robot's motion since the exposure."""
+    """Compute direction and range of a goal, corrected for the robot's motion since the exposure of the picture."""
     goal.seen, goal.x = int(sighting.seen), x
     if goal.seen == 0:
         return
@@ -105,7 +105,7 @@ def read_goal(sighting, goal, x, forward, aside, turn):
 
 @compiled
 def weigh_particles_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
-    """Move all particles, and store in each weight the cost of the robot's measurements for that pose.  MH08"""
+    """Move all particles, and store in each weight the cost of the measurements for the particle's pose.  MH08"""
     grid, per_metre = table.nearest_line, 1.0 / table.cell
     columns, rows = grid.shape[0] // 2, grid.shape[1] // 2
     sharp = 1.0 / (w.pose_line_noise * w.pose_line_noise)
@@ -129,7 +129,7 @@ def weigh_particles_by_lines(particles, view, motion, half_length, half_width, n
 
 @compiled
 def goal_cost(goal, x, y, cosine, sine, k, w):
-    """Return the cost of a goal's measured bearing and range for a robot at x, y with this heading."""
+    """Return the cost of a goal's measured bearing and range for a robot at x, y with a heading (cosine, sine)."""
     along, far = goal.x - x, sqrt((goal.x - x) * (goal.x - x) + y * y)
     far = max(far, 1e-3)
     ahead, left = into_frame(along, -y, cosine, sine)
@@ -142,7 +142,7 @@ def goal_cost(goal, x, y, cosine, sine, k, w):
 
 @compiled
 def draw_from_goal(particle, view, half_length, half_width, noise, hand, w):
-    """Draw a new pose for a particle from a goal in view; without a goal, anywhere on the field.  MH08"""
+    """Draw a new pose for a particle from a goal in view; if no goal is in view, anywhere on the field.  MH08"""
     goals = view.goals[0].seen + view.goals[1].seen
     if goals == 0:
         scatter_particle(particle, half_length, half_width, noise, hand)

@@ -1,4 +1,4 @@
-"""Two ways to follow a thing that moves evenly: a Kalman filter, and a line fit that forgets.  MH06
+"""Two filters for an object with constant velocity: a Kalman filter, and a line fit that forgets old readings.  MH06
 
 Letters as the field uses them, along one axis: x the state (place [m], speed [m/s]), P its covariance, F the motion
 (the place grows by speed times dt), Q what an unforeseen acceleration adds, z a reading of the place, H what such a
@@ -27,13 +27,13 @@ LEAST_VARIANCE = 1e-8  # [m2, m2/s2] below which single precision would lose the
 
 @compiled
 def start_covariance(P, R, speed):
-    """Fill P with the initial covariance: variance R [m2] of the place, deviation `speed` [m/s] of the velocity."""
+    """Fill P with the initial covariance: variance R [m2] of the position, deviation `speed` [m/s] of the velocity."""
     P.xx, P.xv, P.vv = R, 0.0, speed * speed
 
 
 @compiled
 def predict_covariance(P, dt, agility, jitter):
-    """Predict P for the next frame: P = F P F' + Q.  MH06
+    """Predict P one frame ahead: P = F P F' + Q.  MH06
 
     agility: sd of the unforeseen acceleration [m/s2]; jitter: error of the own odometry [m].
     """
@@ -46,7 +46,7 @@ def predict_covariance(P, dt, agility, jitter):
 
 @compiled
 def update_covariance(P, age, R):
-    """Update P for a reading and return the reading's gains K on place [1] and speed [1/s].  MH06"""
+    """Update P by a reading `age` [s] old, and return the gains K for position [1] and speed [1/s].  MH06"""
     xx, xv, vv = np.float64(P.xx), np.float64(P.xv), np.float64(P.vv)
     x_seen, v_seen = xx - age * xv, xv - age * vv  # P H'
     S = x_seen - age * v_seen + R
@@ -59,7 +59,7 @@ def update_covariance(P, age, R):
 
 @compiled
 def fit_gains(readings, window, elapsed, age):
-    """Return the gains on place and speed of a least-squares line through all readings, later the last `window`.  MH06
+    """Return the gains for position and speed of a least-squares line through the last readings, up to `window`.  MH06
 
     readings: their number, with the present reading; elapsed: time since the last reading [s]; age: age of the reading
     [s]. From `window` readings on the gains stay constant, so that old readings fade.

@@ -1,4 +1,4 @@
-"""The players that a middle-size robot tracks.  [Heinemann et al. 2006, 1]  MH06
+"""The other players that a middle-size robot tracks.  [Heinemann et al. 2006, 1]  MH06
 
     frame     tracks go on, each carried by the odometry
     readings  the nearest pair of reading and track of the same team first, as long as they are within the gate
@@ -49,18 +49,18 @@ def believe_players(percept, tracks, filters, motions, frames, scratch, k, s, w)
     """
     readings, spare_tracks, spare_filters = scratch
     predict_players(tracks, filters, motions[percept.body.frame % motions.shape[0]], k, s, w)
-    count = read_players(percept, motions, frames, readings)
+    count = convert_sighted_players(percept, motions, frames, readings)
     mates, everyone = k.teammate_slots, k.teammate_slots + k.opponent_slots
     update_team_tracks(percept, tracks, filters, readings, count, 1, 0, mates, frames * k.dt, k, s, w)
     update_team_tracks(percept, tracks, filters, readings, count, 0, mates, everyone, frames * k.dt, k, s, w)
-    fade_players(tracks, filters, k, w)
+    fade_unseen_players(tracks, filters, k, w)
     sort_players(tracks, filters, spare_tracks, spare_filters, 0, mates)
     sort_players(tracks, filters, spare_tracks, spare_filters, mates, everyone)
 
 
 @compiled
 def predict_players(tracks, filters, motion, k, s, w):
-    """Predict the tracked players for a frame in the frame of the moving robot."""
+    """Predict the tracked players one frame ahead, in the frame of the moving robot."""
     for slot in range(tracks.shape[0]):
         track, filter = tracks[slot], filters[slot]
         filter.seen = 0
@@ -79,8 +79,8 @@ def predict_players(tracks, filters, motion, k, s, w):
 
 
 @compiled
-def read_players(percept, motions, frames, readings):
-    """Fill in the present places of the players in the picture as if they stood still; return the number of players."""
+def convert_sighted_players(percept, motions, frames, readings):
+    """Convert the players in the picture to present positions, as if they stood still; return the number of players."""
     count = 0
     while count < OTHERS and percept.players[count].seen == 1:
         reading = readings[count]
@@ -92,9 +92,9 @@ def read_players(percept, motions, frames, readings):
 
 @compiled
 def update_team_tracks(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
-    """Update the tracks of one team, slots `first` to before `last`, from the readings with its marker.  MH06"""
+    """Update the tracks of one team, slots `first` to `last` - 1, from the readings with the team's marker.  MH06"""
     age = np.float64(percept.age)
-    measure_offsets(percept, tracks, readings, count, teammate, first, last, late)
+    measure_track_distances(percept, tracks, readings, count, teammate, first, last, late)
     while True:
         best, slot = nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
         if best < 0:
@@ -110,8 +110,8 @@ def update_team_tracks(percept, tracks, filters, readings, count, teammate, firs
 
 
 @compiled
-def measure_offsets(percept, tracks, readings, count, teammate, first, last, late):
-    """Fill in the distances [m] between the readings and the tracks of a team."""
+def measure_track_distances(percept, tracks, readings, count, teammate, first, last, late):
+    """Compute the distances [m] between the readings and the tracks of a team."""
     for slot in range(first, last):
         if tracks[slot].present == 1:
             x, y = place_at_exposure(tracks[slot], late)
@@ -121,7 +121,7 @@ def measure_offsets(percept, tracks, readings, count, teammate, first, last, lat
 
 @compiled
 def nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, gate):
-    """Return the nearest pair of a free reading and a free track within the gate, as indices; -1, -1 for none."""
+    """Return the indices of the nearest pair of an unused reading and track within `gate` [m]; -1, -1 for none."""
     best = -1
     best_slot = -1
     least = gate
@@ -138,7 +138,7 @@ def nearest_reading_and_track(percept, tracks, filters, readings, count, teammat
 
 @compiled
 def correct_player(track, filter, x, y, off, late, age, k, s, w):
-    """Correct a track with a reading; restart it after `surprise_count` readings in a row off by over `surprise`."""
+    """Correct a track by a reading; restart it after `surprise_count` readings in a row off by over `surprise`."""
     filter.surprises = filter.surprises + 1 if off > w.surprise else 0
     if filter.surprises >= w.surprise_count:
         start(track, filter, x, y, PLAYER_SPEED, s)
@@ -152,7 +152,7 @@ def correct_player(track, filter, x, y, off, late, age, k, s, w):
 
 @compiled
 def add_player(tracks, filters, x, y, teammate, first, last, age, s):
-    """Start a track in a free slot, or replace the farthest player if that player is farther away."""
+    """Start a track in an empty slot, or replace the farthest player if that player is farther than the new player."""
     place, farthest = -1, x * x + y * y
     for slot in range(first, last):
         track = tracks[slot]
@@ -177,8 +177,8 @@ def add_player(tracks, filters, x, y, teammate, first, last, age, s):
 
 
 @compiled
-def fade_players(tracks, filters, k, w):
-    """Lower the confidence in unseen players, forget players unseen for long, and fill in distance and bearing."""
+def fade_unseen_players(tracks, filters, k, w):
+    """Lower the confidence in unseen players, forget players unseen for long, and compute distances and bearings."""
     for slot in range(tracks.shape[0]):
         track = tracks[slot]
         if track.present == 1 and filters[slot].seen != 1:
@@ -192,7 +192,7 @@ def fade_players(tracks, filters, k, w):
 
 @compiled
 def sort_players(tracks, filters, spare_tracks, spare_filters, first, last):
-    """Sort the tracks of a team, nearest first and empty slots last; their filters go with them."""
+    """Sort the tracks of a team with their filters, nearest first and empty slots last."""
     for slot in range(first + 1, last):
         place = slot
         while place > first and is_sorted_before(tracks[place], tracks[place - 1]):
@@ -204,5 +204,5 @@ def sort_players(tracks, filters, spare_tracks, spare_filters, first, last):
 
 @compiled
 def is_sorted_before(one, other):
-    """Tell whether a track belongs before another: used before empty slots, then nearer before farther players."""
+    """Tell whether a track sorts before another: used slots before empty slots, then near before far."""
     return one.present == 1 and (other.present == 0 or one.distance < other.distance)

@@ -1,4 +1,4 @@
-"""Reports by radio: own pose, ball and number; `reports.py` makes and uses them.  MH05
+"""Reports by radio with own pose, ball and number; `reports.py` writes and uses them.  MH05
 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
@@ -50,7 +50,7 @@ RADIO_MESSAGE = message_dtype(REPORT)
 
 @compiled
 def exchange_radio(percepts, beliefs, tracks, messages, noise, k, s, w, home, rows):
-    """Let the robots of one match report by radio, and add reported team-mates and ball to what they see.  MH05
+    """Let the robots of one match report by radio, and add the reported team-mates and ball to the beliefs.  MH05
 
     A robot reports every s.radio_period; a report arrives s.radio_delay later, or is lost with probability
     s.radio_loss. `shared` False: no radio.

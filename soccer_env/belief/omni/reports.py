@@ -1,4 +1,4 @@
-"""How a middle-size robot uses its team-mates' reports.  [Heinemann et al. 2006, 2]  MH05
+"""Use of team-mates' radio reports in a middle-size robot's belief.  [Heinemann et al. 2006, 2]  MH05
 
 A report is in the team frame; the own believed pose converts it to the robot frame, so that the result has the errors
 of both poses. The own camera is trusted more.
@@ -20,7 +20,7 @@ NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at thi
 
 @compiled
 def write_report(report, belief):
-    """Write own pose, ball and number into a report, in the team frame.  MH05"""
+    """Write own pose, ball and number of a robot into its report, in the team frame.  MH05"""
     own, ball = belief.own, belief.ball
     cosine, sine = cos(own.heading), sin(own.heading)
     report.number, report.keeper = belief.situation.number, belief.situation.keeper
@@ -41,7 +41,7 @@ def write_report(report, belief):
 
 @compiled
 def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
-    """Put the team-mates whose reports have just arrived into the tracks (slots,) of robot r.  MH05
+    """Merge the team-mates whose reports have just arrived into the tracks (slots,) of robot r.  MH05
 
     The nearest pair of report and track within w.gate comes first. A track that the own camera has seen lately keeps
     its place and gets the number; a report without a track takes a free slot, or the slot of a farther team-mate.
@@ -68,7 +68,7 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
 
 @compiled
 def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
-    """Fill in the places of the team-mates that have just reported, except team-mates unsure of their own place.
+    """Compute the positions of the team-mates whose reports have just arrived, unless their pose is uncertain.
 
     A report is old when it arrives: the team-mate's motion since then is predicted.
     """
@@ -90,7 +90,7 @@ def locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows):
 
 @compiled
 def nearest_report_and_track(tracks, scratch, k, w, rows):
-    """Return the nearest pair of an open report and a free track within the gate, as indices; -1, -1 for none.
+    """Return the indices of the nearest pair of an unused report and track within the gate; -1, -1 for none.
 
     The gate is w.gate, wider for a distant team-mate, whose place depends on the error of the own heading.
     """
@@ -113,7 +113,7 @@ def nearest_report_and_track(tracks, scratch, k, w, rows):
 
 @compiled
 def slot_for_report(tracks, message, scratch, other, frame, k, w):
-    """Return the slot for a reported team-mate with no track near it, or -1.
+    """Return the slot for a reported team-mate that matches no track, or -1 if no slot is free for it.
 
     In this order: the team-mate's former slot; a free slot; the slot of the farthest team-mate, if that team-mate is
     farther away. A slot whose player the own camera has seen lately is never given to a merely reported player.
@@ -138,7 +138,7 @@ def slot_for_report(tracks, message, scratch, other, frame, k, w):
 
 @compiled
 def copy_report_to_track(own, axes, tracks, slot, message, place, taken, frame, k, w):
-    """Copy a report into a track: number and heading; place and velocity unless the camera saw the player lately."""
+    """Copy a report into a track: number and heading; position and velocity unless recently seen by the camera."""
     report, track = message.reports[message.latest], tracks[slot]
     place[2], taken[3] = 0.0, 1.0
     for i in range(k.teammate_slots):
@@ -158,7 +158,7 @@ def copy_report_to_track(own, axes, tracks, slot, message, place, taken, frame, 
 
 @compiled
 def report_confidence(report, frame, k, w):
-    """Return the confidence in a team-mate's reported place, which fades with the report's age."""
+    """Return the confidence in a team-mate's reported position, which fades with the report's age."""
     if report.confidence <= 0.0:
         return 0.0
     return TOLD * max(SURE - w.fading * (frame - report.frame) * k.dt, 0.0)
@@ -169,7 +169,7 @@ def report_confidence(report, frame, k, w):
 
 @compiled
 def adopt_reported_ball(belief, messages, r, frame, k, w, home, rows):
-    """Take over the ball of the most confident team-mate that has seen it more recently than the robot.  MH05
+    """Adopt the ball of the most confident team-mate that has seen it more recently than the robot.  MH05
 
     Of equally confident team-mates the nearest to the ball counts, then the lowest number.
     """
@@ -198,7 +198,7 @@ def adopt_reported_ball(belief, messages, r, frame, k, w, home, rows):
 
 @compiled
 def fill_reported_ball(belief, report, elapsed, late, confidence, k):
-    """Fill in the ball that a team-mate reported `elapsed` ago, rolled on and slowed down for `late` [s]."""
+    """Write the ball that a team-mate reported `elapsed` ago into the belief, extrapolated by `late` [s] of rolling."""
     own, ball = belief.own, belief.ball
     cosine, sine = cos(own.heading), sin(own.heading)
     speed = length(report.ball_vx, report.ball_vy)

@@ -1,4 +1,4 @@
-"""One thing tracked over time: place and speed (x, y, vx, vy).  [Heinemann et al. 2006, 1]  MH06
+"""Tracking of an object over time: position and velocity (x, y, vx, vy).  [Heinemann et al. 2006, 1]  MH06
 
 A thing is any record with x, y [m] in the robot frame and vx, vy [m/s], its velocity over the ground in the robot
 frame's axes: the ball's memory, or a track. A filter goes with it.
@@ -46,14 +46,14 @@ MOTION = ranged_record(
 
 @compiled
 def note_motion(motions, body):
-    """Store this frame's odometry among the last DELAYS frames."""
+    """Store this frame's odometry in a buffer of the last DELAYS frames."""
     motion = motions[body.frame % DELAYS]
     motion.forward, motion.left, motion.turn = body.forward, body.left, body.turn
 
 
 @compiled
 def place_of_sighting(sighting, motions, frame, frames):
-    """Convert a sighting in a picture some frames old to a place in the robot frame of now [m], for a still thing."""
+    """Convert a sighting `frames` frames old to a position in the present robot frame [m], for an object at rest."""
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
     x, y = distance * cos(bearing), distance * sin(bearing)
     for back in range(frames - 1, -1, -1):
@@ -65,7 +65,7 @@ def place_of_sighting(sighting, motions, frame, frames):
 
 @compiled
 def to_present_frame(thing, motion):
-    """Convert a thing's place and velocity to the robot frame of now, without the thing's own motion."""
+    """Convert an object's position and velocity to the present robot frame, as if the object did not move."""
     forward, left, turn = read_odometry(motion)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
     thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
@@ -73,7 +73,7 @@ def to_present_frame(thing, motion):
 
 @compiled
 def predict(thing, filter, motion, agility, slowing, k, s):
-    """Predict a thing for a frame: x = F x, with a deceleration `slowing` [m/s2], and P = F P F' + Q.  MH06"""
+    """Predict an object one frame ahead: x = F x with a deceleration `slowing` [m/s2], and P = F P F' + Q.  MH06"""
     speed = length(thing.vx, thing.vy)
     lost = min(slowing * k.dt, speed)
     share = 1.0 - lost / speed if speed > 0.0 else 1.0
@@ -88,7 +88,7 @@ def predict(thing, filter, motion, agility, slowing, k, s):
 
 @compiled
 def start(thing, filter, x, y, speed, s):
-    """Restart the track of a thing from one reading, with an unknown velocity of deviation `speed` [m/s]."""
+    """Restart the track of an object at one reading (x, y), with unknown velocity of deviation `speed` [m/s]."""
     thing.x, thing.y, thing.vx, thing.vy = x, y, 0.0, 0.0
     along, across = reading_sd(length(x, y), s)
     start_covariance(filter.along, along * along, speed)
@@ -98,7 +98,7 @@ def start(thing, filter, x, y, speed, s):
 
 @compiled
 def reading_sd(distance, s):
-    """Return the sd of a reading along and across the line of sight [m]: one pixel, mapped by the mirror.  MH02"""
+    """Return the standard deviation [m] of a reading along and across the line of sight: one pixel.  MH02"""
     pixels = sqrt(s.pixel_noise * s.pixel_noise + ROUNDING)
     along, across = metres_per_pixel(mirror_parameters(s), distance)
     return pixels * along, pixels * across
@@ -106,13 +106,13 @@ def reading_sd(distance, s):
 
 @compiled
 def place_at_exposure(thing, age):
-    """Return the place [m] of a thing at the exposure of a picture `age` [s] old, in the robot frame of now."""
+    """Return an object's position [m] at the exposure of a picture `age` [s] ago, in the present robot frame."""
     return thing.x - age * thing.vx, thing.y - age * thing.vy
 
 
 @compiled
 def correct_track(thing, filter, x, y, age, elapsed, s, w):
-    """Correct a thing's state with a reading (x, y) [m], `age` [s] old: x = x + K y.  MH06
+    """Correct an object's state by a reading (x, y) [m], `age` [s] old: x = x + K y.  MH06
 
     elapsed: time since the last reading [s]. The filter chosen in the settings gives the gains; without a filter the
     reading replaces the state, with velocity 0.

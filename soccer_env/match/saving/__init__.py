@@ -1,4 +1,4 @@
-"""Save, restore, hash and branch matches: bytes with a checked header, or copies in memory; nothing executable.
+"""Save, restore, hash and branch matches: checked bytes without executable content, or copies in memory.
 
 saves.py      a match as bytes and back, checked; hashes, copies by pickle
 fitting.py    the settings in which two matches differ, for error messages

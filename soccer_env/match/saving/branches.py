@@ -1,4 +1,4 @@
-"""Matches of one Match copied over matches of another, in memory, for planning and search.
+"""Copy matches of one Match over matches of another, in memory, for planning and search.
 
 A branch is one row copied in each array that a save holds. The physics of both matches is rebuilt, as by a save, so
 that branch and original have one future.
@@ -20,7 +20,7 @@ SEARCH = 1 << 40  # number of an episode that no match reaches: its random strea
 
 
 def check_rows(what: str, rows: Any, count: int, once: bool = False) -> np.ndarray:
-    """Return one match number, or several, as an array (n,); ValueError names the first number not below `count`."""
+    """Return one match number, or several, as an array (n,); ValueError names the first number out of range."""
     listed = [rows] if is_number(rows) else rows
     if isinstance(listed, (str, bytes)) or not isinstance(listed, (Iterable, np.ndarray)) or not np.iterable(listed):
         raise_not_allowed(what, "a match's number, or several", rows)
@@ -36,7 +36,7 @@ def check_rows(what: str, rows: Any, count: int, once: bool = False) -> np.ndarr
 
 
 def check_fits(source: Match, target: Any) -> None:
-    """Raise ValueError unless matches of `source` can go on in `target`."""
+    """Raise ValueError unless matches of `source` can be continued in `target`."""
     if not isinstance(target, type(source)) and not isinstance(source, type(target)):
         raise_not_allowed("into", "a Match or None", target)
     if source.play_fingerprint != target.play_fingerprint or saved_layout(source) != saved_layout(target):
@@ -49,7 +49,7 @@ def check_fits(source: Match, target: Any) -> None:
 
 
 def saved_layout(match: Match) -> list[tuple[str, np.dtype, tuple[int, ...]]]:
-    """Return for each saved array its name, its dtype and the shape of one match's part of it."""
+    """Return name, dtype and shape per match of each saved array."""
     return [(name, array.dtype, array.shape[1:]) for name, array in saved_arrays(match, memory=True).items()]
 
 
@@ -62,7 +62,7 @@ def copy_rows(source: Match, rows: np.ndarray, target: Match, at: np.ndarray) ->
 
 
 def renew_random_streams(match: Match, rows: np.ndarray, seed: Any) -> None:
-    """Give each of some matches new random streams of its own, drawn from a seed, until the end of its episode."""
+    """Replace the random streams of the matches `rows` by new streams from a seed, until the end of their episodes."""
     draw_streams(match.matches, match.robots, rows, seeds_for(seed, len(rows)))
 
 

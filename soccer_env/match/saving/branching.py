@@ -1,4 +1,4 @@
-"""The methods of `Match` for saves and branches."""
+"""The methods of `Match` that save, load and branch matches."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Branching:
-    """Save, load, branch, hash and copy the matches of a Match."""
+    """Methods of `Match` to save, load, branch, hash and copy matches."""
 
     if TYPE_CHECKING:
         arguments: MatchArguments
@@ -38,7 +38,7 @@ class Branching:
 
     @property
     def play_fingerprint(self) -> tuple[str, list[Any]]:
-        """Return the fingerprint of the settings and the squads, which a save must agree with."""
+        """Return the fingerprint of settings and squads; a save can be loaded only where it is equal."""
         return self._fingerprint, [squad.describe() for squad in self.squads]
 
     @cached_property
@@ -47,20 +47,20 @@ class Branching:
 
     @property
     def described_settings(self) -> dict[str, list[str]]:
-        """Return settings and teams in words, for the error message about a save or a branch that does not fit."""
-        return {**self._described, "teams": fitting.describe_teams(self)}
+        """Return settings and teams in words, for the error message about a save or branch with other settings."""
+        return {**self._settings_in_words, "teams": fitting.describe_teams(self)}
 
     @cached_property
-    def _described(self) -> dict[str, list[str]]:
+    def _settings_in_words(self) -> dict[str, list[str]]:
         return fitting.describe_settings(self)
 
     @cached_property
-    def _fitting(self) -> WeakSet[Any]:
-        """Return the Matches that are known to fit this Match; settings and teams never change."""
+    def _known_to_fit(self) -> WeakSet[Any]:
+        """Return the set of other Matches already known to have compatible settings and teams, which never change."""
         return WeakSet()
 
     def rebuild(self, rows: Iterable[int] | None = None) -> None:
-        """Rebuild the physics from the records, as a load does; matches with equal records then have equal futures."""
+        """Rebuild the physics from the records, as loading does, so that equal records have equal futures."""
         rows = range(self.count) if rows is None else list(rows)
         started, self.started = self.started, False
         self.batch.build_spaces(rows)
@@ -69,7 +69,7 @@ class Branching:
         self.started = started
 
     def save(self, rows: Any = None) -> bytes:
-        """Return all data that the matches' future depends on, and rebuild the physics of the matches from the data.
+        """Return all data that determine the matches' future, and rebuild the matches' physics from these data.
 
         A rebuild clears the history of contacts: the running match goes on like every copy of the save, but not like a
         match without the save. Runs that save at the same steps are reproducible.
@@ -82,7 +82,7 @@ class Branching:
         return saved
 
     def load(self, saved: bytes, rows: Any = None) -> None:
-        """Go on from a save, in all matches or in some rows; the other matches go on undisturbed.
+        """Continue from a save, in all matches or in some rows; the other matches are not disturbed.
 
         A save of one match fills every row. ValueError, and no change, if the save is damaged, has other settings, or
         another number of matches.
@@ -96,7 +96,7 @@ class Branching:
         self._prepare_to_continue(np.arange(self.count) if numbers is None else numbers)
 
     def branch(self, rows: Any, into: Self | None = None, *, at: Any = None, noise: int | None = None) -> Self:
-        """Copy matches over matches of another Match, in memory; return that Match.
+        """Copy matches of this Match over matches of another Match, in memory; return the other Match.
 
         rows: number of a match, or several. into: a Match of the same settings and teams, whose number of matches,
         seeds, observations, rewards and actions may differ; None: a new Match with one match for each row. at: the
@@ -110,9 +110,9 @@ class Branching:
         """
         numbers = branches.check_rows("rows", rows, self.count)
         other = type(self)(**self._changed_arguments(matches=len(numbers))) if into is None else into
-        if other not in self._fitting:
+        if other not in self._known_to_fit:
             branches.check_fits(self, other)
-            self._fitting.add(other)
+            self._known_to_fit.add(other)
         over = np.arange(other.count) if at is None else branches.check_rows("at", at, other.count, once=True)
         if len(numbers) not in (1, len(over)):
             raise ValueError(f"rows must be one match or as many as are overwritten, {len(over)}, got {len(numbers)}")
@@ -123,7 +123,7 @@ class Branching:
         return other
 
     def _take(self, other: Self, rows: np.ndarray, over: np.ndarray, noise: int | None) -> None:
-        """Copy the matches `rows` of another Match over the matches `over` of this one, and prepare them to go on."""
+        """Copy the matches `rows` of another Match over the matches `over` of this Match, ready to continue."""
         self.started = False
         branches.copy_rows(other, rows, self, over)
         if noise is not None:
@@ -131,7 +131,7 @@ class Branching:
         self._prepare_to_continue(over)
 
     def _prepare_to_continue(self, rows: np.ndarray) -> None:
-        """Rebuild the physics of matches whose records were just overwritten, clear their rewards, and observe them."""
+        """Rebuild the physics of matches with new records, clear their rewards, and write their observations."""
         self.rebuild(rows.tolist())
         self.rewards[rows] = 0.0
         self.terms[rows] = 0.0
@@ -144,11 +144,11 @@ class Branching:
         self.started = True
 
     def __reduce__(self) -> Made:
-        """Pickle the settings and a save: pickled and deep copies have the future of the original."""
+        """Pickle the match as its settings and a save, so that a copy has the future of the original."""
         return saves.reduce_by_save(self, type(self), self._changed_arguments())
 
     def _changed_arguments(self, **changes: Any) -> dict[str, Any]:
-        """Return the constructor arguments of this Match with some changes, to build a copy."""
+        """Return the constructor arguments of this Match with some of them changed, to build a copy."""
         return {**select_fields(self.arguments, MatchArguments), "seed": 0, "seeds": None, **changes}
 
     def state_hash(self, m: int | None = None) -> str:

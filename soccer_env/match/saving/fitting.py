@@ -1,4 +1,4 @@
-"""The settings in which two matches differ, in words, for the errors of load and branch.
+"""Describe in words the settings in which two matches differ, for the errors of load and branch.
 
 A save carries the result of `describe_settings` for these messages alone: fingerprints decide whether a save fits.
 """
@@ -20,7 +20,7 @@ INNER = ("padded", *LENGTH, SENSED)  # `describe_differences` names these under 
 
 
 def describe_settings(match: Match) -> dict[str, list[str]]:
-    """Return [description, hash] of each setting that a save or a branch must agree with, without the teams."""
+    """Return [description, hash] of each setting that must be equal to load a save or a branch, without the teams."""
     settings = match.settings
     values = {name: value for name, value in settings.describe().items() if name not in FREE}
     values |= {name: getattr(settings, name) for name in LENGTH} | {"limit": settings.limit}
@@ -33,19 +33,19 @@ def describe_settings(match: Match) -> dict[str, list[str]]:
 
 
 def describe_teams(match: Match) -> list[str]:
-    """Return [description, hash] of the teams, which can change while a match runs: past versions of a learner do."""
+    """Return [description, hash] of the teams; teams are apart because they can change while a match runs."""
     teams = [team_description(match, squad) for squad in match.squads]
     return [setting_in_words("teams", teams), short_hash(teams)]
 
 
 def team_description(match: Match, squad: Any) -> list[Any]:
-    """Return name, settings and agents of a squad's team: unlike rows, agents do not depend on team sizes."""
+    """Return [name, settings, agents] of a squad's team; agent names, unlike rows, do not depend on team sizes."""
     name, settings, rows = squad.describe()
     return [name, settings, [match.agents[row] for row in rows]]
 
 
 def setting_in_words(name: str, value: Any) -> str:
-    """Describe the value of a setting in a few words; a value with a name by its name."""
+    """Describe the value of a setting in a few words; a value that has a name by its name."""
     if name == "teams":
         return "; ".join(f"{team} ({', '.join(agents)})" for team, _, agents in value) or "none"
     if name == "senses":
@@ -54,7 +54,7 @@ def setting_in_words(name: str, value: Any) -> str:
 
 
 def short_hash(value: Any) -> str:
-    """Return a short hash of a value."""
+    """Return a short hash of the value of a setting."""
     return hashlib.sha256(json.dumps(value, sort_keys=True, default=str).encode()).hexdigest()[:DIGITS]
 
 

@@ -1,4 +1,4 @@
-"""Save, restore and hash matches: bytes with a checked header, nothing executable.
+"""Save, restore and hash matches: a save is bytes with a checked header, and holds nothing executable.
 
 A save holds the records and the memories of the teams. Physics is rebuilt from the records, so a save has one future.
 """
@@ -33,7 +33,7 @@ FIXED = ("team", "number", "keeper")  # fields of a robot that never change
 
 
 def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
-    """Return by name the arrays that a match's future depends on; `memory`: with the arrays of teams and senses."""
+    """Return by name the arrays that determine a match's future; `memory`: including the arrays of teams and senses."""
     names = ("seeds", "matches", "balls", "robots", "events", "robot_events", "terminated", "truncated")
     arrays = {name: getattr(match, name) for name in names}
     if not memory:
@@ -46,12 +46,12 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
 
 
 def saved_arrays(match: Match, memory: bool) -> dict[str, np.ndarray]:
-    """Return the arrays of a save: the arrays that the future depends on, and the statistics of play so far."""
+    """Return the arrays of a save by name: all arrays that determine the future, and the statistics so far."""
     return parts(match, memory) | ({"statistics": match.statistics} if memory else {})
 
 
 def save_header(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> dict[str, Any]:
-    """Return the header that a save of some arrays must have to be loaded."""
+    """Return the header of a save; a save can be loaded only if its header equals that of the match."""
     settings, teams = match.play_fingerprint if memory else ("", [])
     return {
         "settings": settings,
@@ -62,7 +62,7 @@ def save_header(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> di
 
 @functools.cache
 def dtype_text(dtype: np.dtype) -> str:
-    """Return a dtype as text, cached: numpy needs longer for the text of all records than the rest of a save."""
+    """Return a dtype as text, from a cache: numpy would need longer for this text than for the rest of a save."""
     return str(dtype)
 
 
@@ -79,14 +79,14 @@ def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> b
 
 
 def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> None:
-    """Fill the arrays of a match, or of some rows, from a save; ValueError, and no change, if the save does not fit."""
+    """Fill the arrays of a match, or of some rows, from a save; if that fails, raise ValueError and change nothing."""
     fill_match(match, arrays_of_save(match, saved, memory, rows), rows)
 
 
 def arrays_of_save(
     match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None
 ) -> dict[str, np.ndarray]:
-    """Return the arrays of a save by name; ValueError if the save does not fit the match."""
+    """Read the arrays of a save by name; ValueError if the save does not fit the match."""
     body, start, header = open_save(saved)
     count = count_saved_matches(header, match.count, rows)
     there = saved_arrays(match, memory)
@@ -110,7 +110,7 @@ def arrays_of_save(
 
 
 def fill_match(match: Match, arrays: dict[str, np.ndarray], rows: np.ndarray | None = None) -> None:
-    """Write arrays of a save into a match."""
+    """Write the arrays of a save into a match."""
     there = saved_arrays(match, memory="statistics" in arrays)
     for name, values in arrays.items():
         as_bytes(there[name])[slice(None) if rows is None else rows] = as_bytes(values)
@@ -122,7 +122,7 @@ def as_bytes(records: np.ndarray) -> np.ndarray:
 
 
 def count_saved_matches(header: dict[str, Any], there: int, rows: np.ndarray | None) -> int:
-    """Return the number of matches in a save; ValueError unless it is 1 or the number of rows."""
+    """Return the number of matches in a save; ValueError unless it is 1 or equals the number of rows."""
     try:
         count = header["parts"][0][2][0]
     except (KeyError, IndexError, TypeError) as error:
@@ -138,7 +138,7 @@ def count_saved_matches(header: dict[str, Any], there: int, rows: np.ndarray | N
 
 
 def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
-    """Return the body of a save, the start of its arrays, and its header; ValueError if the save is damaged."""
+    """Return the body of a save, the offset of its arrays, and its header; ValueError if the save is damaged."""
     if not isinstance(saved, (bytes, bytearray, memoryview)):
         raise ValueError(f"a save is bytes, got {type(saved).__name__}")
     data = bytes(saved)
@@ -160,7 +160,7 @@ def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
 
 
 def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
-    """Raise ValueError if a number of a save cannot come from this match."""
+    """Raise ValueError if a number in a save is outside the range that this match can produce."""
     for name, array in arrays.items():
         field = first_out_of_range(array, len(match.agents))
         if field:
@@ -177,7 +177,7 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
 
 
 def check_caught_legs(robots: np.ndarray, legs: bool) -> None:
-    """Raise ValueError unless every caught leg of robots (M, R) is held by another robot, and both are on the pitch."""
+    """Raise ValueError unless each caught leg of robots (M, R) is held by another robot, with both on the pitch."""
     holder, active = robots["caught_by"] - 1, robots["active"] == 1
     held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
     if not legs or not (held | (holder < 0)).all():
@@ -188,13 +188,13 @@ def check_caught_legs(robots: np.ndarray, legs: bool) -> None:
 
 
 def reduce_by_save(match: Any, make: Callable[..., Any], settings: dict[str, Any]) -> Made:
-    """Return the value of `__reduce__` for a match that `make` builds from settings; the match's physics is rebuilt."""
+    """Return the value of `__reduce__` that pickles a match as its settings and a save; this rebuilds its physics."""
     LOG.info("a match is copied: its physics is rebuilt from its records, as by save()")
     return rebuild_from_save, (version(), make, settings, match.save())
 
 
 def rebuild_from_save(made_by: str, make: Callable[..., Any], settings: dict[str, Any], saved: bytes) -> Any:
-    """Rebuild a pickled match from settings and a save; ValueError as for `rebuild_from_settings`."""
+    """Rebuild a pickled match from settings and a save; errors as in `rebuild_from_settings`."""
 
     def make_and_load(**settings: Any) -> Any:
         match = make(**settings)
@@ -216,7 +216,7 @@ def state_hash(match: Match, m: int | None = None) -> str:
 
 
 def play_hash(match: Match) -> str:
-    """Return a hash of the records of play, which follow from the commands alone, without teams and senses."""
+    """Return a hash of the records that follow from the commands alone; memories of teams and sensors do not count."""
     digest = hashlib.blake2b(digest_size=16)
     robots = match.robots.copy()
     robots["noise"][..., THOUGHT] = 0

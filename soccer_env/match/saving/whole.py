@@ -1,4 +1,4 @@
-"""Steps, resets, loads and branches are done whole or not at all, in one thread at a time."""
+"""Guards: steps, resets, loads and branches run in one thread at a time, and an error undoes them completely."""
 
 from collections.abc import Iterator
 from typing import Any, TypeVar
@@ -22,7 +22,7 @@ def guard_match_methods(kind: type[T]) -> type[T]:
 
 
 def make_undo(match: Match, doing: str) -> GoBack | None:
-    """Return a function that restores the present state of a match; None at the first reset.
+    """Return a function that restores the present state of a match; None before the first reset.
 
     Physics that has moved is rebuilt as by a load.
     """
@@ -49,7 +49,7 @@ def make_undo(match: Match, doing: str) -> GoBack | None:
 
 
 def mutable_arrays(match: Match) -> dict[str, np.ndarray]:
-    """Return by name the arrays of a match that a step, reset or load changes."""
+    """Return by name the arrays of a match that a step, reset or load can change."""
     seen = dict(observation_arrays("observations", match.observations))
     return {**saved_arrays(match, True), "rewards": match.rewards, "terms": match.terms, **seen}
 
@@ -64,7 +64,7 @@ def observation_arrays(name: str, observations: Any) -> Iterator[tuple[str, np.n
 
 
 def signals_wait(match: Match, doing: str) -> bool:
-    """Tell whether signals wait during a method: not if the method calls users' code or may compile."""
+    """Tell whether signals such as Ctrl-C wait until a method ends: not if it calls users' code or may compile."""
     return doing in match._turn.sure
 
 

@@ -1,4 +1,4 @@
-"""From the pieces of a sketch to the blobs that the vision delivers: misses, merging, noise, whole pixels.  MS04
+"""Turn the visible pieces of a sketch into the blobs that the vision reports, with misses, merging and noise.  MS04
 
 Random numbers are drawn piece by piece in the order of the sketch, which is the same in a mirrored match and for both
 teams. Only pieces in the picture cost a draw.
@@ -31,13 +31,13 @@ TOUCHING = 0.5  # [px] gap below which two pieces are one blob, assumed
 
 @compiled
 def deliver_blobs(sketch, percept, state, noise, s):
-    """Fill in the blobs of a percept from a sketch; a robot's scale error of sizes is drawn once an episode.  MS04"""
+    """Report the blobs of a sketch in a percept; the scale error of blob sizes is drawn once an episode.  MS04"""
     if state.scale == 0.0:
         state.scale = max(1.0 + s.scale_error * draw_normal(noise, CAMERA_NOISE), SCALE_LEAST)
     miss_pieces(sketch, BALL, noise, s.ball_miss)
-    add_spots(sketch, TEAMMATES, noise, s)
-    add_spots(sketch, OPPONENTS, noise, s)
-    add_patches(sketch)
+    add_orange_spots(sketch, TEAMMATES, noise, s)
+    add_orange_spots(sketch, OPPONENTS, noise, s)
+    add_ball_coloured_patches(sketch)
     miss_players(sketch, noise, s)
     report_blobs(sketch, BALL, percept.ball, state.scale, noise, 0.0, s)
     report_blobs(sketch, TEAMMATES, percept.teammates, state.scale, noise, s.sticker_miss, s)
@@ -49,7 +49,7 @@ def deliver_blobs(sketch, percept, state, noise, s):
 
 @compiled
 def miss_pieces(sketch, kind, noise, probability):
-    """Remove the pieces of a kind that the vision misses in this frame, with one random draw for each piece.  MS37"""
+    """Remove at random the pieces of one kind that the vision misses in this frame; one draw for each piece.  MS37"""
     kept, count = 0, sketch.counts[kind]
     for i in range(count):
         if draw_uniform(noise, CAMERA_NOISE) >= probability:
@@ -61,7 +61,7 @@ def miss_pieces(sketch, kind, noise, probability):
 
 @compiled
 def miss_players(sketch, noise, s):
-    """Remove all stickers of players that the vision misses in this frame, with one draw per visible jersey.  MS37"""
+    """Remove at random the stickers that the vision misses in this frame; one draw for each visible jersey.  MS37"""
     if s.player_miss <= 0.0:
         return
     kept_of_mates = kept_of_opponents = 0
@@ -82,8 +82,8 @@ def miss_players(sketch, noise, s):
 
 
 @compiled
-def add_spots(sketch, kind, noise, s):
-    """Add the orange spots on stickers, which the vision may take for the ball in this frame.
+def add_orange_spots(sketch, kind, noise, s):
+    """Add orange spots on some stickers, which the vision may mistake for the ball in this frame.
 
     Both teams' stickers show spots, although only one team's stickers are red: otherwise the red team would be at a
     disadvantage, and swapping the teams would change a match.
@@ -101,8 +101,8 @@ def add_spots(sketch, kind, noise, s):
 
 
 @compiled
-def add_patches(sketch):
-    """Add the patches to the pieces in the ball's colour."""
+def add_ball_coloured_patches(sketch):
+    """Add the ball-coloured patches beyond the boards to the pieces in the ball's colour."""
     for i in range(sketch.counts[PATCHES]):
         if sketch.counts[BALL] < PIECES:
             sketch.pieces[BALL, sketch.counts[BALL]] = sketch.pieces[PATCHES, i]
@@ -111,7 +111,7 @@ def add_patches(sketch):
 
 @compiled
 def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
-    """Fill in the four largest blobs of a kind, largest first; each piece is missed with probability `missed`.  MS04
+    """Report the four largest blobs of a kind, largest first; each piece is missed with probability `missed`.  MS04
 
     [Sacks 2001, 2] Regions of any colour below the least area are dropped, as vision libraries do.  MS14
     """
@@ -121,7 +121,7 @@ def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
         miss_pieces(sketch, kind, noise, missed)
     pieces, count = sketch.pieces[kind], sketch.counts[kind]
     if count > 1:
-        count = merge(pieces, count)
+        count = merge_touching_pieces(pieces, count)
         put_largest_first(pieces, count, sketch.spare_piece)
     kept = 0
     for i in range(min(count, BLOBS)):
@@ -130,7 +130,7 @@ def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
             continue
         place = kept
         while place > 0 and blobs[place].area > blobs[place - 1].area:
-            swap(blobs, place, place - 1, sketch.spare_blob)
+            swap_records(blobs, place, place - 1, sketch.spare_blob)
             place -= 1
         kept += 1
     for i in range(kept, BLOBS):
@@ -140,7 +140,7 @@ def report_blobs(sketch, kind, blobs, scale, noise, missed, s):
 
 @compiled
 def report_landmarks(sketch, blobs, scale, noise, s):
-    """Fill in the blob of each landmark; the left one of a pair is drawn first, in a mirrored match the right one."""
+    """Report the blob of each landmark; the left of a pair is drawn first, in a mirrored match the right."""
     for i in range(LANDMARKS):
         index = i if sketch.camera.handedness > 0.0 else i + 1 - 2 * (i % 2)
         if sketch.landmarks[index].area > 0.0 and draw_uniform(noise, CAMERA_NOISE) >= s.landmark_miss:
@@ -152,8 +152,8 @@ def report_landmarks(sketch, blobs, scale, noise, s):
 
 
 @compiled
-def merge(pieces, count):
-    """Merge pieces that touch or overlap, since the vision sees only their colour; return the number of pieces left."""
+def merge_touching_pieces(pieces, count):
+    """Merge pieces that touch or overlap, as a vision by colour does; return the number of pieces left."""
     i = 0
     while i < count:
         j = i + 1
@@ -174,7 +174,7 @@ def merge(pieces, count):
 
 @compiled
 def pieces_touch(one, other):
-    """Tell whether two pieces are so close that they make one blob."""
+    """Tell whether two pieces are so close that the vision sees them as one blob."""
     return (
         one.right < other.left + TOUCHING
         and other.right < one.left + TOUCHING
@@ -192,12 +192,12 @@ def put_largest_first(pieces, count, spare):
             if pieces[i].area > pieces[largest].area:
                 largest = i
         if largest > place:
-            swap(pieces, place, largest, spare)
+            swap_records(pieces, place, largest, spare)
 
 
 @compiled
-def swap(things, one, other, spare):
-    """Swap two records of an array, by index; spare: scratch record (1,)."""
+def swap_records(things, one, other, spare):
+    """Swap two records of an array by index; `spare` is a scratch record (1,)."""
     spare[0] = things[one]
     things[one] = things[other]
     things[other] = spare[0]
@@ -205,7 +205,7 @@ def swap(things, one, other, spare):
 
 @compiled
 def measure_blob(camera, piece, blob, scale, noise, s):
-    """Fill in the blob that the vision makes of a visible coloured piece of a thing: whole pixels, within the picture.
+    """Measure a visible coloured piece as a blob: a box in whole pixels within the picture, with noise.
 
     Size and place vary at random by s.dither [px]; a piece that is cut off at an edge of the picture stays at the edge.
     """
@@ -214,8 +214,8 @@ def measure_blob(camera, piece, blob, scale, noise, s):
     rows = round_to_pixels(height * scale + s.dither * draw_bell_curve(noise), 2.0 * camera.half_height)
     u = 0.5 * (piece.left + piece.right) + s.dither * draw_bell_curve(noise)
     v = 0.5 * (piece.high + piece.low) + s.dither * draw_bell_curve(noise)
-    left = place_edge(u, columns, piece.left, piece.right, camera.half_width)
-    high = place_edge(v, rows, piece.high, piece.low, camera.half_height)
+    left = blob_edge(u, columns, piece.left, piece.right, camera.half_width)
+    high = blob_edge(v, rows, piece.high, piece.low, camera.half_height)
     blob.high, blob.low = int(high), int(high - rows)
     blob.area = int(max(floor(piece.area / (width * height) * columns * rows + 0.5), 1.0))
     if camera.handedness > 0.0:
@@ -231,8 +231,8 @@ def round_to_pixels(size, most):
 
 
 @compiled
-def place_edge(middle, count, high, low, border):
-    """Return the upper or left edge of `count` pixels about a middle; a piece at the picture's border stays there."""
+def blob_edge(middle, count, high, low, border):
+    """Return the edge of a blob of `count` pixels about `middle`, or the picture's border if the piece reaches it."""
     if high >= border - EDGE:
         return border
     if low <= EDGE - border:
@@ -242,7 +242,7 @@ def place_edge(middle, count, high, low, border):
 
 @compiled
 def draw_bell_curve(noise):
-    """Draw from a bell curve of mean 0 and deviation 1: the sum of the eight bytes of one draw.
+    """Draw an approximately normal number of mean 0 and deviation 1: the sum of the eight bytes of one random draw.
 
     Ten times cheaper than `draw_normal`, and close to the normal distribution; no value lies beyond 4.9.
     """

@@ -1,4 +1,4 @@
-"""The other robots in view of a camera: where they stand, and the boxes that hide things behind them.
+"""The other robots in view of a camera: their places, and the boxes with which they hide things behind them.
 
 A body is two upright boxes: the trunk over the rectangle round its hull, from the belly to the back, and a cube for the
 head, which turns and moves with pan and tilt. Legs are left out: the camera sees through under the belly.
@@ -74,7 +74,7 @@ RECTANGLE = np.dtype(
 
 @compiled
 def measure_hull(rectangle, k, s):
-    """Fill in the constants: the rectangle round the hull, and spheres round trunk, head and the whole robot."""
+    """Compute constants of the robots' hull: the rectangle round it, and spheres round trunk, head and whole robot."""
     rectangle.back, rectangle.front, rectangle.half_width = hull_edges(k)
     half = 0.5 * s.head_size
     swing = length(s.camera_ahead - half, s.camera_up)  # of the head's middle about the neck
@@ -90,7 +90,7 @@ def measure_hull(rectangle, k, s):
 
 @compiled
 def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
-    """Fill in the bodies of the robots that may be in the picture of robot r; return the number of bodies.
+    """List the bodies of the robots that may be in the picture of robot r; return the number of bodies.
 
     Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
@@ -104,15 +104,15 @@ def find_bodies(camera, robots, r, poses, rectangle, s, bodies):
             if in_view(camera, ahead, left, rectangle.middle, rectangle.extent):
                 update_pose_angles(poses[other], robot, camera.handedness)
                 bodies[count].teammate = teammate
-                put_trunk(camera, ahead, left, poses[other], rectangle, s, bodies[count].boxes[TRUNK])
-                put_head(camera, ahead, left, poses[other], rectangle, s, bodies[count])
+                place_trunk(camera, ahead, left, poses[other], rectangle, s, bodies[count].boxes[TRUNK])
+                place_head(camera, ahead, left, poses[other], rectangle, s, bodies[count])
                 count += 1
     return count
 
 
 @compiled
-def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
-    """Fill in the trunk of a robot whose origin is at ahead, left [m]."""
+def place_trunk(camera, ahead, left, pose, rectangle, s, trunk):
+    """Place the box of a robot's trunk, for a robot whose origin is at ahead, left [m] in camera axes."""
     trunk.cosine, trunk.sine = into_frame(pose.cosine, pose.sine, camera.cosine, camera.sine)
     middle = 0.5 * (rectangle.back + rectangle.front)
     trunk.ahead, trunk.left = ahead + middle * trunk.cosine, left + middle * trunk.sine
@@ -122,8 +122,8 @@ def put_trunk(camera, ahead, left, pose, rectangle, s, trunk):
 
 
 @compiled
-def put_head(camera, ahead, left, pose, rectangle, s, body):
-    """Fill in the head of a robot whose origin is at ahead, left [m], and the place of the head's stickers.
+def place_head(camera, ahead, left, pose, rectangle, s, body):
+    """Place the box of a robot's head and its stickers, for a robot whose origin is at ahead, left [m] in camera axes.
 
     The head's own camera is in the middle of the face. Head and stickers move with the tilt, but stay upright.
     """
@@ -145,7 +145,7 @@ def put_head(camera, ahead, left, pose, rectangle, s, body):
 
 @compiled
 def place_box(camera, box, radius, extent):
-    """Fill in a box's distance, and whether it may be in the picture; a sphere of radius `extent` holds the box."""
+    """Compute a box's distance, and whether it may be in the picture; a sphere of radius `extent` encloses the box."""
     box.radius = radius
     box.distance = length(box.ahead, box.left)
     box.traced = 0
@@ -154,14 +154,14 @@ def place_box(camera, box, radius, extent):
 
 @compiled
 def in_box_axes(box, ahead, left):
-    """Convert a point to the axes of a box: its coordinates along length and width from the box's middle [m]."""
+    """Convert a point from camera axes to the axes of a box: coordinates along its length and width [m]."""
     ahead, left = ahead - box.ahead, left - box.left
     return into_frame(ahead, left, box.cosine, box.sine)
 
 
 @compiled
 def trace_box(camera, box, tracing, outline):
-    """Compute the outline of a box in the picture. Bits of a corner's index: 1 behind, 2 right, 4 low."""
+    """Compute the outline of a box in the picture. A corner's index has the bits 1 behind, 2 right, 4 low."""
     nearest = inf
     for i in range(CORNERS):
         x = -box.half_length if i & 1 else box.half_length
@@ -170,16 +170,16 @@ def trace_box(camera, box, tracing, outline):
         depth = put_corner(camera, tracing.corners[i], ahead, left, box.low if i & 4 else box.high)
         nearest = min(nearest, depth)
     box.traced = 1
-    first, count = faces_seen(box)
+    first, count = visible_faces(box)
     if nearest < LENS or count == 0:
         set_convex_hull(outline, tracing.points, project_box(camera, tracing))
     else:
-        follow_edges(camera, box, tracing.corners, outline, first, count)
+        trace_visible_faces(camera, box, tracing.corners, outline, first, count)
 
 
 @compiled
-def faces_seen(box):
-    """Return the leftmost upright face of a box in view, and the number of faces in view: 1, 2, or 0 from inside.
+def visible_faces(box):
+    """Return the leftmost visible side face of a box, and the number of visible side faces: 1, 2, or 0 from inside.
 
     Faces go round counter-clockwise, face i from corner i to corner i + 1 of the ring: left, behind, right, ahead.
     """
@@ -196,28 +196,28 @@ def faces_seen(box):
 
 
 @compiled
-def upper_corner(i):
-    """Return the i-th upper corner of a box, counter-clockwise from the one ahead and left: 0, 1, 3, 2."""
+def upper_corner_index(i):
+    """Return the index of the i-th upper corner of a box, counter-clockwise from front left: 0, 1, 3, 2."""
     return (i & 3) ^ ((i & 3) >> 1)
 
 
 @compiled
-def follow_edges(camera, box, corners, outline, first, count):
-    """Trace the outline of a box that lies before the lens, whose faces first, ..., first + count - 1 are seen.
+def trace_visible_faces(camera, box, corners, outline, first, count):
+    """Trace the outline of a box in front of the lens, whose faces first, ..., first + count - 1 are visible.
 
     Seen from above, the far edges of the top and the near edges of the bottom bound the box; from below, the reverse.
     """
     from_above, over_belly = camera.height > box.high, camera.height > box.low
-    right, left = upper_corner(first + count), upper_corner(first)
+    right, left = upper_corner_index(first + count), upper_corner_index(first)
     begin_outline(outline, corners[right], corners[right + LOW])
     for i in range(1, 4 - count):  # the far corners, from right to left
-        corner = upper_corner(first + count + i)
+        corner = upper_corner_index(first + count + i)
         if from_above:
             add_upper(outline, corners[corner])
         if not over_belly:
             add_lower(outline, corners[corner + LOW])
     if count == 2:  # the near corner
-        corner = upper_corner(first + 1)
+        corner = upper_corner_index(first + 1)
         if not from_above:
             add_upper(outline, corners[corner])
         if over_belly:

@@ -1,4 +1,4 @@
-"""Tables from sizes in the picture to ranges, made by rendering noiseless pictures.  MS09, MS33
+"""Calibration tables from sizes in the picture to ranges, computed from noiseless pictures.  MS09, MS33
 
 As a team would do it on its field: a ball, then a robot, is put before a robot that looks at it, every 5 cm from 15 cm
 to 3 m, and its size in the picture is noted. Sizes are taken from the sketch, before they become whole pixels, so that
@@ -55,7 +55,7 @@ SIZE = np.dtype(
 
 @lru_cache(maxsize=64)
 def calibrate(league: League) -> np.ndarray:
-    """Return the (1,) record of tables for a league's camera.  [Sacks 2001, 3.1.1, 4.1.2]  MS09, MS33"""
+    """Return the calibration tables (1,) of a league's camera.  [Sacks 2001, 3.1.1, 4.1.2]  MS09, MS33"""
     tables, s = np.zeros(1, CALIBRATION), league.sensors
     ranges = np.arange(round((FARTHEST - NEAREST) / STEP) + 1) * STEP + NEAREST
     ball = rendered_sizes(league, ranges, league.ball.radius, BALL, 0.0)
@@ -71,7 +71,7 @@ def calibrate(league: League) -> np.ndarray:
 
 
 def rendered_sizes(league: League, ranges: np.ndarray, height: float, kind: int, heading: float) -> np.ndarray:
-    """Return the SIZE of a kind of thing at each range; the camera aims at the thing, `height` [m] above the ground."""
+    """Return the SIZE in the picture of a kind of thing at each range; the camera aims at its `height` [m]."""
     match = np.zeros(1, MATCH)
     ball = np.zeros(1, BALL_RECORD)
     robots = np.zeros((1, 2), ROBOT)
@@ -87,7 +87,7 @@ def rendered_sizes(league: League, ranges: np.ndarray, height: float, kind: int,
 
 @compiled
 def render_sizes(matches, balls, robots, constants, sensors, ranges, height, kind, sizes):
-    """Fill in the sizes of the ball, or of robot 1, in the picture of robot 0 at each range."""
+    """Measure the sizes in the picture of robot 0 of the ball, or of robot 1, at each range."""
     k = constants[0]
     s = sensors[0]
     sketches = make_sketch(constants[0], sensors[0])
@@ -102,12 +102,12 @@ def render_sizes(matches, balls, robots, constants, sensors, ranges, height, kin
         else:
             robots[0, 1].x = x
         draw_scene(matches[0], balls[0], robots[0], k, s, 0, sketches[0])
-        measure_pieces(sketches[0], kind, sizes[i])
+        measure_size_in_sketch(sketches[0], kind, sizes[i])
 
 
 @compiled
-def measure_pieces(sketch, kind, size):
-    """Fill in the sizes [px] of the largest piece of a kind and of the box round all its pieces."""
+def measure_size_in_sketch(sketch, kind, size):
+    """Measure the sizes [px] of the largest piece of a kind, and of the box round all its pieces."""
     size.width = size.height = size.together = nan
     largest = high = low = 0.0
     whole = True
@@ -126,7 +126,7 @@ def measure_pieces(sketch, kind, size):
 
 
 def range_table(ranges: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the range [m] for each whole size [px], interpolated between rendered sizes, never growing with the size.
+    """Return a table of the range [m] for each whole size [px], interpolated between the rendered sizes.
 
     Beyond both ends the last two ranges are extrapolated in inverse proportion to the size; size 0 reads as size 1.
     """

@@ -1,4 +1,4 @@
-"""The camera of a legged robot: where it is, where it looks, and what lies within its view.  MS08
+"""The camera of a legged robot: its position, its direction, and a test whether things are in view.  MS08
 
 Everything is seen in the camera's level axes: `ahead` and `left` over the ground from the point below the camera, along
 and across the direction in which it looks; heights from the ground. The picture has u [px] to the left and v [px] up
@@ -56,7 +56,7 @@ CAMERA = np.dtype(
 
 @compiled
 def open_camera(camera, s):
-    """Fill in the constants: focal lengths, size of the picture, edges of the view."""
+    """Compute the constants of a camera: focal lengths, size of the picture, edges of the view."""
     camera.focal_x, camera.focal_y = focal_x(s), focal_y(s)
     camera.half_width, camera.half_height = 0.5 * image_width(s), 0.5 * image_height(s)
     camera.least_area = 0.25 * s.least_area * (1 << (2 * s.resolution))  # the setting is given at 88x72
@@ -66,7 +66,7 @@ def open_camera(camera, s):
 
 @compiled
 def face_ahead(pose):
-    """Fill in the pose of a robot that looks ahead along the field."""
+    """Set a cached pose to that of a robot that looks straight ahead along the field."""
     pose.heading = pose.pan = pose.tilt = 0.0
     pose.cosine = pose.gaze_cosine = pose.level = 1.0
     pose.sine = pose.gaze_sine = pose.steep = 0.0
@@ -87,7 +87,7 @@ def update_pose_angles(pose, robot, handedness):
 
 @compiled
 def point_camera(camera, robot, pose, handedness, s):
-    """Set the camera's place and axes for a robot's head: the `camera_place` in the field frame.  MS08"""
+    """Set position and axes of the camera in a robot's head, in the field frame.  MS08"""
     forward, rise = tilt_point(s.camera_ahead, s.camera_up, pose.level, pose.steep, 0.0)
     camera.handedness, camera.height = handedness, s.neck_height + rise
     camera.x = robot.x + s.neck_ahead * pose.cosine + forward * pose.gaze_cosine
@@ -98,21 +98,21 @@ def point_camera(camera, robot, pose, handedness, s):
 
 @compiled
 def from_camera(camera, x, y):
-    """Convert a point of the field to distances ahead and to the left of the camera [m]."""
+    """Convert a point from the field frame to distances ahead and to the left of the camera [m]."""
     x, y = x - camera.x, camera.handedness * y - camera.y
     return into_frame(x, y, camera.cosine, camera.sine)
 
 
 @compiled
 def to_camera_axes(camera, ahead, left, height):
-    """Convert a point to its depth along the optical axis, and its distances left of and above that axis [m]."""
+    """Convert a point to its depth along the optical axis, and its distances to the left of and above that axis [m]."""
     up = height - camera.height
     return ahead * camera.level + up * camera.steep, left, up * camera.level - ahead * camera.steep
 
 
 @compiled
 def in_view(camera, ahead, left, height, radius):
-    """Tell whether part of a sphere may be in the picture: inside the view's four planes and before the lens."""
+    """Tell whether any part of a sphere may be in the picture: within the four planes of the view, before the lens."""
     depth, left, above = to_camera_axes(camera, ahead, left, height)
     return (
         depth > -radius
@@ -123,7 +123,7 @@ def in_view(camera, ahead, left, height, radius):
 
 @compiled
 def sphere_box(camera, depth, left, above, radius):
-    """Return the box (left, right, high, low) [px] round the picture of a sphere that lies wholly before the lens.
+    """Return the bounding box (left, right, high, low) [px] of a sphere in the picture, wholly in front of the lens.
 
     Its edges are the planes through the lens, along an axis of the picture, that touch the sphere: exact everywhere.
     """

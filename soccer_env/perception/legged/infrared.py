@@ -1,4 +1,4 @@
-"""The infrared ranger on the camera's axis: it measures whatever its beam meets first.  [Sacks 2001, 1, 2]  MS05, MS06
+"""The infrared ranger on the camera's axis measures the distance to the first thing.  [Sacks 2001, 1, 2]  MS05, MS06
 
 The beam is a ray. A robot is a trunk, a head and four legs: its trunk spans the hull, or shoulders and hips over the
 legs; its legs are posts as thick as the paws, which stand in mid-stroke and between which a beam passes. The own body
@@ -57,7 +57,7 @@ def range_error(distance, s):
 
 @compiled
 def trace_beam(ball, robots, k, s, r, lateral, vertical):
-    """Return the beam's distance [m] to the first thing, inf for none; `lateral`, `vertical`: pointing errors [rad]."""
+    """Return the distance [m] to the first thing in the beam, inf for none; `lateral`, `vertical`: errors [rad]."""
     robot = robots[r]
     x, y, z = camera_place(robot.pan, robot.tilt, s)
     dx, dy, dz = beam_direction(robot.pan, robot.tilt, lateral, vertical)
@@ -98,7 +98,7 @@ def robot_extent(k, s):
 
 @compiled
 def distance_to_robot(x, y, z, dx, dy, dz, other, k, s):
-    """Return the distance along a ray to a robot [m]; the ray starts at x, y from the robot, in the field's axes."""
+    """Return the distance [m] along a ray to another robot; the ray starts at x, y from that robot, field axes."""
     cosine, sine = cos(other.heading), sin(other.heading)
     x, y = into_frame(x, y, cosine, sine)
     dx, dy = into_frame(dx, dy, cosine, sine)
@@ -113,8 +113,8 @@ def distance_to_robot(x, y, z, dx, dy, dz, other, k, s):
 
 @compiled
 def distance_to_head(x, y, z, dx, dy, dz, other, s):
-    """Return the distance to a robot's head [m], robot frame: an upright cube that turns with the pan, moves with the
-    tilt and has the camera in the middle of its face.
+    """Return the distance [m] along a ray, in a robot's frame, to that robot's head: an upright cube that turns with
+    the pan, moves with the tilt and has the camera in the middle of its face.
     """
     half = 0.5 * s.head_size
     ahead, height = tilt_point(s.camera_ahead - half, s.camera_up, cos(other.tilt), sin(other.tilt), s.neck_height)
@@ -126,7 +126,7 @@ def distance_to_head(x, y, z, dx, dy, dz, other, s):
 
 @compiled
 def distance_to_legs(x, y, z, dx, dy, dz, back, k, s):
-    """Return the distance to the nearest of a robot's four legs below the trunk [m], robot frame."""
+    """Return the distance along a ray to the nearest of a robot's four legs below the trunk [m], robot frame."""
     left = k.body_tip_y
     hind = k.body_hind_x if k.body_hind_y > 0.0 else back + k.body_tip_radius
     hind_left = k.body_hind_y if k.body_hind_y > 0.0 else left

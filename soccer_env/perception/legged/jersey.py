@@ -21,13 +21,13 @@ from soccer_env.perception.legged.bodies import HEAD, TRUNK, in_box_axes
 
 @compiled
 def is_lowered(body, s):
-    """Tell whether a head is so low that it hides stickers.  [Sacks 2001, 4.3.3]  MS50"""
+    """Tell whether a robot's head is so low that it hides stickers of the jersey.  [Sacks 2001, 4.3.3]  MS50"""
     return body.tilt < -s.head_down
 
 
 @compiled
 def put_trunk_stickers(body, s, stickers):
-    """Fill in the trunk's stickers that face the camera, chest or rump first; return the number of stickers.  MS37"""
+    """List the trunk's stickers that face the camera, chest or rump first; return the number of stickers.  MS37"""
     trunk = body.boxes[TRUNK]
     middle = s.trunk_sticker_middle
     count = 0
@@ -53,13 +53,13 @@ def put_trunk_stickers(body, s, stickers):
 
 @compiled
 def sticker_offset(i, apart, s):
-    """Return the offset [m] of sticker i from the middle of its face; neighbours are `apart` [m].  MS37"""
+    """Return the distance [m] of sticker i from the middle of its face; neighbours are `apart` [m].  MS37"""
     return apart * (i - 0.5 * (s.trunk_stickers - 1))
 
 
 @compiled
 def put_head_stickers(body, s, stickers):
-    """Fill in the head's stickers that face the camera, brow or nape first; return the number of stickers.  MS37"""
+    """List the head's stickers that face the camera, brow or nape first; return the number of stickers.  MS37"""
     head, count = body.boxes[HEAD], 0
     width, height = 0.5 * s.jersey * s.sticker_head_width, 0.5 * s.jersey * s.sticker_head_height
     x, y = in_box_axes(head, 0.0, 0.0)
@@ -74,7 +74,7 @@ def put_head_stickers(body, s, stickers):
 
 @compiled
 def add_end_sticker(box, x, y, middle, half_width, half_height, stickers, count):
-    """Add a sticker on the front or the back of a box; return the number of stickers."""
+    """Append a sticker on the front or back face of a box; return the new number of stickers."""
     sticker = stickers[count]
     sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
     sticker.across, sticker.aside = -box.sine * half_width, box.cosine * half_width
@@ -84,7 +84,7 @@ def add_end_sticker(box, x, y, middle, half_width, half_height, stickers, count)
 
 @compiled
 def add_side_sticker(box, x, y, middle, half_width, half_height, stickers, count):
-    """Add a sticker on a side of a box; return the number of stickers."""
+    """Append a sticker on a side face of a box; return the new number of stickers."""
     sticker = stickers[count]
     sticker.ahead, sticker.left = point_of_frame(box.ahead, box.left, x, y, box.cosine, box.sine)
     sticker.across, sticker.aside = box.cosine * half_width, box.sine * half_width

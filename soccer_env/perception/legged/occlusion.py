@@ -1,4 +1,4 @@
-"""Occlusion: the visible parts of a thing behind bodies, column by column of the picture.
+"""Occlusion: find the visible parts of a thing behind other robots, column by column of the picture.
 
 The thing is cut into columns of two pixels at most. In each column the outlines of bodies before it hide an
 interval; neighbouring columns with a visible part make a piece. A piece ends where the hiding outline begins.
@@ -61,7 +61,7 @@ TARGET = np.dtype(
 
 @compiled
 def add_piece(sketch, kind, left, right, high, low, area):
-    """Add a visible piece to the sketch's list of its kind, unless the piece is too small or the list is full."""
+    """Append a visible piece to the sketch's list of its kind, unless the piece is too small or the list is full."""
     count = sketch.counts[kind]
     if area < LEAST_AREA or count >= PIECES:
         return
@@ -73,7 +73,7 @@ def add_piece(sketch, kind, left, right, high, low, area):
 
 @compiled
 def find_hiders(sketch, owner, own_head, apart):
-    """List the outlines that may hide part of the target; return their number, or HIDDEN if one hides it all.
+    """List the outlines that may hide the target; return their number, or HIDDEN if one of them hides all of it.
 
     `owner`, `own_head` and `apart` are as in `draw_panel`.
     """
@@ -94,13 +94,13 @@ def find_hiders(sketch, owner, own_head, apart):
                 continue  # it stands below the height of the eye and the target above, or the other way round
             if abs(box.ahead * left - box.left * ahead) > box.radius * distance + radius * box.distance:
                 continue  # it stands aside: the sine of the angle between is more than what both fill
-            if not (apart or stands_before(camera, box, target)):
+            if not (apart or box_may_hide(camera, box, target)):
                 continue
             if box.traced == 0:
                 trace_box(camera, box, sketch.body_tracing, outline)
-            if not overlap(outline, target.outline):
+            if not boxes_overlap(outline, target.outline):
                 continue
-            if covers(outline, target.outline):
+            if covers_box(outline, target.outline):
                 return HIDDEN
             sketch.hiders[count] = 2 * i + part
             count += 1
@@ -108,8 +108,8 @@ def find_hiders(sketch, owner, own_head, apart):
 
 
 @compiled
-def stands_before(camera, box, target):
-    """Tell whether a box may hide the target: no side of the box has both camera and target on its outside.
+def box_may_hide(camera, box, target):
+    """Tell whether a box may hide the target: no side face of the box has camera and target both outside of it.
 
     A target that crosses the plane of a side counts as inside, which is right where the two overlap in the picture. A
     target may sink into a touching robot by SINKS.
@@ -130,14 +130,14 @@ def stands_before(camera, box, target):
 
 
 @compiled
-def overlap(one, other):
+def boxes_overlap(one, other):
     """Tell whether the bounding boxes of two outlines overlap in the picture."""
     return one.right < other.left and other.right < one.left and one.low < other.high and other.low < one.high
 
 
 @compiled
-def covers(outline, other):
-    """Tell whether an outline covers another outline's bounding box: its chains pass outside the box's corners."""
+def covers_box(outline, other):
+    """Tell whether an outline contains the whole bounding box of another outline."""
     if outline.right > other.right or outline.left < other.left:
         return False
     lower, upper = outline.lower, outline.upper
@@ -151,7 +151,7 @@ def covers(outline, other):
 
 @compiled
 def cut_into_pieces(sketch, kind, hiders):
-    """Add the pieces of the target that are in the picture and not hidden by the first `hiders` listed outlines."""
+    """Add the visible pieces of the target to the sketch; the first `hiders` listed outlines may hide parts of it."""
     camera = sketch.camera
     outline = sketch.target.outline
     columns = sketch.columns
@@ -172,14 +172,14 @@ def cut_into_pieces(sketch, kind, hiders):
         while end < count and columns[end].low < columns[end].high:
             end += 1
         if begin < end:
-            first = edge_between(sketch, hiders, begin, count, right, width, True)
-            last = edge_between(sketch, hiders, end, count, right, width, False)
-            join_columns(sketch, kind, columns, begin, end, first, last, width)
+            first = visible_edge(sketch, hiders, begin, count, right, width, True)
+            last = visible_edge(sketch, hiders, end, count, right, width, False)
+            add_piece_of_columns(sketch, kind, columns, begin, end, first, last, width)
 
 
 @compiled
-def join_columns(sketch, kind, columns, begin, end, first, last, width):
-    """Add the piece made by columns begin, ..., end - 1, which reaches from u = first to u = last [px]."""
+def add_piece_of_columns(sketch, kind, columns, begin, end, first, last, width):
+    """Add the piece that consists of columns begin, ..., end - 1, from u = first to u = last [px]."""
     bottom = columns[begin].low
     top = columns[begin].high
     total = 0.0
@@ -196,8 +196,8 @@ def join_columns(sketch, kind, columns, begin, end, first, last, width):
 
 
 @compiled
-def edge_between(sketch, hiders, column, count, right, width, opens):
-    """Return u [px] of the edge between a column and the one before it, exactly one of which is visible.
+def visible_edge(sketch, hiders, column, count, right, width, opens):
+    """Return the position u [px] of the edge between a visible column and a neighbouring hidden column.
 
     The edge is where a hider ends or begins between the middles of the two columns, else half-way between them.
     """
@@ -215,7 +215,7 @@ def edge_between(sketch, hiders, column, count, right, width, opens):
 
 @compiled
 def fill_columns(target, columns, count, right, width, border):
-    """Fill in the lower and upper end of the target in the middle of each column, within the picture."""
+    """Compute the lower and upper end [px] of the target in the middle of each column, within the picture."""
     if target.is_round == 1:
         for i in range(count):
             u, column = right + (i + 0.5) * width, columns[i]
@@ -237,7 +237,7 @@ def fill_columns(target, columns, count, right, width, border):
 
 @compiled
 def segment_height(point, u):
-    """Return the height v [px] at u [px] on the segment of a chain that begins at `point`."""
+    """Return the height v [px] at column u [px] on the chain's segment that begins at `point`."""
     return point.v + point.slope * (u - point.u)
 
 
@@ -258,7 +258,7 @@ def hide_columns(outline, columns, count, right, width):
 
 @compiled
 def hide_interval(column, low, high):
-    """Remove the interval low ... high [px] from a column, which may become two parts; a third part is dropped."""
+    """Remove the interval low ... high [px] from a column's visible parts, of which at most two are kept."""
     if column.second_low < column.second_high:
         if low <= column.second_low:
             column.second_low = max(column.second_low, high)
@@ -279,7 +279,7 @@ def hide_interval(column, low, high):
 
 @compiled
 def fill_sphere_ellipse(camera, target, depth, beside, above, beyond):
-    """Fill in the ellipse that a sphere makes in the picture.
+    """Compute the ellipse that a sphere makes in the picture.
 
     The sphere's middle c is at depth, beside, above [m] in camera axes; `beyond` is |c|^2 less the square of the
     radius. A line of sight r touches the sphere where (r . c)^2 = |r|^2 beyond, a quadratic equation in r's slopes.

@@ -1,4 +1,4 @@
-"""Outlines of flat and boxy things in the picture: convex polygons, an upper and a lower chain of corners.
+"""Outlines of panels and boxes in the picture: convex polygons, stored as an upper and a lower chain of corners.
 
 A chain runs from right to left, that is with growing u, so that a walk along the columns looks at each corner only
 once. An outline is traced in one of two ways:
@@ -44,7 +44,7 @@ TRACING = np.dtype([("corners", CORNER, (CORNERS,)), ("points", POINT, (POINTS,)
 
 @compiled
 def put_corner(camera, corner, ahead, left, height):
-    """Convert a corner [m] to camera axes and, if it lies before the lens, project it; return its depth [m]."""
+    """Convert a corner [m] to camera axes, project it if it lies in front of the lens, and return its depth [m]."""
     corner.depth, corner.left, corner.above = to_camera_axes(camera, ahead, left, height)
     if corner.depth >= LENS:
         scale = 1.0 / corner.depth
@@ -72,14 +72,14 @@ def begin_outline(outline, top, bottom):
 
 @compiled
 def add_upper(outline, corner):
-    """Add a corner to the upper chain."""
+    """Append a corner to the upper chain of an outline."""
     add_to_chain(outline.upper, corner.u, corner.v)
     outline.high, outline.low = max(outline.high, corner.v), min(outline.low, corner.v)
 
 
 @compiled
 def add_lower(outline, corner):
-    """Add a corner to the lower chain."""
+    """Append a corner to the lower chain of an outline."""
     add_to_chain(outline.lower, corner.u, corner.v)
     outline.high, outline.low = max(outline.high, corner.v), min(outline.low, corner.v)
 
@@ -113,7 +113,7 @@ def add_to_chain(chain, u, v):
 
 @compiled
 def project_box(camera, tracing):
-    """Project the 8 corners of a box into the picture, cut off at the lens; return the number of points.
+    """Project the 8 corners of a box into the picture, clipped at the lens; return the number of points.
 
     Corners whose numbers differ in one bit share an edge.
     """
@@ -125,33 +125,33 @@ def project_box(camera, tracing):
             count = add_point(points, count, corners[i].u, corners[i].v)
         for bit in (1, 2, 4):
             if i & bit == 0:
-                count = add_lens_cut(camera, points, count, corners[i], corners[i + bit])
+                count = add_lens_crossing(camera, points, count, corners[i], corners[i + bit])
     return count
 
 
 @compiled
 def project_rectangle(camera, tracing):
-    """Project the first 4 corners, a rectangle, into the picture, cut off at the lens; return the number of points."""
+    """Project the first 4 corners, a rectangle, into the picture, clipped at the lens; return the number of points."""
     corners = tracing.corners
     points = tracing.points
     count = 0
     for i in range(4):
         if corners[i].depth >= LENS:
             count = add_point(points, count, corners[i].u, corners[i].v)
-        count = add_lens_cut(camera, points, count, corners[i], corners[(i + 1) % 4])
+        count = add_lens_crossing(camera, points, count, corners[i], corners[(i + 1) % 4])
     return count
 
 
 @compiled
 def add_point(points, count, u, v):
-    """Append a point of the picture to the points; return the new number."""
+    """Append a point of the picture to the points; return the new number of points."""
     points[count].u, points[count].v = u, v
     return count + 1
 
 
 @compiled
-def add_lens_cut(camera, points, count, one, other):
-    """Append the point where an edge between two corners passes the lens, if it does; return the number of points."""
+def add_lens_crossing(camera, points, count, one, other):
+    """Append the point where an edge between two corners crosses the lens plane; return the number of points."""
     if (one.depth < LENS) == (other.depth < LENS):
         return count
     share = (LENS - one.depth) / (other.depth - one.depth)
@@ -189,7 +189,7 @@ def sort_points(points, count):
 
 @compiled
 def add_convex_point(chain, u, v, side):
-    """Add a point to a chain and drop the points that now lie within; side 1: the lower chain, -1: the upper one."""
+    """Append a point to a chain and drop points now inside the hull; side 1: the lower chain, -1: the upper chain."""
     points = chain.points
     while chain.count >= 2:
         before, last = points[chain.count - 2], points[chain.count - 1]
@@ -201,7 +201,7 @@ def add_convex_point(chain, u, v, side):
 
 @compiled
 def segment_at(points, at, last, u):
-    """Return the index of a chain's segment at column u [px], searched from `at` to `last`; u lies in the outline."""
+    """Return the index of a chain's segment at column u [px], searched from index `at` to `last`."""
     while at < last and points[at + 1].u < u:
         at += 1
     return at
@@ -209,7 +209,7 @@ def segment_at(points, at, last, u):
 
 @compiled
 def chain_height(chain, u):
-    """Return the v of a chain at column u [px], which lies in the outline."""
+    """Return the height v [px] of a chain at column u [px]."""
     points = chain.points
     at = segment_at(points, 0, chain.count - 2, u)
     return points[at].v + points[at].slope * (u - points[at].u)

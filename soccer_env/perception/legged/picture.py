@@ -1,4 +1,4 @@
-"""The picture of the camera on a legged robot's head, down to the blobs that its vision delivers.  [Sacks 2001, 2]
+"""The picture of a legged robot's head camera, up to the blobs that its vision reports.  [Sacks 2001, 2]
 
 From the truth: where the camera looks (camera.py), which robots stand before it (bodies.py), where each thing lies in
 the picture (jersey.py, scenery.py, sketch.py), which parts are hidden (occlusion.py), and the blobs (blobs.py).
@@ -18,7 +18,7 @@ from soccer_env.perception.legged.sketch import BALL, KINDS, OPPONENTS, TEAMMATE
 
 @compiled
 def take_picture(match, ball, robots, percept, state, k, s, r, sketches):
-    """Fill in the blobs that robot r sees; `sketches` (1,) is scratch made by `make_sketch`.  MS04
+    """Write the blobs that robot r sees into its percept; `sketches` (1,) is scratch made by `make_sketch`.  MS04
 
     A robot that lies on its side or is sent off gets no blobs.
     """
@@ -32,7 +32,7 @@ def take_picture(match, ball, robots, percept, state, k, s, r, sketches):
 
 @compiled
 def draw_scene(match, ball, robots, k, s, r, sketch):
-    """Draw the scene before robot r's camera, without noise."""
+    """Draw everything before robot r's camera into a sketch, without noise."""
     camera, side = sketch.camera, attack_direction(match, robots[r].team)
     for kind in range(KINDS):
         sketch.counts[kind] = 0
@@ -50,7 +50,7 @@ def draw_scene(match, ball, robots, k, s, r, sketch):
 
 @compiled
 def draw_jersey(sketch, owner, s):
-    """Draw the stickers of a body.  MS37, MS50"""
+    """Draw the stickers of a robot's body into a sketch.  MS37, MS50"""
     body, stickers = sketch.bodies[owner], sketch.stickers
     kind, lowered = TEAMMATES if body.teammate == 1 else OPPONENTS, is_lowered(body, s)
     body.first = sketch.counts[kind]

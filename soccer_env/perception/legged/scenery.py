@@ -1,4 +1,4 @@
-"""What stands round the field of a legged robot: goals, landmarks, and patches in the ball's colour.
+"""The surroundings of a legged robot's field: goals, landmarks, and ball-coloured patches beyond the boards.
 
 Things are drawn as seen by the robot's own team, and each pair in an order that does not change in a mirror: so both
 teams, and a match and its mirror image, draw the same noise for the same thing.
@@ -20,7 +20,7 @@ PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # keeps the places of patches indepen
 
 @compiled
 def draw_goals(sketch, side, k, s):
-    """Draw the mouths of the own and the opponent's goal, as flat as a wall.
+    """Draw the mouths of both goals into a sketch, each as a flat wall.
 
     The mouth stands for the coloured walls behind it, so that a robot inside a goal hides it as well.
     """
@@ -39,7 +39,7 @@ def draw_goals(sketch, side, k, s):
 
 @compiled
 def draw_landmarks(sketch, side, k, s):
-    """Draw the six landmarks: coloured cylinders just outside the corners and the ends of the halfway line."""
+    """Draw the six landmarks into a sketch: coloured cylinders just outside the corners and the halfway line's ends."""
     half_length = 0.5 * k.pitch_length + k.pitch_band_end + s.landmark_radius
     half_width = 0.5 * k.pitch_width + k.pitch_band_side + s.landmark_radius
     middle, high = 0.5 * (s.landmark_low + s.landmark_high), 0.5 * (s.landmark_high - s.landmark_low)
@@ -53,23 +53,23 @@ def draw_landmarks(sketch, side, k, s):
         if not in_view(sketch.camera, ahead, aside, middle, radius):
             continue
         sketch.counts[LANDMARK] = 0
-        face_camera(sketch.panel, ahead, aside, s.landmark_radius)
+        place_panel_facing_camera(sketch.panel, ahead, aside, s.landmark_radius)
         sketch.panel.low, sketch.panel.high = s.landmark_low, s.landmark_high
         draw_panel(sketch, sketch.panel, LANDMARK, NOBODY, False, True)
-        keep_largest(sketch, index)
+        store_largest_piece(sketch, index)
 
 
 @compiled
-def face_camera(panel, ahead, left, half_width):
-    """Set a panel at a place, ahead and left of the camera, and turn it to face the camera."""
+def place_panel_facing_camera(panel, ahead, left, half_width):
+    """Place a panel at ahead, left [m] of the camera, and turn it to face the camera."""
     distance = max(length(ahead, left), 1e-9)
     panel.ahead, panel.left = ahead, left
     panel.across, panel.aside = -left / distance * half_width, ahead / distance * half_width
 
 
 @compiled
-def keep_largest(sketch, index):
-    """Store the largest piece of a landmark under the landmark's index."""
+def store_largest_piece(sketch, index):
+    """Store only the largest piece of a landmark, under the landmark's index."""
     for i in range(sketch.counts[LANDMARK]):
         if sketch.pieces[LANDMARK, i].area > sketch.landmarks[index].area:
             sketch.landmarks[index] = sketch.pieces[LANDMARK, i]
@@ -77,68 +77,69 @@ def keep_largest(sketch, index):
 
 @compiled
 def draw_patches(sketch, match, side, k, s):
-    """Draw the patches of the ball's colour that stand off the field in this match, behind the boards.
+    """Draw the ball-coloured patches that stand off the field in this match, behind the boards.
 
     Patches stand in opposite pairs, so that each team sees the same pattern from its own side.
     """
     key = mix_bits(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1)) ^ PATCH_KEY
     for pair in range(int(s.patches) // 2):
-        x, y, height = patch_place(mix_bits(key + MIX_1 * np.uint64(pair + 1)), k, s)
+        x, y, height = patch_position(mix_bits(key + MIX_1 * np.uint64(pair + 1)), k, s)
         for here in (side, -side):
             draw_patch(sketch, here * x, here * y * match.handedness, height, k, s)
 
 
 @compiled
-def patch_place(bits, k, s):
-    """Return where a patch stands [m]: x, y on a rectangle round the boards, and its height."""
+def patch_position(bits, k, s):
+    """Return the position of a patch [m]: x, y on a rectangle round the boards, and its height."""
     length_away = 0.5 * k.pitch_length + k.pitch_band_end + s.patch_away
     width_away = 0.5 * k.pitch_width + k.pitch_band_side + s.patch_away
-    along = 2.0 * (length_away + width_away) * unit_fraction(bits)  # half round suffices: the other half is opposite
-    height = s.patch_low + (s.patch_high - s.patch_low) * unit_fraction(mix_bits(bits ^ MIX_2))
+    # Half of the rectangle is enough: the patches of the other half stand opposite.
+    along = 2.0 * (length_away + width_away) * bits_to_unit_interval(bits)
+    height = s.patch_low + (s.patch_high - s.patch_low) * bits_to_unit_interval(mix_bits(bits ^ MIX_2))
     if along < 2.0 * length_away:
         return along - length_away, width_away, height
     return length_away, along - 2.0 * length_away - width_away, height
 
 
 @compiled
-def unit_fraction(bits):
-    """Return 64 mixed bits as a number in [0, 1)."""
+def bits_to_unit_interval(bits):
+    """Convert 64 random bits to a number in [0, 1)."""
     return np.float64(bits >> np.uint64(11)) * TO_UNIT
 
 
 @compiled
 def draw_patch(sketch, x, y, height, k, s):
-    """Draw a patch; boards hide its part below the line of sight over the boards."""
+    """Draw a ball-coloured patch; the boards hide its part below the line of sight over the boards."""
     camera = sketch.camera
     panel = sketch.panel
     half = 0.5 * s.patch_size
     ahead, left = from_camera(camera, x, y)
     if not in_view(camera, ahead, left, height, length(half, half)):
         return
-    face_camera(panel, ahead, left, half)
+    place_panel_facing_camera(panel, ahead, left, half)
     panel.low, panel.high = height - half, height + half
     if k.walled == 1:
-        share = share_to_boards(camera.x, camera.handedness * camera.y, x, y, k)
+        share = fraction_inside_boards(camera.x, camera.handedness * camera.y, x, y, k)
         panel.low = max(panel.low, camera.height + (s.board_height - camera.height) / share)
     if panel.low < panel.high:
         draw_panel(sketch, panel, PATCHES, NOBODY, False, True)
 
 
 @compiled
-def share_to_boards(x, y, to_x, to_y, k):
-    """Return the share [1], inside the boards, of the line from a place on the field to a place outside."""
+def fraction_inside_boards(x, y, to_x, to_y, k):
+    """Return the fraction [1] of a line from the field to a place outside that lies inside the boards."""
     share = 1.0
     half_length = 0.5 * k.pitch_length
     half_width = 0.5 * k.pitch_width
     if abs(to_x) > half_length:
-        share = min(share, share_to_line(x, to_x, half_length))
+        share = min(share, fraction_before_line(x, to_x, half_length))
     if abs(to_y) > half_width:
-        share = min(share, share_to_line(y, to_y, half_width))
+        share = min(share, fraction_before_line(y, to_y, half_width))
     return share
 
 
 @compiled
-def share_to_line(start, end, line):
-    """Return the share [1] of the way from start to end that lies before a line at +-line, at least a thousandth."""
+def fraction_before_line(start, end, line):
+    """Return the fraction [1] of the way from start to end before it crosses a line at +-line, at least 0.001."""
     goal = line if end > 0.0 else -line
     return max((goal - start) / (end - start), 0.001) if end != start else 1.0

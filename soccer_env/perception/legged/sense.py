@@ -1,4 +1,4 @@
-"""What the sensors of a legged robot deliver: camera, infrared ranger, touch, own body.  [Sacks 2001, 1, 2]  MS06
+"""All sensors of a legged robot: camera, infrared ranger, touch, own body.  [Sacks 2001, 1, 2]  MS06
 
 `k`: the league's constants; `s`: settings of the sensors.
 """
@@ -22,7 +22,7 @@ LEGGED_SENSOR_STATE = ranged_record(
 
 @compiled
 def sense_robot(match, ball, robots, r, percept, state, pending, sketches, k, s):
-    """Fill in the percept of robot r; `pending`, for cameras that deliver late, is not used."""
+    """Compute the whole percept of robot r; `pending`, for cameras with a delay, is not used here."""
     percept.pan, percept.tilt = robots[r].pan, robots[r].tilt
     take_picture(match, ball, robots, percept, state, k, s, r, sketches)
     feel_touch(ball, robots[r], percept.touch, k, s)

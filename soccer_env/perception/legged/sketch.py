@@ -1,4 +1,4 @@
-"""The sketch of a picture: the place of each coloured thing, in exact fractions of pixels and without noise.
+"""The sketch of a picture: the position of each coloured thing, in fractions of pixels and without noise.
 
 A thing is a sphere (the ball) or an upright panel (stickers, goals, landmarks, patches). It becomes one piece or, where
 bodies stand before it, several: each a box and its coloured area. Pieces are listed by kind; `sketch` is scratch that a
@@ -89,7 +89,7 @@ SKETCH = np.dtype(
 
 @compiled
 def make_sketch(k, s):
-    """Return an empty sketch (1,) with the constants of a league's robots and their camera filled in."""
+    """Return an empty sketch (1,) that holds the constants of a league's robots and of their camera."""
     sketches = scratch_records(1, SKETCH)
     open_camera(sketches[0].camera, s)
     measure_hull(sketches[0].hull, k, s)
@@ -100,7 +100,7 @@ def make_sketch(k, s):
 
 @compiled
 def draw_panel(sketch, panel, kind, owner, own_head, apart):
-    """Draw an upright panel.
+    """Draw an upright panel into a sketch.
 
     `owner` is the body that wears it, or NOBODY; `own_head` True: the owner's head may hide it. `apart` True: the panel
     stands beyond all robots, so that every body that overlaps it hides it.
@@ -126,7 +126,7 @@ def draw_panel(sketch, panel, kind, owner, own_head, apart):
 
 @compiled
 def project_panel(camera, panel, tracing, outline):
-    """Project a panel and fill in its bounding box; return whether any part of the panel lies before the lens.
+    """Project a panel and compute its bounding box; return whether any part of the panel is in front of the lens.
 
     `trace_panel` computes the chains for the few panels that need them; a panel cut off at the lens gets them here.
     """
@@ -154,7 +154,7 @@ def project_panel(camera, panel, tracing, outline):
 
 @compiled
 def trace_panel(tracing, outline):
-    """Trace the chains of a panel that `project_panel` has projected."""
+    """Compute the upper and lower chain of a panel that `project_panel` has projected."""
     corners = tracing.corners
     if min(min(corners[0].depth, corners[1].depth), min(corners[2].depth, corners[3].depth)) < LENS:
         return  # `project_panel` has traced them already
@@ -168,7 +168,7 @@ def trace_panel(tracing, outline):
 
 @compiled
 def quadrangle_area(tracing):
-    """Return the area [px] of the quadrangle of the first four corners: half the cross product of the diagonals."""
+    """Return the area [px] of the quadrangle between the first four corners, as half a cross product."""
     a, b, c, d = tracing.corners[0], tracing.corners[1], tracing.corners[2], tracing.corners[3]
     return 0.5 * abs((c.u - a.u) * (d.v - b.v) - (c.v - a.v) * (d.u - b.u))
 
@@ -197,7 +197,7 @@ def is_inside(camera, outline):
 
 @compiled
 def draw_sphere(sketch, ahead, left, radius, kind):
-    """Draw a ball that lies on the ground: the ellipse that a sphere makes in the picture.  MS04"""
+    """Draw a ball that lies on the ground into a sketch: the ellipse that a sphere makes in the picture.  MS04"""
     camera, target = sketch.camera, sketch.target
     if not in_view(camera, ahead, left, radius, radius):
         return

@@ -1,4 +1,4 @@
-"""How far a ray travels before it meets something: a ball, a box, a post, the boards, the carpet.
+"""Ray casting: the distance from a point along a ray to a ball, a box, a post, the boards or the carpet.
 
 A ray starts at x, y, z [m] and goes along the unit vector dx, dy, dz; a distance is inf for a miss and 0 from within.
 
@@ -14,7 +14,7 @@ LEAST = 1e-12  # [1] least size of a direction's component as a divisor
 
 @compiled
 def nonzero_divisor(component):
-    """Return a component of a direction, moved away from zero to serve as a divisor."""
+    """Return a component of a direction for use as a divisor: numbers near 0 are replaced by +-LEAST."""
     if -LEAST < component < LEAST:
         return -LEAST if component < 0.0 else LEAST
     return component
@@ -22,7 +22,7 @@ def nonzero_divisor(component):
 
 @compiled
 def distance_to_sphere(x, y, z, dx, dy, dz, radius):
-    """Return the distance along the ray to a sphere about the origin [m]."""
+    """Return the distance [m] along the ray to a sphere with its centre at the origin."""
     outside = x * x + y * y + z * z - radius * radius
     if outside <= 0.0:
         return 0.0
@@ -35,7 +35,7 @@ def distance_to_sphere(x, y, z, dx, dy, dz, radius):
 
 @compiled
 def distance_to_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
-    """Return the distance along the ray to a box about the origin with its edges along the axes [m]."""
+    """Return the distance [m] along the ray to a box about the origin with edges parallel to the axes."""
     dx, dy, dz = nonzero_divisor(dx), nonzero_divisor(dy), nonzero_divisor(dz)
     # Where the ray enters and leaves each of the three slabs whose common part is the box.
     x_reach, y_reach, z_reach = half_length / abs(dx), half_width / abs(dy), half_height / abs(dz)
@@ -46,7 +46,7 @@ def distance_to_box(x, y, z, dx, dy, dz, half_length, half_width, half_height):
 
 @compiled
 def distance_to_post(x, y, z, dx, dy, dz, radius, height):
-    """Return the distance along the ray [m] to an upright cylinder on the origin, from the side or from above."""
+    """Return the distance [m] along the ray to an upright cylinder at the origin, met from the side or from above."""
     level = max(dx * dx + dy * dy, LEAST)
     outside = x * x + y * y - radius * radius
     along = -(x * dx + y * dy)
@@ -68,7 +68,7 @@ def distance_to_carpet(z, dz):
 
 @compiled
 def distance_to_boards(x, y, z, dx, dy, dz, k, s):
-    """Return the distance along the ray, from within, to the boards of a walled pitch or the walls of a goal [m].
+    """Return the distance [m] along a ray from inside to the boards of a pitch, or to the walls of a goal.
 
     Boards are s.board_height high, goals s.goal_height; a pitch without boards has goals alone.
     """
@@ -76,16 +76,16 @@ def distance_to_boards(x, y, z, dx, dy, dz, k, s):
     end = (0.5 * k.pitch_length - (x if dx > 0.0 else -x)) / abs(dx)  # to the goal line ahead
     side = (0.5 * k.pitch_width - (y if dy > 0.0 else -y)) / abs(dy)  # to the touchline ahead
     if k.walled == 1 and side <= end:
-        return distance_if_low(side, z + side * dz, s.board_height)
+        return distance_if_within_height(side, z + side * dz, s.board_height)
     if abs(y + max(end, 0.0) * dy) > 0.5 * k.pitch_goal_width:
-        return distance_if_low(end, z + end * dz, s.board_height) if k.walled == 1 else inf
+        return distance_if_within_height(end, z + end * dz, s.board_height) if k.walled == 1 else inf
     back = end + k.pitch_goal_depth / abs(dx)
     net = (0.5 * k.pitch_goal_width - (y if dy > 0.0 else -y)) / abs(dy)
     distance = min(back, net)
-    return distance_if_low(distance, z + distance * dz, s.goal_height)
+    return distance_if_within_height(distance, z + distance * dz, s.goal_height)
 
 
 @compiled
-def distance_if_low(distance, height, most):
-    """Return the distance if it is positive and the ray's height there lies between 0 and `most`, else inf."""
+def distance_if_within_height(distance, height, most):
+    """Return the distance if it is positive and the ray's height there is between 0 and `most`; else inf."""
     return distance if distance >= 0.0 and 0.0 <= height <= most else inf

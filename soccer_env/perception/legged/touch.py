@@ -1,4 +1,4 @@
-"""The touch sensors of a legged robot: at head, chin, back and feet, and nowhere else.  [Sacks 2001, 1]  MS06
+"""The touch sensors of a legged robot: at head, chin, back and feet only.  [Sacks 2001, 1]  MS06
 
 An ERS-210 has two pressure sensors on its head and a switch under the mouth, on the back and at each paw (touretzkyds/
 Tekkotsu, Shared/ERS210Info.h; tekkotsu.org/robots/ERS2xx.html). None of them is on the outline with which robots run
@@ -26,16 +26,16 @@ GAP = 0.004  # [m] a ball this near presses the switch, assumed: the gap of a to
 
 @compiled
 def feel_touch(ball, robot, touch, k, s):
-    """Fill in the readings of a robot's touch sensors (TOUCH).  MS06"""
+    """Compute the readings of a robot's touch sensors (TOUCH).  MS06"""
     touch.head = 0
-    touch.chin = 1 if chin_touches(ball, robot, k, s) else 0
+    touch.chin = 1 if chin_touches_ball(ball, robot, k, s) else 0
     touch.back = robot.placed
-    touch.feet = standing_paws(robot)
+    touch.feet = count_standing_paws(robot)
 
 
 @compiled
-def standing_paws(robot):
-    """Return how many paws stand on the ground: 4, 2 in a trot (one diagonal), 0 lying."""
+def count_standing_paws(robot):
+    """Return the number of paws on the ground: 4, 2 in a trot (one diagonal), 0 lying."""
     if robot.fallen > 0.0:
         return 0
     walks = robot.walk.forward != 0.0 or robot.walk.left != 0.0 or robot.walk.turn != 0.0
@@ -43,8 +43,8 @@ def standing_paws(robot):
 
 
 @compiled
-def chin_touches(ball, robot, k, s):
-    """Tell whether the ball touches the lower edge of the head's face, where the mouth is."""
+def chin_touches_ball(ball, robot, k, s):
+    """Tell whether the ball touches the chin: the lower edge of the head's face, where the mouth is."""
     reach = k.ball_radius + GAP
     x, y = ball.x - robot.x, ball.y - robot.y
     near = s.neck_ahead + s.camera_ahead + s.head_size + reach

@@ -1,4 +1,4 @@
-"""The other robots round a robot, and what they hide from its omnidirectional camera.
+"""The other robots in the view of a robot's omnidirectional camera, and the parts of things that they hide.
 
 The camera stands 0.75 m high and robots are 0.8 m tall: a robot hides everything on the ground that lies behind it,
 within the angle that its round body fills.
@@ -26,7 +26,7 @@ NEAREST = 1e-9  # [m] below which a distance is not divided by
 
 @compiled
 def find_bodies_around(robots, r, k, around):
-    """Fill `around` with the other active robots as seen from robot r; return their number.
+    """List in `around` the other active robots as seen from robot r; return their number.
 
     Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
@@ -51,19 +51,19 @@ def find_bodies_around(robots, r, k, around):
 
 @compiled
 def body_radius(k):
-    """Return the radius of a robot's round base [m], or the reach of a hull or capsule."""
+    """Return the radius [m] of a robot's round base, or of the circle round a hull or capsule."""
     return k.body_disc_radius if k.body_disc_radius > 0.0 and k.body_disc_back <= 0.0 else k.body_reach
 
 
 @compiled
 def half_angle(radius, distance):
-    """Return half of the angle [rad] that a disc fills as seen from a distance; a quarter turn from inside the disc."""
+    """Return half of the angle [rad] that a disc fills in the view at a distance; pi / 2 from inside the disc."""
     return asin(min(radius / max(distance, NEAREST), 1.0))
 
 
 @compiled
 def visible_part(around, count, bearing, half, distance, height, k, s, handedness):
-    """Return the angle from a thing's middle to the middle of its visible part [rad], and its visible share [1].  MH02
+    """Return the angle [rad] from a thing's middle to the middle of its visible part, and the visible share [1].  MH02
 
     The thing fills `half` to both sides of `bearing`; nearer robots hide it where the line of sight over their heads
     passes it above `height` [m]. Share 0: all of it is hidden. Of two visible parts the larger one counts.

@@ -1,4 +1,4 @@
-"""Changing light, and the colour table that must follow it.  [Heinemann et al. 2006, 1]  MH07
+"""Changing light, and the vision's colour table that must adapt to it.  [Heinemann et al. 2006, 1]  MH07
 
 Brightness is given as the difference from the light for which the fixed table was made. A difference between the light
 of the table and of the field makes pixels drop out of their colour class: blobs are missed, and the others lose their
@@ -38,7 +38,7 @@ DARKEST = 40.0  # [1] exponent beyond which nothing is recognised at all
 
 @compiled
 def brightness(match, s):
-    """Return the brightness of a match's light now [1]: a slow sine whose phase follows from the seed.  MH07"""
+    """Return the present brightness of the light in a match [1]: a slow sine with a phase drawn from the seed.  MH07"""
     if s.light_drift <= 0.0:
         return 0.0
     bits = mix_bits(np.uint64(match.seed) + GOLDEN * np.uint64(match.episode + 1))
@@ -48,7 +48,7 @@ def brightness(match, s):
 
 @compiled
 def measure_light(light, s, noise):
-    """Return the brightness of the picture [1]; constant light is known exactly."""
+    """Return the measured brightness of the picture [1], with noise unless the light is constant."""
     return light + LIGHT_NOISE * draw_normal(noise, LIGHT) if s.light_drift > 0.0 else light
 
 
@@ -75,6 +75,6 @@ def train_colour_table(table, measured, s, dt, placed):
 
 @compiled
 def recognised_share(light, table, s):
-    """Return the share of pixels that keep their colour class [1]: one half at a difference of `table_width`.  MH07"""
+    """Return the share of pixels still in their colour class [1]: one half at a difference of `table_width`.  MH07"""
     difference = (light - table) / s.table_width
     return exp(-min(log(2.0) * difference * difference, DARKEST))

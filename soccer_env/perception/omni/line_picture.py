@@ -1,4 +1,4 @@
-"""White lines in the picture of the omnidirectional camera: the first one in each direction.  MH02, MH08
+"""White lines in the picture of the omnidirectional camera: the first line in each direction.  MH02, MH08
 
 Direction i of s.lines lies 2 pi i / s.lines to the left of straight ahead; i and s.lines - i are mirror images.
 
@@ -35,7 +35,7 @@ PARALLEL = 1e-12  # [1] below which a direction never meets a line
 
 @compiled
 def draw_map(map, k, s):
-    """Fill a LINE_MAP with the lines of the pitch and the directions of the camera."""
+    """Fill a LINE_MAP with the lines of the pitch and the directions in which the camera looks for lines."""
     map.end = 0.5 * k.pitch_length
     map.across[0], map.across_to[0] = 0.0, 0.5 * k.pitch_width
     map.across[1], map.across_to[1] = map.end, 0.5 * k.pitch_width
@@ -53,7 +53,7 @@ def draw_map(map, k, s):
 
 @compiled
 def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour):
-    """Fill in the distance of the first white line in each direction, 0 for none; return the number of lines seen.
+    """Measure the distance of the first white line in each direction, 0 for none; return the number of lines seen.
 
     MH02, MH07, MH08
     """
@@ -78,7 +78,7 @@ def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour
 
 @compiled
 def fill_view_lengths(free, around, count, k, s):
-    """Fill in the length of the view in each direction [m]: to `line_range`, or to a robot that blocks it."""
+    """Compute how far the view reaches in each direction [m]: to `line_range`, or to a robot that blocks it."""
     for i in range(s.lines):
         free[i] = s.line_range
     sector = 2.0 * pi / s.lines

@@ -33,7 +33,7 @@ TABLES = np.dtype(
 
 @lru_cache(maxsize=8)
 def line_tables(league: League) -> np.ndarray:
-    """Return the tables of line distances of a league, a record TABLES (1,).  MH08"""
+    """Return the tables of distances to the nearest line for a league's pitch, a record TABLES (1,).  MH08"""
     pitch, table = league.pitch, np.zeros(1, TABLES)
     cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
     x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
@@ -49,7 +49,7 @@ def nearest_line(pitch: Pitch, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Return the distance [m] of points x, y (team or field frame) from the nearest white line."""
     x, y = abs(x), abs(y)  # the lines are symmetric about both axes
     distances = [abs(np.sqrt(x * x + y * y) - pitch.circle)]
-    for from_x, from_y, to_x, to_y in quarter_lines(pitch):
+    for from_x, from_y, to_x, to_y in lines_of_quarter_pitch(pitch):
         beside_x = np.maximum(np.maximum(from_x - x, x - to_x), 0.0)
         beside_y = np.maximum(np.maximum(from_y - y, y - to_y), 0.0)
         distances.append(np.sqrt(beside_x * beside_x + beside_y * beside_y))
@@ -57,7 +57,7 @@ def nearest_line(pitch: Pitch, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     return nearest
 
 
-def quarter_lines(pitch: Pitch) -> list[tuple[float, float, float, float]]:
+def lines_of_quarter_pitch(pitch: Pitch) -> list[tuple[float, float, float, float]]:
     """Return the straight lines of the quarter x, y >= 0 of a pitch as (from x, from y, to x, to y) [m]."""
     end, side = 0.5 * pitch.length, 0.5 * pitch.width
     pieces = [(0.0, 0.0, 0.0, side), (end, 0.0, end, side), (0.0, side, end, side)]

@@ -1,4 +1,4 @@
-"""What the sensors of a middle-size robot deliver: mirror camera, wheels, light barrier.  MH02, MH07
+"""All sensors of a middle-size robot: mirror camera, wheels, light barrier.  MH02, MH07
 
     exposure -> pending, for `camera_delay` frames -> percept, with its age; what the body feels is current
 
@@ -38,7 +38,7 @@ OMNI_SENSOR_STATE = ranged_record(
 
 @compiled
 def make_scratch(k, s):
-    """Return scratch arrays: the bodies round the robot, and the map of the pitch's lines for the camera."""
+    """Return scratch arrays for sensing: the robots in view, and the map of the pitch's lines for the camera."""
     around, maps = scratch_records(2 * MAX_TEAM, AROUND), scratch_records(1, LINE_MAP)
     draw_map(maps[0], k, s)
     return around, maps
@@ -46,7 +46,7 @@ def make_scratch(k, s):
 
 @compiled
 def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):
-    """Fill in the percept of robot r; pending (camera_delay,) holds the pictures on their way."""
+    """Compute the percept of robot r; pending (camera_delay,) holds pictures that are not yet delivered."""
     sense_light_barrier(robots[r], percept.body, s)
     around, maps = scratch
     take_and_deliver_picture(
@@ -56,7 +56,7 @@ def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):
 
 @compiled
 def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, light, around, map, k, s):
-    """Take a picture, and deliver the one that is due.  MH02"""
+    """Take a new picture, and deliver the delayed picture that is due in this frame.  MH02"""
     late, robot = pending.shape[0], robots[r]
     if late == 0:
         percept.age = 0.0
@@ -78,7 +78,7 @@ def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, li
 
 @compiled
 def take_picture(match, ball, robots, r, picture, state, pose, light, around, map, k, s):
-    """Fill in the camera's picture of this frame; its colour table learns from it, delivered or not.  MH07"""
+    """Compute the camera's picture of this frame, and adapt the colour table to it.  MH07"""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
     state.table = begin_colour_table(state.table, picture.light, s, match.step == 0 or pose == POSE_TOLD)
@@ -97,7 +97,7 @@ def take_picture(match, ball, robots, r, picture, state, pose, light, around, ma
 
 @compiled
 def clear_picture(picture):
-    """Remove everything from a picture: a robot that is sent off stands beside the field and sees nothing."""
+    """Remove everything from a picture, for a robot that is sent off and sees nothing."""
     clear_sighting(picture.ball)
     clear_sighting(picture.own_goal)
     clear_sighting(picture.opponent_goal)
@@ -122,7 +122,7 @@ def copy_picture(picture, percept):
 
 @compiled
 def copy_sighting(one, other):
-    """Copy a sighting."""
+    """Copy a sighting from one record to the other."""
     other.distance, other.bearing = one.distance, one.bearing
     other.seen, other.teammate = one.seen, one.teammate
 

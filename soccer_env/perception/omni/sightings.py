@@ -1,4 +1,4 @@
-"""What the omnidirectional camera finds in its picture: ball, players, goals.  [Heinemann et al. 2006, 2]  MH02
+"""Objects that the omnidirectional camera finds in its picture: ball, players, goals.  [Heinemann et al. 2006, 2]  MH02
 
 A thing is measured where it touches the ground, so that the mirror's curve tells its distance. Its place in the picture
 is a whole pixel: bearings are good everywhere, errors of distances grow with the square of the distance.
@@ -35,14 +35,14 @@ def to_pixel(place):
 
 @compiled
 def clear_sighting(sighting):
-    """Mark a sighting as absent."""
+    """Mark a sighting as absent: the object was not seen."""
     sighting.seen = sighting.teammate = 0
     sighting.distance = sighting.bearing = 0.0
 
 
 @compiled
 def measure_sighting(sighting, distance, bearing, farthest, s, noise, handedness):
-    """Measure a thing at a noisy, whole pixel of the picture; return whether it lies within `farthest` [px].  MH02"""
+    """Measure an object at a noisy whole pixel of the picture; return whether it is within `farthest` [px].  MH02"""
     mirror = mirror_parameters(s)
     radius = image_radius(mirror, distance)
     error = s.pixel_noise * sqrt(-2.0 * log(1.0 - draw_uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
@@ -60,13 +60,13 @@ def measure_sighting(sighting, distance, bearing, farthest, s, noise, handedness
 
 @compiled
 def sighting_probability(distance, reach, miss, s):
-    """Return the probability that a frame shows a thing [1]: 1 - `miss` nearby, half as much at `reach` [m]."""
+    """Return the probability that a frame shows an object [1]: 1 - `miss` nearby, half of that at `reach` [m]."""
     return (1.0 - miss) / (1.0 + exp(clip((distance - reach) / s.detection_width, -STEEPEST, STEEPEST)))
 
 
 @compiled
 def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colour):
-    """Fill in the ball's sighting; `colour` [1]: share of pixels that the colour table recognises.  MH02, MH07, MH24
+    """Measure the ball's sighting; `colour` [1]: share of pixels that the colour table recognises.  MH02, MH07, MH24
 
     The own body hides everything within `hidden_radius`, other robots everything behind them. A blob that has lost its
     rim seems farther. A ball without colour is found by its shape, more rarely, in any light.
@@ -86,12 +86,12 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
         if share > 0.0 and draw_uniform(noise, CAMERA) < shown:
             seems = distance + (1.0 - kept) * k.ball_radius
             measure_sighting(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
-    mistake_for_ball(sighting, s, noise, handedness)
+    add_false_ball(sighting, s, noise, handedness)
 
 
 @compiled
-def mistake_for_ball(sighting, s, noise, handedness):
-    """Add a rare false ball in a random direction; the nearer of ball and false ball looks larger and is taken."""
+def add_false_ball(sighting, s, noise, handedness):
+    """Add a rare false ball in a random direction; it replaces the sighting of the ball if it is nearer."""
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
     if rate <= 0.0 or draw_uniform(noise, FALSE_BLOBS) >= rate:
         return
@@ -108,7 +108,7 @@ def mistake_for_ball(sighting, s, noise, handedness):
 
 @compiled
 def find_players(percept, around, count, k, s, noise, handedness, colour):
-    """Fill in the sightings of other robots, sorted by apparent distance, nearest first.  MH02, MH07"""
+    """Measure the sightings of other robots, sorted by apparent distance, nearest first.  MH02, MH07"""
     players, seen = percept.players, 0
     for j in range(count):
         other = around[j]
@@ -148,7 +148,7 @@ def insert_by_distance(players, last):
 
 @compiled
 def find_goals(match, robot, percept, around, count, k, s, noise, handedness, colour):
-    """Fill in the sightings of the own goal and of the opponents' goal.  MH02"""
+    """Measure the sightings of the own goal and of the opponents' goal.  MH02"""
     end = 0.5 * attack_direction(match, robot.team) * k.pitch_length
     find_goal(percept.own_goal, robot, -end, around, count, k, s, noise, handedness, colour)
     find_goal(percept.opponent_goal, robot, end, around, count, k, s, noise, handedness, colour)
@@ -156,15 +156,15 @@ def find_goals(match, robot, percept, around, count, k, s, noise, handedness, co
 
 @compiled
 def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour):
-    """Fill in the sighting of the goal at x [m]: bearing of the visible part's middle, distance of the goal's middle.
+    """Measure the sighting of the goal at x [m]: bearing of its visible part's middle, distance of the goal's middle.
 
     A goal is 1 m tall: it is visible from everywhere, over the heads of robots that are not near. Where its foot lies
     beyond the picture's edge, it is measured as if the picture went on (assumed).
     """
     clear_sighting(sighting)
     distance, middle = length(x - robot.x, -robot.y), wrap(atan2(-robot.y, x - robot.x) - robot.heading)
-    one = wrap(bearing_of(robot, x, 0.5 * k.pitch_goal_width) - middle)
-    other = wrap(bearing_of(robot, x, -0.5 * k.pitch_goal_width) - middle)
+    one = wrap(bearing_to_point(robot, x, 0.5 * k.pitch_goal_width) - middle)
+    other = wrap(bearing_to_point(robot, x, -0.5 * k.pitch_goal_width) - middle)
     half = 0.5 * abs(one - other)
     centre = middle + 0.5 * (one + other)
     aside, share = visible_part(around, count, centre, half, distance, GOAL_HEIGHT, k, s, handedness)
@@ -173,6 +173,6 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
 
 
 @compiled
-def bearing_of(robot, x, y):
-    """Return the bearing [rad] from a robot to a point of the field frame."""
+def bearing_to_point(robot, x, y):
+    """Return the bearing [rad] of a point, given in the field frame, as seen from a robot."""
     return wrap(atan2(y - robot.y, x - robot.x) - robot.heading)

@@ -1,4 +1,4 @@
-"""Functions of observations as teams: with them a policy of any library plays wherever a team is expected.
+"""Teams made from functions of observations, so that a policy of any library plays wherever a team is expected.
 
     team.py      the team
     answers.py   checks of what its function returns

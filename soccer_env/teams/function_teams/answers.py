@@ -1,4 +1,4 @@
-"""Checks of the actions and memory that a user's function returns for the players of a team."""
+"""Checks of the actions and the memory that a user's function returns for a team's players."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,7 +13,7 @@ Who = Callable[[int, int], str]  # words for the robot of a match and a player
 
 
 def as_array(returned: Any) -> np.ndarray:
-    """Convert numbers of any library to an array; a tensor of torch is detached and moved to the CPU."""
+    """Convert numbers of any library to a numpy array; a torch tensor is detached and moved to the CPU."""
     if hasattr(returned, "detach"):
         returned = returned.detach().cpu()
     try:
@@ -23,7 +23,7 @@ def as_array(returned: Any) -> np.ndarray:
 
 
 def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, who: Who) -> np.ndarray:
-    """Convert the answer of a team's function to actions (D, P, 7); `given` is the leading shape of its observations.
+    """Convert the answer of a team's function to actions (D, P, 7); `given`: leading shape of its observations.
 
     ValueError names the robot, what was returned and what is allowed.
     """
@@ -50,7 +50,7 @@ def as_actions(returned: Any, team: str, given: tuple[int, ...], players: int, w
 
 
 def check_rows(good: np.ndarray, rows: np.ndarray, team: str, allowed: str, players: int, who: Who) -> None:
-    """Raise ValueError for the first row of actions (D P, n) in which `good` is not all True."""
+    """Raise ValueError for the first row of actions (D P, n) that has a False in `good`."""
     if not good.all():
         row = int(np.argmin(good.all(axis=1)))
         robot = who(*divmod(row, players))
@@ -59,7 +59,7 @@ def check_rows(good: np.ndarray, rows: np.ndarray, team: str, allowed: str, play
 
 
 def check_remembered(memory: np.ndarray, before: tuple[Any, ...], team: str, who: Who) -> None:
-    """Raise ValueError if a function gave its memory (D, P, ...) another shape, or left numbers that are not finite."""
+    """Raise ValueError if a function changed the shape of its memory (D, P, ...), or left numbers not finite."""
     if (memory.shape, memory.dtype) != before:
         raise ValueError(f"memory of team {team!r} must stay {before[1]} of shape {before[0]}, got {memory.shape}")
     for name in memory.dtype.names or ():

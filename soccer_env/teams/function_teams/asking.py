@@ -1,4 +1,4 @@
-"""Ask the functions that play in a match for their decisions, before anybody moves.
+"""Ask the users' functions that play in a match for their decisions, before any robot moves.
 
 All functions are asked before the first answer is stored: if a function raises or returns an invalid answer, nothing
 has changed.
@@ -21,7 +21,7 @@ MOVES = ("step", "reset", "load")  # methods that move a match to another state
 
 
 def ask_functions(match: Match) -> None:
-    """Ask the functions for the decisions due in M matches and store the answers; ValueError for an invalid answer."""
+    """Ask the functions for all decisions due in M matches and store them; ValueError for an invalid answer."""
     squads = [squad for squad in match.squads if isinstance(squad.team, FunctionTeam)]
     answers = [ask_squad(match, squad) for squad in squads]
     for squad, memory in zip(squads, answers, strict=True):
@@ -29,11 +29,13 @@ def ask_functions(match: Match) -> None:
 
 
 def ask_squad(match: Match, squad: Squad) -> np.ndarray:
-    """Ask a squad's function and return a copy of the squad's memory (M, P) with the new decisions."""
+    """Ask the function of a squad's team; return a copy of the squad's memory (M, P) with the new decisions."""
     team: FunctionTeam = squad.team
     memory: np.ndarray = squad.memory.copy()
     plays = np.ones(match.count, bool) if squad.plays is None else squad.plays
-    begin_memory(memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team)
+    initialise_memory(
+        memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team
+    )
     due = np.flatnonzero(plays & (memory["wait"][:, 0] == 0) & (match.matches["over"] == 0))
     if len(due):
         rows, kept = squad.players, memory[due]
@@ -50,17 +52,17 @@ def ask_squad(match: Match, squad: Squad) -> np.ndarray:
 
 @contextmanager
 def forbid_changes(match: Match, team: str) -> Iterator[None]:
-    """Forbid steps and other changes of a match while a team's own Python runs; reading, copying and branching work."""
+    """Forbid steps and other changes of a match while the Python code of a team runs; reading and copying work."""
     asks = get_ident()
 
-    def refuse(name: str, *args: Any, **kwargs: Any) -> Any:
+    def raise_in_own_thread(name: str, *args: Any, **kwargs: Any) -> Any:
         if get_ident() != asks:  # another thread: the match itself refuses
             return getattr(type(match), name)(match, *args, **kwargs)
         moves = f"{', '.join(MOVES[:-1])} or {MOVES[-1]}"
         raise RuntimeError(f"team {team!r} must not call {moves} of the match that asks it; a branch of it may move")
 
     for name in MOVES:
-        match.__dict__[name] = partial(refuse, name)
+        match.__dict__[name] = partial(raise_in_own_thread, name)
     try:
         yield
     finally:
@@ -68,8 +70,8 @@ def forbid_changes(match: Match, team: str) -> Iterator[None]:
             del match.__dict__[name]
 
 
-def begin_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
-    """Initialise the memory (M, P) in the `fresh` matches (M,), whose episode begins: robots stand until a decision."""
+def initialise_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
+    """Initialise the memory (M, P) of new episodes, marked in `fresh` (M,): robots stand until the first decision."""
     if fresh.any():
         first = memory[fresh]
         first["begun"] = 1
@@ -79,7 +81,7 @@ def begin_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: 
 
 
 def squad_observations(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:
-    """Return the observations (D, P, n) float32 of a squad's players, in a new array for the function."""
+    """Return the observations (D, P, n) float32 of a squad's players where a decision is due, as a new array."""
     team, seen = squad.team, squad.observations
     if isinstance(team.observe, str):
         match.batch.write_observations(seen, team.observe, squad.players, 0, match.count)

@@ -1,4 +1,4 @@
-"""A function of observations as a team.
+"""A team that a function of observations controls.
 
     function(observations)             (D, P, n) float32 -> actions
     function(observations, memory)     memory (D, P) or (D, P, ...), to be changed in place
@@ -32,7 +32,7 @@ OWN = "own"  # the field of the memory that is the function's
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FunctionTeam:
-    """A function of observations as a team; `team_of_function` makes one and explains the fields.
+    """A team that a function of observations controls; `team_of_function` makes it and explains the fields.
 
     A match asks the function before anybody moves (`asking.py`); then the team does what its memory says.
     """
@@ -59,18 +59,18 @@ class FunctionTeam:
 
     @property
     def memory_dtype(self) -> np.dtype[Any]:
-        """Return the dtype of a player's memory: decision, steps until the next decision, the function's memory."""
+        """Return the dtype of a player's memory: decision, steps until the next decision, the function's own memory."""
         return ranged_record(PLACES if self.memory is None else [*PLACES, (OWN, self.memory, ANY)])
 
     @property
     def settings(self) -> np.ndarray:
-        """Return the settings, as bytes, which must equal those in a save that is loaded."""
+        """Return the settings as bytes; a save can be loaded only if they are equal."""
         seen = self.observe if isinstance(self.observe, str) else observation_class_name(self.observe)
         text = f"{seen} {self.action_repeat} {self.at_once} {self.flat} {self.fingerprint}"
         return np.frombuffer(text.encode(), np.uint8)
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
-        """Return the commands (M, P, 7) stored in memory; ValueError outside a match, which asks the function."""
+        """Return the commands (M, P, 7) that a match has stored in memory; ValueError outside a match."""
         if not memory["begun"].all():
             raise ValueError(
                 f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
@@ -80,7 +80,7 @@ class FunctionTeam:
         return commands
 
     def decide(self, observations: np.ndarray, memory: np.ndarray, who: Who) -> np.ndarray:
-        """Ask the function for actions and return them (D, P, 7), for observations (D, P, n); changes memory (D, P).
+        """Ask the function for actions (D, P, 7), given observations (D, P, n); changes memory (D, P).
 
         ValueError names the robot (`who` of a match and a player), what the function returned, and what is allowed.
         """
@@ -109,7 +109,7 @@ def team_of_function(
     name: str | None = None,
     fingerprint: str = "",
 ) -> FunctionTeam:
-    """Make a team of a function of observations; the team plays wherever a team is expected.
+    """Make a team from a function of observations; the team plays wherever a team is expected.
 
     observe: what the observations are built from, as in `Match`: "truth" (with ideal senses), "percepts" (with
     sensors), "belief", or an object of your own. action_repeat: control steps for which a decision is kept. memory:
@@ -135,25 +135,25 @@ def team_of_function(
 
 
 def observation_class_name(observe: Observation) -> str:
-    """Return the class name of an object of observations."""
+    """Return the class name of a user's observation object."""
     return type(observe).__qualname__
 
 
 def check_observe(observe: Any) -> None:
-    """Raise ValueError unless something is a name of observations, or an object with names to call with a match."""
+    """Raise ValueError unless `observe` names observations, or is an object with names to call with a match."""
     if not (callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries"))):
         check_choice("observe", observe, OBSERVE)
 
 
 def check_text(what: str, text: Any, least: int) -> str:
-    """Return a value if it is a printable text of one line, `least` characters or longer; else raise ValueError."""
+    """Return the value if it is one line of printable text with at least `least` characters; else raise ValueError."""
     if not (isinstance(text, str) and text.isprintable() and len(text) >= least):
         raise_not_allowed(what, "a plain text", text)
     return text
 
 
 def checked_memory(memory: Any) -> np.dtype[Any]:
-    """Check that a memory is a dtype of plain numbers, and return the dtype; ValueError for anything else."""
+    """Return a memory's dtype, checked to hold plain numbers; ValueError for anything else."""
     try:
         dtype: np.dtype[Any] = np.dtype(memory)
     except (TypeError, ValueError) as error:

@@ -1,4 +1,4 @@
-"""The state that the keys of `soccer watch` set: pause and speed, overlays, the robot or ball to follow."""
+"""The state that keys control in `soccer watch`: pause, speed, overlays, the robot or ball to follow."""
 
 from dataclasses import replace
 from math import ceil
@@ -27,7 +27,7 @@ FOLLOWS = ("", "robot", "ball")
 
 
 class PlaybackControls:
-    """The state that the keys set; `rate`: shots of the tape per second of play; `agents`: robots that keys select."""
+    """The state that keys control; `rate`: tape shots per second of play; `agents`: robots that keys select."""
 
     def __init__(
         self,
@@ -46,7 +46,7 @@ class PlaybackControls:
         self.paused = self.helps = False
 
     def press(self, key: str) -> None:
-        """Carry out the action of a key; keys without an action do nothing."""
+        """Carry out the action of a key, or nothing for an unused key."""
         if key == "space":
             self.paused = not self.paused
         elif key in (",", "."):
@@ -77,7 +77,7 @@ class PlaybackControls:
 
     @property
     def skip(self) -> int:
-        """Return the number of shots from one frame to the next, such that at most SMOOTH frames a second are shown."""
+        """Return how many shots to advance per frame, so that at most SMOOTH frames a second are shown."""
         return max(1, ceil(self.rate * self.speed / SMOOTH))
 
     @property
@@ -86,10 +86,10 @@ class PlaybackControls:
         return IDLE if self.paused else self.rate * self.speed / self.skip
 
     def words(self) -> str:
-        """Return the caption of the window."""
+        """Return the caption of the window: the clock, and "paused", "end" or the speed."""
         state = "paused" if self.paused else "end" if self.over() else f"{self.speed:g}x"
         return f"soccer_env  {clock_words(self.tape.shot[0])}  {state}  (h: keys)"
 
     def over(self) -> bool:
-        """Tell whether the final shot is shown."""
+        """Tell whether the last shot is on screen."""
         return self.tape.ended and self.tape.at == len(self.tape.shots) - 1

@@ -1,4 +1,4 @@
-"""The shots of a match or a replay in order, with rewind."""
+"""The shots (drawable states) of a match or a replay in order, with rewind."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -11,7 +11,7 @@ KEPT = 6000  # shots in memory, some 16 kB each
 
 
 class Tape:
-    """The shots of a match, one for every `stride` control steps; the tape can rewind over the last KEPT shots."""
+    """A sequence of drawable shots, one for every `stride` control steps, that rewinds over the last KEPT shots."""
 
     def __init__(self, shots: Iterable[Snapshot], stride: int = 1) -> None:
         self._coming = iter(shots)
@@ -21,7 +21,7 @@ class Tape:
         self.ended = False
 
     def move_by(self, shots: int) -> None:
-        """Move by a number of shots, backwards if negative, no further than either end."""
+        """Move forwards by a number of shots, backwards if negative, at most to either end."""
         self.at = max(0, self.at + shots)
         while self.at >= len(self.shots) and not self.ended:
             self._take()
@@ -46,12 +46,12 @@ class Tape:
         return self.shots[self.at]
 
     def past(self, shots: int) -> list[Snapshot]:
-        """Return at most `shots` shots before the current one."""
+        """Return up to `shots` shots before the current shot."""
         return self.shots[max(0, self.at - shots) : self.at]
 
 
 def play_live(match: Match, thoughts: Thoughts | None = None) -> Iterator[Snapshot]:
-    """Play a match and yield a shot of its kick-off and of every control step until it ends.
+    """Play a match and yield a shot of its kick-off and of each control step until its end.
 
     Robots' thoughts are noted at intervals, as in a replay: an overlay can be turned on at any moment.
     """

@@ -1,4 +1,4 @@
-"""The window of `soccer watch`, until it is closed: a replay file or a live match."""
+"""The window of `soccer watch`, which shows a replay file or a live match."""
 
 from math import ceil
 
@@ -46,7 +46,7 @@ def watch(settings: WatchSettings) -> None:
 def show(
     deck: PlaybackControls, cast: Cast, picture: Closeup, window: Window, teams: tuple[str, str], stays: bool
 ) -> None:
-    """Show a tape until the user closes the window; unless it `stays`, it also closes at the end of the tape."""
+    """Show a tape until the user closes the window; it also closes at the end of the tape, unless it `stays`."""
     try:
         while True:
             window.fps = deck.fps
@@ -65,7 +65,7 @@ def show(
 
 
 def frame_of(deck: PlaybackControls, cast: Cast, picture: Closeup, teams: tuple[str, str]) -> np.ndarray:
-    """Return the current frame of the deck, (H, W, 3) uint8."""
+    """Draw the current frame of the tape; return it as (H, W, 3) uint8."""
     shot, past = deck.tape.shot, deck.tape.past(ceil(TRAVELLED * deck.rate))
     overlays = make_overlays(deck.flags, cast, shot, past, picture.width)
     if deck.helps:

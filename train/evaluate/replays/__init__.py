@@ -1,4 +1,4 @@
-"""Keep replays of finished matches: the best, the worst, every goal as a clip.
+"""Keep replays of finished matches: the best match, the worst match, and every goal as a clip.
 
     contest = contest_of(conditions, league, {})
     kept = keep_replays(contest, lines, Keep("best,goals"), Path("runs/match"))

@@ -1,4 +1,4 @@
-"""Choose the matches whose replays are kept: the best and the worst for the first team, and all with goals."""
+"""Choose the matches whose replays are kept: the first team's best and worst, and all matches with goals."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ORDER: dict[str, Callable[[MatchLine], Any]] = {  # the least is kept: by goal d
 
 @dataclass(frozen=True)
 class Keep:
-    """The replays to keep: `kinds`, words of KINDS separated by commas; `pages`: also as pages for the browser.
+    """The replays to keep: `kinds`, words of KINDS separated by commas; `pages`: write a browser page for each as well.
 
     ValueError for an unknown word.
     """
@@ -36,19 +36,19 @@ class Keep:
 
     @property
     def kinds_in_order(self) -> list[str]:
-        """Return the kinds in the order of KINDS, each once."""
+        """Return the kinds of replays to keep in the order of KINDS, without duplicates."""
         words = [word.strip() for word in self.kinds.split(",") if word.strip()]
         return [kind for kind in KINDS if kind in words] + [word for word in words if word not in KINDS]
 
     def joined_with(self, before: Keep) -> Keep:
-        """Return a choice of all replays that this choice or an earlier one keeps."""
+        """Return the union of this choice and an earlier choice of replays."""
         return Keep(
             ",".join(kind for kind in KINDS if kind in {*self.kinds_in_order, *before.kinds_in_order}),
             self.pages or before.pages,
         )
 
     def matches_to_keep(self, lines: Sequence[MatchLine]) -> list[tuple[str, MatchLine]]:
-        """Return the matches whose replays are kept, each as (kind, line)."""
+        """Return the matches whose replays should be kept, each as (kind, result line)."""
         chosen: list[tuple[str, MatchLine]] = []
         for kind in self.kinds_in_order if lines else ():
             if kind == GOALS:

@@ -1,4 +1,4 @@
-"""Replays in the folder of a run: files named by kind, match and seed, and a list of them.
+"""Replays in the folder of a run: files named by kind, match and seed, and a list of these files.
 
 replays/best-match-4-seed-6213.replay     best, worst: whole matches       .html beside it: its page
 replays/goal-2-match-7-seed-9921.replay   the second goal of match 7, and the seconds before it
@@ -29,7 +29,7 @@ BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows before (at least) and after a 
 
 @dataclass(frozen=True)
 class Kept:
-    """A kept replay; goals are counted from the first team's side."""
+    """A replay in the folder of a run; goals are counted from the first team's side."""
 
     kind: str  # of `choice.KINDS`
     file: str  # relative to the run's folder
@@ -48,20 +48,20 @@ class Kept:
 
     @property
     def rate(self) -> float:
-        """Return the bytes per minute of play."""
+        """Return the file size per minute of play [bytes/min]."""
         return 60.0 * self.bytes / max(self.seconds, 1e-9)
 
 
 def keep_replays(
     contest: Contest, lines: Sequence[MatchLine], keep: Keep, folder: Path, before: str = ""
 ) -> list[Kept]:
-    """Keep replays of finished matches; return the kept replays of these matches.
+    """Write replays of finished matches to a run's folder; return the list of them.
 
     Replays that exist are not played again. The folder keeps the kinds of earlier calls, too. A replay is removed when
     more matches have changed, for example, which match is the best. `before` begins the names of the files and differs
     between contests that share a folder. ValueError if a match ends in another state; OSError.
     """
-    earlier_keep, listed = read_list(folder)
+    earlier_keep, listed = read_kept_list(folder)
     others, earlier = split_replays(listed, lambda one: not Path(one.file).name.startswith(before))
     keep = keep.joined_with(earlier_keep)
     if not keep.kinds_in_order:
@@ -84,11 +84,11 @@ def keep_replays(
 
 def kept_in(folder: Path) -> list[Kept]:
     """Return the replays that a folder lists; none if the list is missing or damaged."""
-    return read_list(folder)[1]
+    return read_kept_list(folder)[1]
 
 
-def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
-    """Return the kinds that a folder keeps so far, and the replays that it lists."""
+def read_kept_list(folder: Path) -> tuple[Keep, list[Kept]]:
+    """Return the kinds of replays that a folder keeps so far, and the replays listed there."""
     try:
         record = json.loads(read_regular_file(folder / REPLAYS / KEPT, LARGEST))
         keep, kept = Keep(**record["asked"]), [Kept(**one) for one in record["replays"]]
@@ -98,7 +98,7 @@ def read_list(folder: Path) -> tuple[Keep, list[Kept]]:
 
 
 def is_valid_entry(kept: Kept) -> bool:
-    """Tell whether an entry of kept.json has fields of the right types and names only files in the folder `replays`."""
+    """Tell whether an entry of kept.json has fields of the right types, and files only in the folder `replays`."""
     values = ((getattr(kept, field.name), getattr(EXAMPLE, field.name)) for field in fields(Kept))
     if not all(isinstance(value, (type(example), int)) for value, example in values):
         return False
@@ -111,7 +111,7 @@ EXAMPLE = Kept("", "", 0, 0, 0, "", "", 0, 0, 0.0, 0.0, 0, "", "")
 
 
 def split_replays(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
-    """Divide replays into those that pass a test and the rest."""
+    """Divide replays into those that pass a test and all others."""
     both: tuple[list[Kept], list[Kept]] = ([], [])
     for one in kept:
         both[0 if test(one) else 1].append(one)
@@ -119,18 +119,18 @@ def split_replays(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[l
 
 
 def is_replay_of(kept: Kept, kind: str, line: MatchLine) -> bool:
-    """Tell whether a replay is of this kind and shows the match of a line, with the line's final state."""
+    """Tell whether a replay is of this kind and shows the match of a result line, up to its final state."""
     return (kept.kind, kept.match, kept.state) == (kind, line.match, line.state)
 
 
 def is_complete(folder: Path, kept: Kept) -> bool:
-    """Tell whether the file of a replay exists with its full length."""
+    """Tell whether the file of a replay exists with its full size."""
     path = folder / kept.file
     return path.is_file() and path.stat().st_size == kept.bytes
 
 
 def remove_files(folder: Path, kept: Kept) -> None:
-    """Remove the files of a replay."""
+    """Remove the replay's files from the folder."""
     for name in (kept.file, kept.page):
         if name:
             (folder / name).unlink(missing_ok=True)
@@ -139,7 +139,7 @@ def remove_files(folder: Path, kept: Kept) -> None:
 def play_missing_replays(
     contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path, before: str
 ) -> list[Kept]:
-    """Play the matches of missing replays, each match once for all its kinds, and write the replays."""
+    """Play the matches of missing replays, each match only once, and write the replays."""
     lines = {line.match: line for _, line in missing}
     kept: list[Kept] = []
     with Progress("replays to keep", float(sum(line.steps for line in lines.values()))) as bar:
@@ -155,7 +155,7 @@ def play_missing_replays(
 def write_replays(
     contest: Contest, line: MatchLine, kind: str, again: ReplayedMatch, folder: Path, before: str
 ) -> list[Kept]:
-    """Write the replays of one kind of a match, and return them."""
+    """Write the replays of one kind (a whole match, or clips of goals) from one match, and return them."""
     conditions, rate = contest.conditions, contest.league.control_rate
     parts = again.goals if kind == GOALS else [(0, again.whole)]
     teams = (conditions.home, conditions.away)[:: 1 if line.side == "home" else -1]
@@ -174,7 +174,7 @@ def write_replays(
 
 
 def add_page(folder: Path, kept: Kept) -> Kept:
-    """Write the page of a replay unless it exists; return the replay with its page."""
+    """Write the browser page of a replay unless it exists; return the entry of the replay with its page."""
     page = str(Path(kept.file).with_suffix(".html"))
     if not kept.page or not (folder / page).is_file():
         write_page(Replay.read(folder / kept.file), folder / page, anew=True)
@@ -183,14 +183,14 @@ def add_page(folder: Path, kept: Kept) -> Kept:
 
 @dataclass(frozen=True)
 class ReplayedMatch:
-    """A match played once more; `goals`: a clip of each goal, with its first control step."""
+    """A match that was played again; `goals`: a clip of each goal, with its first control step."""
 
     whole: Replay
     goals: list[tuple[int, Replay]]
 
 
 def play_match_again(contest: Contest, line: MatchLine, goals: bool, advance: Callable[[float], None]) -> ReplayedMatch:
-    """Play a match of a contest once more; ValueError if it ends in another state than its line says.
+    """Play a match of a contest again; ValueError if it ends in another state than the result line says.
 
     `goals`: cut clips of goals as well. `advance` gets the number of control steps played.
     """

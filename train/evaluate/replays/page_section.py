@@ -1,4 +1,4 @@
-"""The section of kept replays in a report's page."""
+"""The section about kept replays in a report page."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ VERIFIED = (
 
 
 def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
-    """Add the section of replays, with links to files beside the page; nothing without replays."""
+    """Add a section of replays with links to their files to a page; nothing if no replays were kept."""
     if not kept:
         return
     page.section("Replays")
@@ -23,7 +23,7 @@ def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
 
 
 def row_of(kept: Kept) -> list[str]:
-    """Return the texts of a replay's row in the table."""
+    """Return the texts of a replay's table row."""
     what, score = WORDS.get(kept.kind, kept.kind).format(kept.number), f"{kept.goals_for} : {kept.goals_against}"
     minutes, seconds = divmod(round(kept.start), 60)
     times = [f"{minutes}:{seconds:02d}", f"{kept.seconds:.0f} s", f"{kept.rate / 1e3:.0f} kB"]
@@ -31,7 +31,7 @@ def row_of(kept: Kept) -> list[str]:
 
 
 def links_of(kept: Kept) -> list[tuple[str, str]]:
-    """Return the links to a replay's files."""
+    """Return (words, file) for each link to a replay's files."""
     return [("watch", kept.page), ("file", kept.file)] if kept.page else [("file", kept.file)]
 
 

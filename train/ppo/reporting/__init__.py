@@ -1,4 +1,4 @@
-"""Reports of a training run besides its own log.
+"""Optional reports of a training run in addition to its own log.
 
 loggers.py   TensorBoard, Weights & Biases and CSV, through stable-baselines3's own logger
 page.py      the report as a page for the browser

@@ -24,14 +24,14 @@ PROJECT, RUN = "soccer_env", "run.txt"  # of Weights & Biases: the project, and 
 
 
 def check_packages(kinds: Sequence[str]) -> None:
-    """Raise ImportError, naming the package to install, for a log whose package is missing."""
+    """Raise ImportError for a log whose package is missing, with the package to install."""
     for kind in kinds:
         if any(find_spec(package) is None for package in PACKAGES[kind]):
             raise ImportError(f'--log {kind} needs another package: pip install "soccer_env[{kind}]"')
 
 
 class Logs:
-    """The optional logs of a run; stable-baselines3 records into `logger`."""
+    """The optional logs of a run, which stable-baselines3 writes through `logger`."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder, step: int) -> None:
         kinds = settings.logs
@@ -45,7 +45,7 @@ class Logs:
         self.logger = Logger(None, formats)
 
     def write(self, record: Mapping[str, Any]) -> None:
-        """Write stable-baselines3's statistics of an update, and the line of our log."""
+        """Write stable-baselines3's statistics of an update and the run's own log line to all optional logs."""
         for group in ("points", "rating", "seconds"):
             for name, value in record[group].items():
                 self.logger.record(f"{group}/{name}", value)
@@ -54,7 +54,7 @@ class Logs:
         self.logger.dump(record["step"])
 
     def write_evaluation(self, step: int, rows: Sequence[Mapping[str, Any]]) -> None:
-        """Write the rows of an evaluation."""
+        """Write the results of an evaluation, one row per opponent, to all optional logs."""
         for row in rows:
             for name in ("goal_difference", "low", "high", "points"):
                 self.logger.record(f"evaluation/{name}_{row['opponent']}", row[name])
@@ -67,7 +67,7 @@ class Logs:
 
 
 def begin_wandb(settings: TrainSettings, folder: Path) -> Callable[[], None]:
-    """Start or resume a run of Weights & Biases; return the function to end it. WANDB_MODE=offline needs no network."""
+    """Start or resume a Weights & Biases run; return the function that ends it. WANDB_MODE=offline needs no network."""
     import wandb
 
     folder.mkdir(exist_ok=True)

@@ -1,4 +1,4 @@
-"""The report of a training run as a page: its learning curve, evaluations, statistics of PPO, and settings."""
+"""The HTML report of a training run: its learning curve, evaluations, statistics of PPO, and settings."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -22,7 +22,7 @@ Lines = Sequence[dict[str, Any]]
 
 
 def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Sequence[Kept] = ()) -> str:
-    """Return the page of a run: `lines` of its log, its evaluations, and replays that were kept."""
+    """Return the HTML page of a run, made from its log `lines`, its evaluations, and its kept replays."""
     page = ReportPage(f"{settings.name}, {settings.league}, {settings.players}", "soccer train")
     if evaluations:
         best = max(evaluations, key=lambda one: one["mean"])
@@ -48,7 +48,7 @@ def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Seq
 
 
 def add_evaluations(page: ReportPage, settings: TrainSettings, evaluations: Lines) -> None:
-    """Add the learning curve and the evaluations as tables."""
+    """Add the learning curve and the evaluations to the page, as tables too."""
     page.section("Evaluations")
     if can_draw():
         page.figure(
@@ -67,7 +67,7 @@ def add_evaluations(page: ReportPage, settings: TrainSettings, evaluations: Line
 
 
 def opponents_table(evaluations: Lines) -> bytes:
-    """Draw a table of goal differences by opponent and evaluation; of many evaluations a selection, with the last."""
+    """Draw a table of goal differences by opponent and evaluation; of many evaluations only a selection."""
     every = -(-len(evaluations) // MOST_COLUMNS)
     shown = list(range(len(evaluations) - 1, -1, -every))[::-1]
     decisions = decisions_of(evaluations)
@@ -80,7 +80,7 @@ def opponents_table(evaluations: Lines) -> bytes:
 
 
 def curves_of_log(lines: Lines) -> Iterator[dict[str, Any]]:
-    """Yield the arguments of `draw_curves` for each quantity of a run's log."""
+    """Yield the arguments of `draw_curves` for each quantity in a run's log."""
     lines = lines[:: max(1, len(lines) // POINTS)]
     unit, words = step_unit(max(line["step"] for line in lines))
     for title, quantity, names in COURSES:

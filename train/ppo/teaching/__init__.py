@@ -1,4 +1,4 @@
-"""An actor's lessons from a scripted teacher, before rewards and beside them.
+"""Lessons of the actor by a scripted teacher, before learning from rewards and alongside.
 
 imitation.py     a teacher that plays: its decisions, the fit to them, and a loss that keeps them later
 advice.py        a teacher that watches the actor play, knows the truth, and labels each decision

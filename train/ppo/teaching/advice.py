@@ -1,4 +1,4 @@
-"""Learn from a teacher that watches: the actor plays, and a scripted team labels every step with its own action.
+"""Lessons by advice: the actor plays, and a scripted team labels every decision with its own action.
 
 The teacher knows the truth, the actor only its robots' beliefs: fitted to the advice, the actor does what is best on
 average over all states that agree with the beliefs [learning by cheating: Chen et al. 2019]. The actor plays itself,
@@ -23,15 +23,15 @@ WALK_WEIGHT, KICK_WEIGHT = 5.0, 2.0  # of a walk's error; of the few decisions w
 
 
 class Adviser:
-    """A team that watches another match and returns its own commands for the home robots."""
+    """A team that observes another match and returns the commands that it would give the home robots."""
 
     def __init__(self, teacher: Any, senses: Literal["ideal", "sensors"], **settings: Any) -> None:
-        """Set up the adviser; `senses`: "ideal" to advise by the truth, "sensors" by the watched robots' beliefs."""
+        """Set up the adviser; `senses`: "ideal" to advise by the truth, "sensors" by the robots' own beliefs."""
         self.match = Match(controllers={"home": teacher, "away": "still"}, senses=senses, **settings)
         self.by_beliefs = senses == "sensors"
 
     def commands(self, watched: Match) -> np.ndarray:
-        """Return the team's commands for the present state (M, home, 4): forward, left, turn, kick."""
+        """Return the adviser's commands for the present state (M, home, 4): forward, left, turn, kick."""
         for name in ("matches", "balls", "robots"):
             getattr(self.match, name)[:] = getattr(watched, name)
         if self.by_beliefs:
@@ -42,7 +42,7 @@ class Adviser:
 
 
 def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int], repeat: int, **settings: Any) -> Rows:
-    """Let `player` play home; return the observations (n, entries) of its decisions, and the teacher's advice (n, 4).
+    """Let `player` play home; return the observations (n, entries) of its decisions, and the teacher's actions (n, 4).
 
     Whole episodes are played, once each; robots that are out, and matches that have ended, are left out.
     """
@@ -67,7 +67,7 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
 
 
 def play_decision(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: int) -> np.ndarray:
-    """Play the control steps of a decision; return the advice (M, home, 4): the first walk, and the strongest kick."""
+    """Play the control steps of one decision; return the advice (M, home, 4): first walk, strongest kick."""
     kick = np.full(known.shape, NO_KICK)
     for step in range(repeat):
         by_truth, by_beliefs = (adviser.commands(match) for adviser in advisers)
@@ -80,7 +80,7 @@ def play_decision(match: Match, advisers: list[Adviser], known: np.ndarray, repe
 
 
 def advice_error(actions: torch.Tensor, asked: torch.Tensor) -> torch.Tensor:
-    """Return the loss of actions (n, 4) against advice: Huber for walks, weighted square for kicks."""
+    """Return the loss of actions (n, 4) against the advice: Huber for walks, weighted square for kicks."""
     walk = torch.nn.functional.huber_loss(actions[:, :3], asked[:, :3], delta=BEND)
     weights = torch.where(asked[:, 3] > 0.0, KICK_WEIGHT, 1.0)
     return WALK_WEIGHT * walk + (weights * (actions[:, 3] - asked[:, 3]) ** 2).mean()

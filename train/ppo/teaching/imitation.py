@@ -1,4 +1,4 @@
-"""Learn from a scripted teacher before learning from rewards: its decisions are recorded and the actor fitted to them.
+"""Lessons by imitation: a scripted teacher's decisions are recorded, and the actor is fitted to them before rewards.
 
 The teacher plays home with the learner's senses. At each decision of the learner, its observation is recorded with the
 teacher's walk at this moment, and the teacher's strongest kick until the next decision.
@@ -26,7 +26,7 @@ HOLD_PARTS, HOLD_PART = 8, 4096
 def record(
     teacher: Any, opponents: Any, players: tuple[int, int], decisions: int, repeat: int, **settings: Any
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return observations (n, entries) and actions (n, 4) of a teacher's home robots; `settings` go to `Match`."""
+    """Record observations (n, entries) and actions (n, 4) of a teacher's home robots; `settings` go to `Match`."""
     home, away = players
     match = Match(
         home=home, away=away, controllers={"home": teacher, "away": opponents}, autoreset="same_step", **settings
@@ -88,7 +88,7 @@ def imitation_weight(settings: TrainSettings, step: int) -> float:
 
 
 def fit_a_little(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
-    """Take a few gradient steps towards the recorded decisions, so that the actor keeps rare actions such as kicks.
+    """Take a few gradient steps towards the recorded decisions, so that the actor does not forget rare kicks.
 
     The optimiser is made anew each time, so that checkpoints need not keep it.
     """
@@ -103,7 +103,7 @@ def fit_a_little(network: SoccerPolicy, rows: Rows, strength: float, seed: int) 
 
 
 def permute_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:
-    """Permute the entries for the robot's last command over all rows, in place, so that they carry no information.
+    """Shuffle the entries for the robot's last command over all rows, in place, to remove their information.
 
     A teacher decides at every control step, so its last command nearly determines the next, and a pupil that sees it
     learns to repeat it [the copycat problem: de Haan, Jayaraman, Levine 2019].

@@ -1,4 +1,4 @@
-"""The rounds of advice so far, on the disk: an interrupted run resumes after the last round."""
+"""The finished rounds of advice on disk, from which an interrupted run resumes."""
 
 import io
 import shutil
@@ -17,17 +17,17 @@ NETWORK = "network/"
 
 
 class KeptRounds:
-    """The recorded rows of each round and the network after it, kept in a run's folder until the teaching is over."""
+    """The recorded rows of each round, with the network after it, in a run's folder until teaching ends."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder / ROUNDS
 
     def path(self, number: int) -> Path:
-        """Return the file of a round."""
+        """Return the path of a round's file."""
         return self.folder / f"round-{number:03d}.npz"
 
     def keep(self, number: int, rows: Rows, network: torch.nn.Module) -> None:
-        """Write the rows of a round and the network after it, whole or not at all. OSError leaves earlier rounds."""
+        """Write the rows of a round and the network after it, atomically; an OSError leaves earlier rounds intact."""
         weights = {NETWORK + name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
         buffer = io.BytesIO()
         np.savez(buffer, **dict(zip(ROWS, rows, strict=True)), **weights)  # type: ignore[arg-type]  # of arrays by name
@@ -35,7 +35,7 @@ class KeptRounds:
         write_atomically(self.path(number), buffer.getvalue())
 
     def restore(self, network: torch.nn.Module) -> list[Rows]:
-        """Return the rows of all kept rounds; load the last round's weights into `network`; ValueError if damaged."""
+        """Return the rows of all stored rounds, and load the last weights into `network`; ValueError if damaged."""
         kept: list[Rows] = []
         weights: dict[str, Any] = {}
         while (path := self.path(len(kept))).exists():
@@ -51,5 +51,5 @@ class KeptRounds:
         return kept
 
     def forget(self) -> None:
-        """Remove all rounds."""
+        """Remove all stored rounds."""
         shutil.rmtree(self.folder, ignore_errors=True)

@@ -1,4 +1,4 @@
-"""The lessons of a run's actor from its teacher, in every match setting of the run."""
+"""The lessons that a scripted teacher gives a run's actor, in every match setting of the run."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
@@ -30,12 +30,12 @@ LAST_EPOCHS = 2  # times as many epochs after the last round
 
 
 def teaching_cases(settings: TrainSettings) -> list[Any]:
-    """Return the match settings in which a teacher is recorded: (team sizes, opponent, (share, senses)) of each."""
+    """Return the match settings in which to record a teacher: (team sizes, opponent, (share, senses)) of each."""
     return list(product(settings.sizes, settings.opponent_names, settings.kinds_of_senses))
 
 
-def recording_shares(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
-    """Yield, for each match setting: opponent, team sizes, decisions of a robot to record, and settings of `Match`."""
+def recordings_by_setting(settings: TrainSettings) -> Iterator[tuple[Any, tuple[int, int], int, dict[str, Any]]]:
+    """Yield for each match setting: opponent, team sizes, decisions per robot to record, and settings of `Match`."""
     cases = teaching_cases(settings)
     decisions = max(1, round(60.0 * settings.minutes * settings.played.control_rate / settings.action_repeat))
     for index, (players, opponent, (weight, senses)) in enumerate(cases):
@@ -53,7 +53,7 @@ def lessons(
 ) -> Rows:
     """Record the teacher's observations and actions in every match setting of the run, from fixed seeds."""
     parts = []
-    for opponent, players, decisions, given in recording_shares(settings):
+    for opponent, players, decisions, given in recordings_by_setting(settings):
         given |= {"observe": settings.observe}
         parts.append(record(settings.teacher, opponent, players, decisions, settings.action_repeat, **given))
         advance(1.0)
@@ -61,14 +61,14 @@ def lessons(
 
 
 def join_lessons(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
-    """Join the rows of all parts; permute the entries for robots' own last commands (`permute_own_commands`)."""
+    """Join the rows of all match settings, and shuffle the entries for robots' own last commands."""
     observations = np.concatenate([part[0] for part in parts])
     permute_own_commands(observations, entries, settings.seed)
     return observations, np.concatenate([part[1] for part in parts])
 
 
 class Lessons:
-    """The lessons of a run's actor from its teacher: before PPO, and for a while between its updates."""
+    """The lessons that a teacher gives a run's actor: before PPO, and for a while between its updates."""
 
     def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
         self.settings, self.network = settings, network
@@ -77,13 +77,13 @@ class Lessons:
 
     @property
     def rows(self) -> Rows:
-        """Return the recorded decisions; a resumed run records them again."""
+        """Return the teacher's recorded decisions; a resumed run records them again."""
         if self._rows is None:
             self._rows = lessons(self.settings, self.network.entries)
         return self._rows
 
     def teach(self) -> Iterator[int]:
-        """Initialise the actor from a policy file or by its teacher, if the settings name either.
+        """Initialise the actor from a policy file or by its teacher, as the settings say.
 
         Yields the number of advised decisions after each round, and once without rounds; the caller's work at a yield,
         such as an evaluation, is repeated if the run is interrupted before the round is kept.
@@ -99,14 +99,14 @@ class Lessons:
         yield 0
 
     def _imitate(self) -> None:
-        """Fit the actor to its teacher's decisions."""
+        """Fit the actor to the teacher's recorded decisions."""
         settings, epochs = self.settings, self.settings.teacher_epochs
         with Progress(f"learning from {settings.teacher}", len(teaching_cases(settings)) + epochs / 2) as progress:
             self._rows = lessons(settings, self.network.entries, progress.advance)
             fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
 
     def _take_advice(self) -> Iterator[int]:
-        """Play rounds, the first by the teacher unless a start is given; fit the actor to the advice of all rounds."""
+        """Play rounds of advice, the first by the teacher unless `start` is set; fit the actor after each round."""
         settings = self.settings
         cases = len(teaching_cases(settings))
         rounds = self.kept.restore(self.network)
@@ -118,10 +118,10 @@ class Lessons:
             self.kept.keep(number, rounds[-1], self.network)
 
     def _round(self, number: int, progress: Progress) -> Rows:
-        """Play a round in every match setting; return observations and advice."""
+        """Play one round of advice in every match setting; return observations and advised actions."""
         settings, parts = self.settings, []
         player = self._actor_as_team() if number or settings.start else settings.teacher
-        for opponent, players, _, given in recording_shares(settings):
+        for opponent, players, _, given in recordings_by_setting(settings):
             given["seed"] += ROUND_SEED * number
             parts.append(advised(player, settings.teacher, opponent, players, settings.action_repeat, **given))
             progress.advance(1.0)
@@ -138,7 +138,7 @@ class Lessons:
         )  # fmt: skip
 
     def _actor_as_team(self) -> Any:
-        """Return the actor as it is now, as a team."""
+        """Return the present actor as a team."""
         settings = self.settings
         return team_from_policy(
             export_policy(
@@ -152,7 +152,7 @@ class Lessons:
         )
 
     def continue_imitation(self, step: int, rollout: int) -> None:
-        """Fit the actor a little to the teacher after an update of PPO, while the imitation loss has a weight."""
+        """After an update of PPO, fit the actor a little to the teacher, while the imitation loss has a weight."""
         settings, strength = self.settings, imitation_weight(self.settings, step)
         if rollout >= settings.critic_first and strength > 0.0:
             fit_a_little(self.network, self.rows, strength, settings.seed + rollout)
