@@ -44,7 +44,7 @@ def quantile(values: Any, share: float) -> float:
     return float(np.quantile(numbers, share)) if len(numbers) else nan
 
 
-def percent(hits: str, trials: str, samples: Mapping[str, np.ndarray]) -> float:
+def percent(samples: Mapping[str, np.ndarray], hits: str, trials: str) -> float:
     """Return the sum of the counts `hits` over the sum of the counts `trials` [%], NaN without a trial."""
     total = samples[trials].sum()
     return 100.0 * float(samples[hits].sum() / total) if total else nan

@@ -147,12 +147,12 @@ H27 = Claim(
     f"of the own pose from {SETTLE:g} s on for {SECONDS:g} s. Then each is carried {CARRIED:g} m or more and told "
     f"nothing: recovered if within {LONGEST:g} s it is right to {LOST:g} m and 20 degrees for {HELD:g} s.",
     criteria=(
-        measured("median error of the place", lambda s: 100 * median(s["place"]), unit="cm", below=100 * COUNTED_ON),
+        measured("median error of the place", "place", of=median, unit="cm", below=100 * COUNTED_ON),
         measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
                  unit="cm", below=100 * NEAR),
         counted("recovered after being carried", "recovered", "one", at_least=95.0),
-        reported("median error of the heading", lambda samples: median(samples["heading"]), unit="deg"),
-        reported("median time to recover", lambda samples: median(samples["time"]), unit="s"),
+        reported("median error of the heading", "heading", of=median, unit="deg"),
+        reported("median time to recover", "time", of=median, unit="s"),
     ),
     rules=STAGED,
     measure=drive_and_carry,

@@ -131,15 +131,15 @@ S11 = Claim(
     "have, with orange patches round the field and on red stickers; jumps: over 50 cm farther in a frame, to a place "
     "more than 50 cm wrong; the same play with the two rules and without.",
     criteria=(
-        measured("fewer jumps with both rules", lambda s: fewer_jumps(s, "both"), unit="%", at_least=80.0),
+        measured("fewer jumps with both rules", fewer_jumps, "both", unit="%", at_least=80.0),
         measured(
             "frames with a right sighting lost by the rules",
             lambda samples: float(100 * (1.0 - samples["right both"].sum() / max(samples["right none"].sum(), 1.0))),
             unit="%",
             at_most=5.0,
         ),
-        reported("fewer jumps by the height test alone", lambda s: fewer_jumps(s, "horizon"), unit="%"),
-        reported("fewer jumps by the area thresholds alone", lambda s: fewer_jumps(s, "area"), unit="%"),
+        reported("fewer jumps by the height test alone", fewer_jumps, "horizon", unit="%"),
+        reported("fewer jumps by the area thresholds alone", fewer_jumps, "area", unit="%"),
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
     rules=STAGED,

@@ -155,14 +155,12 @@ S12 = Claim(
     method=f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
     f"{WAY:g} m on an arc of 0 to 90 degrees; error of the believed place at the end, same seeds for each memory.",
     criteria=(
-        measured("full update: median error of the place", lambda samples: 100 * median(samples["place full"]),
-                 unit="cm", at_most=15.0),
-        measured("full update: median error of the bearing", lambda samples: median(samples["bearing full"]),
-                 unit="deg", at_most=10.0),
-        measured("rotation only: error over that of the full update",
-                 lambda samples: error_ratio(samples, "place rotation", "place full"), at_least=3.0),
-        reported("no update: median error of the place", lambda s: 100 * median(s["place none"]), unit="cm"),
-        reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
+        measured("full update: median error of the place", "place full", of=median, unit="cm", at_most=15.0),
+        measured("full update: median error of the bearing", "bearing full", of=median, unit="deg", at_most=10.0),
+        measured("rotation only: error over that of the full update", error_ratio, "place rotation", "place full",
+                 at_least=3.0),
+        reported("no update: median error of the place", "place none", of=median, unit="cm"),
+        reported("rotation only: the same", "place rotation", of=median, unit="cm"),
     ),
     rules=STAGED,
     measure=compare_updates,
@@ -197,11 +195,9 @@ S14 = Claim(
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     criteria=(
-        measured(
-            "median error without the update over that with it", lambda s: error_ratio(s, "off", "on"), at_most=0.5
-        ),
-        reported("without the update", lambda samples: 100 * median(samples["off"]), unit="cm"),
-        reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
+        measured("median error without the update over that with it", error_ratio, "off", "on", at_most=0.5),
+        reported("without the update", "off", of=median, unit="cm"),
+        reported("with the update", "on", of=median, unit="cm"),
     ),
     rules=STAGED,
     measure=compare_dribbling,

@@ -223,15 +223,9 @@ S08 = Claim(
         measured(
             "cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%", at_most=10.0
         ),
-        measured(
-            "cut in both: median error", lambda samples: bias_of_hidden_balls(samples, 2), unit="%", at_least=30.0
-        ),
-        reported("not cut: median error", lambda samples: bias_of_hidden_balls(samples, 0), unit="%"),
-        reported(
-            "cut in one dimension, by width alone: median error",
-            lambda s: bias_of_hidden_balls(s, 1, "width"),
-            unit="%",
-        ),
+        measured("cut in both: median error", bias_of_hidden_balls, 2, unit="%", at_least=30.0),
+        reported("not cut: median error", bias_of_hidden_balls, 0, unit="%"),
+        reported("cut in one dimension, by width alone: median error", bias_of_hidden_balls, 1, "width", unit="%"),
     ),
     rules=STAGED,
     measure=compare_dimensions,

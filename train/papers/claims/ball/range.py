@@ -5,7 +5,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -208,7 +207,7 @@ S15 = Claim(
     statement="A single pixel can change the ball's distance by 5 or 10 cm.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     criteria=tuple(
-        exact(f"range at which a pixel is worth {100 * step:.0f} cm", partial(range_at_step, step=step), unit="cm",
+        exact(f"range at which a pixel is worth {100 * step:.0f} cm", range_at_step, step, unit="cm",
               at_least=100 * low, at_most=100 * high)
         for step, low, high in STEPS
     ),

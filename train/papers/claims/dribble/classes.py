@@ -1,6 +1,5 @@
 """Dribbling past a mover among standing players, by class of situation.  [Sacks 2001, 4.2, 4.3.4]"""
 
-from functools import partial
 from math import pi
 from typing import Any
 
@@ -75,18 +74,17 @@ S64 = Claim(
         measured("clean past one still player, less the best other class", still_player_advantage, unit="%", above=0.0),
         measured("the least other class less mover and still on opposite sides", opposite_sides_disadvantage, unit="%",
                  above=0.0),
-        *(reported(f"clean, {name}", partial(outcome_share, name="clean", columns=i), unit="%")
+        *(reported(f"clean, {name}", outcome_share, "clean", i, unit="%") for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past without a contact that stopped it or turned somebody, {name}", outcome_share, "free", i,
+                   unit="%") for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past, touched or not, {name}", outcome_share, "past", i, unit="%")
           for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"past without a contact that stopped it or turned somebody, {name}",
-                   partial(outcome_share, name="free", columns=i), unit="%") for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"past, touched or not, {name}", partial(outcome_share, name="past", columns=i), unit="%")
+        *(reported(f"from the middle: clean, {name}", outcome_share, "middle clean", i, unit="%")
           for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"from the middle: clean, {name}", partial(outcome_share, name="middle clean", columns=i), unit="%")
-          for i, (name, _) in enumerate(CLASSES)),
-        reported("from the middle: one still player less the best other class",
-                 partial(still_player_advantage, name="middle clean"), unit="%"),
-        reported("from the middle: the least other class less opposite sides",
-                 partial(opposite_sides_disadvantage, name="middle clean"), unit="%"),
+        reported("from the middle: one still player less the best other class", still_player_advantage, "middle clean",
+                 unit="%"),
+        reported("from the middle: the least other class less opposite sides", opposite_sides_disadvantage,
+                 "middle clean", unit="%"),
     ),
     rules=STAGED,
     measure=dribble_past_classes,
@@ -102,11 +100,12 @@ S43 = Claim(
     statement="The potential field handles moving obstacles about as well as stationary ones.",
     method=f"The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. {RULES}",
     criteria=(
-        *(reported(f"{where}touched, {text}", partial(outcome_share, name=f"{prefix}touched", columns=i), unit="%")
+        *(reported(f"{where}touched, {text}", outcome_share, f"{prefix}touched", i, unit="%")
           for prefix, where in (("", ""), ("middle ", "from the middle: "))
           for i, text in ((0, "one still player"), (1, "one mover"))),
         *(reported(f"{where}touched, mover less still",
-                   lambda s, name=f"{prefix}touched": outcome_share(s, name, 1) - outcome_share(s, name, 0), unit="%")  # type: ignore[misc]
+                   lambda s, name=f"{prefix}touched": outcome_share(s, name, 1) - outcome_share(s, name, 0),
+                   unit="%")  # type: ignore[misc]
           for prefix, where in (("", ""), ("middle ", "from the middle: "))),
     ),
     rules=STAGED,

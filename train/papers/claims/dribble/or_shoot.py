@@ -1,7 +1,6 @@
 """Dribbling round blockers against the team's former play: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -103,20 +102,17 @@ S31 = Claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody "
     "there.",
     criteria=(
-        measured("goals, dribbling less orbit and shoot, blockers after the ball",
-                 lambda s: dribbling_advantage(s, "goals"), unit="%", above=0.0),
-        *(reported(f"goals, {name}", partial(share_of_runs, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", partial(share_of_runs, name=name, quantity="against"), unit="%")
+        measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
+                 unit="%", above=0.0),
+        *(reported(f"goals, {name}", share_of_runs, name, unit="%") for name in (*STRATEGIES, *MORE)),
+        *(reported(f"goals against, {name}", share_of_runs, name, "against", unit="%")
           for name in (*STRATEGIES, *MORE)),
-        reported("ball's progress, dribbling less orbit and shoot", lambda s: dribbling_advantage(s, "progress"),
-            unit="cm"),
-        reported("blockers stand: goals, dribbling less orbit and shoot", lambda s: dribbling_advantage(s, "goals",
-            " still"),
+        reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
+        reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still",
                  unit="%"),
-        reported("blockers stand: ball's progress, dribbling less orbit and shoot",
-                 lambda s: dribbling_advantage(s, "progress", " still"), unit="cm"),
-        reported("nobody in the way: goals, dribbling less orbit and shoot", lambda s: dribbling_advantage(s,
-            "goals", " alone"),
+        reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
+                 " still", unit="cm"),
+        reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
                  unit="%"),
     ),
     rules=PLAYED,

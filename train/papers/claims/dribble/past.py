@@ -5,7 +5,6 @@ with distances from middle to middle, which are 25 cm longer for a player straig
 """
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -96,26 +95,22 @@ S62 = Claim(
     method=f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
     criteria=(
         measured("clean, over one to three players", outcome_share, unit="%", at_least=95.0),
-        *(reported(f"clean, {i + 1}", partial(outcome_share, name="clean", columns=i), unit="%") for i in range(3)),
-        reported("past without a contact that stopped it or turned somebody", lambda s: outcome_share(s, "free"),
-            unit="%"),
-        reported("the same, one", lambda s: outcome_share(s, "free", 0), unit="%"),
-        reported("past with the ball, touched or not", lambda s: outcome_share(s, "past"), unit="%"),
-        reported("ball lost", lambda s: outcome_share(s, "lost"), unit="%"),
+        *(reported(f"clean, {i + 1}", outcome_share, "clean", i, unit="%") for i in range(3)),
+        reported("past without a contact that stopped it or turned somebody", outcome_share, "free", unit="%"),
+        reported("the same, one", outcome_share, "free", 0, unit="%"),
+        reported("past with the ball, touched or not", outcome_share, "past", unit="%"),
+        reported("ball lost", outcome_share, "lost", unit="%"),
         reported("one: median distance between middles of bodies at the nearest",
                  lambda s: 100.0 * float(np.median(s["nearest"][:, 0])), unit="cm"),
-        reported("one, ideal senses: clean", lambda s: 100.0 * float(s["clean ideal"].mean()), unit="%"),
-        reported("one, twice k2: clean", lambda s: 100.0 * float(s["clean strong"].mean()), unit="%"),
-        reported("one who stands 90 to 150 cm off at the start: clean", lambda s: 100.0 * float(s["clean afar"].mean()),
-                 unit="%"),
-        reported("from the middle, one who stands 90 to 150 cm off: clean",
-                 lambda s: 100.0 * float(s["middle clean afar"].mean()), unit="%"),
-        reported("from the middle: clean", lambda s: outcome_share(s, "middle clean"), unit="%"),
-        reported("from the middle: clean, one", lambda s: outcome_share(s, "middle clean", 0), unit="%"),
-        reported("from the middle: past without a contact that stopped it or turned somebody",
-                 lambda s: outcome_share(s, "middle free"), unit="%"),
-        reported("from the middle, ideal senses: clean, one",
-                 lambda s: 100.0 * float(s["clean middle ideal"].mean()), unit="%"),
+        reported("one, ideal senses: clean", "clean ideal", unit="%"),
+        reported("one, twice k2: clean", "clean strong", unit="%"),
+        reported("one who stands 90 to 150 cm off at the start: clean", "clean afar", unit="%"),
+        reported("from the middle, one who stands 90 to 150 cm off: clean", "middle clean afar", unit="%"),
+        reported("from the middle: clean", outcome_share, "middle clean", unit="%"),
+        reported("from the middle: clean, one", outcome_share, "middle clean", 0, unit="%"),
+        reported("from the middle: past without a contact that stopped it or turned somebody", outcome_share,
+                 "middle free", unit="%"),
+        reported("from the middle, ideal senses: clean, one", "clean middle ideal", unit="%"),
     ),
     rules=STAGED,
     measure=dribble_past_still,
@@ -171,18 +166,15 @@ S63 = Claim(
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
     criteria=(
-        measured("clean, at 3 and 6 cm/s", lambda s: outcome_share(s, "clean", speed_columns(0.03, 0.06)), unit="%",
-            at_least=80.0),
-        *(reported(f"clean, {100 * speed:.0f} cm/s", partial(outcome_share, name="clean",
-            columns=speed_columns(speed)), unit="%")
+        measured("clean, at 3 and 6 cm/s", outcome_share, "clean", speed_columns(0.03, 0.06), unit="%", at_least=80.0),
+        *(reported(f"clean, {100 * speed:.0f} cm/s", outcome_share, "clean", speed_columns(speed), unit="%")
           for speed in SPEEDS),
-        *(reported(f"clean at 3 and 6 cm/s, {text}", partial(outcome_share, name="clean", columns=drill_columns(i,
-            SLOW)), unit="%")
+        *(reported(f"clean at 3 and 6 cm/s, {text}", outcome_share, "clean", drill_columns(i, SLOW), unit="%")
           for i, text in enumerate(("near at the start", "far at the start", "head-on"))),
-        reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody",
-                 lambda s: outcome_share(s, "free", speed_columns(0.03, 0.06)), unit="%"),
-        reported("past with the ball, touched or not, all speeds", lambda s: outcome_share(s, "past"), unit="%"),
-        reported("from the middle: clean at 3 and 6 cm/s", lambda s: outcome_share(s, "middle clean"), unit="%"),
+        reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody", outcome_share, "free",
+                 speed_columns(0.03, 0.06), unit="%"),
+        reported("past with the ball, touched or not, all speeds", outcome_share, "past", unit="%"),
+        reported("from the middle: clean at 3 and 6 cm/s", outcome_share, "middle clean", unit="%"),
     ),
     rules=STAGED,
     measure=dribble_past_mover,

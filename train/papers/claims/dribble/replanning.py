@@ -63,15 +63,13 @@ S52 = Claim(
     f"fitted to the clean share. {RULES}",
     criteria=(
         measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", fast_decisions_gain, unit="%",
-            at_most=5.0),
+                 at_most=5.0),
         measured("curve at 0.5 s less at 1 s", half_second_gain, unit="%", above=0.0),
         *(reported(f"clean at {time:g} s", partial(lambda s, time: clean_shares_at(s, time), time=time), unit="%")
           for time in REPLANS),
-        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", partial(fast_decisions_gain,
-            name="middle clean"),
+        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", fast_decisions_gain, "middle clean",
                  unit="%"),
-        reported("from the middle: curve at 0.5 s less at 1 s", partial(half_second_gain, name="middle clean"),
-            unit="%"),
+        reported("from the middle: curve at 0.5 s less at 1 s", half_second_gain, "middle clean", unit="%"),
     ),
     rules=STAGED,
     measure=compare_decision_times,

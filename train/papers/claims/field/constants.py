@@ -113,28 +113,24 @@ S53 = Claim(
     f"{NEARLY:.0f} points of its best.",
     criteria=(
         *(
-            measured(f"{who}: least sufficient {axis}, moving over standing", partial(moving_over_standing_value,
-                who=who, axis=axis),
+            measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
                      above=1.0)
             for who in ("points", "robots")
             for axis in AXES
         ),
         *(
-            reported(f"{who}: least sufficient {axis}, {kind}",
-                     partial(least_sufficient_value, who=who, kind=kind, axis=axis), unit="m")
+            reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
             for who in ("points", "robots")
             for axis in AXES
             for kind in KINDS
         ),
         *(
-            reported(f"{who}, {kind}: success with the paper's", partial(success_with_paper_constants, who=who,
-                kind=kind), unit="%")
+            reported(f"{who}, {kind}: success with the paper's", success_with_paper_constants, who, kind, unit="%")
             for who in ("points", "robots", "middle robots")
             for kind in KINDS
         ),
         *(
-            reported(f"robots, distances from the middle: {axis}", partial(moving_over_standing_value,
-                who="middle robots", axis=axis))
+            reported(f"robots, distances from the middle: {axis}", moving_over_standing_value, "middle robots", axis)
             for axis in AXES
         ),
     ),
@@ -198,24 +194,21 @@ S65 = Claim(
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
     criteria=(
-        reported("clean passes, points less robots, constants of the points", partial(success_drop, name="tuned"),
+        reported("clean passes, points less robots, constants of the points", success_drop, "tuned", unit="pp"),
+        reported("the same with the paper's constants", success_drop, "paper", unit="pp"),
+        reported("tuned past standing players alone: the same there",
+                 partial(success_drop, name="short", kinds=KINDS[:1]), unit="pp"),
+        reported("distances from the middle: constants of the points", success_drop, "tuned", "middle robots",
                  unit="pp"),
-        reported("the same with the paper's constants", partial(success_drop, name="paper"), unit="pp"),
-        reported("tuned past standing players alone: the same there", partial(success_drop, name="short",
-            kinds=KINDS[:1]),
-                 unit="pp"),
-        reported("distances from the middle: constants of the points",
-                 partial(success_drop, name="tuned", who="middle robots"), unit="pp"),
-        reported("distances from the middle: the paper's constants",
-                 partial(success_drop, name="paper", who="middle robots"), unit="pp"),
-        reported("distances from the middle: tuned past standing players alone",
-                 partial(success_drop, name="short", who="middle robots", kinds=KINDS[:1]), unit="pp"),
-        reported("k2 tuned past standing players alone", lambda s: mean(s["short gain"]), unit="m"),
-        reported("x0 tuned past standing players alone", lambda s: mean(s["short range"]), unit="m"),
-        reported("k2 tuned with points", lambda s: mean(s["gain"]), unit="m"),
-        reported("x0 tuned with points", lambda s: mean(s["range"]), unit="m"),
+        reported("distances from the middle: the paper's constants", success_drop, "paper", "middle robots", unit="pp"),
+        reported("distances from the middle: tuned past standing players alone", success_drop, "short", "middle robots",
+                 KINDS[:1], unit="pp"),
+        reported("k2 tuned past standing players alone", "short gain", unit="m"),
+        reported("x0 tuned past standing players alone", "short range", unit="m"),
+        reported("k2 tuned with points", "gain", unit="m"),
+        reported("x0 tuned with points", "range", unit="m"),
         *(
-            reported(f"{who}, {kind}, {title}", partial(clean_share, who=who, name=name, kinds=(kind,)), unit="%")
+            reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
             for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
             for who in ("points", "robots")
             for kind in KINDS

@@ -1,7 +1,6 @@
 """A stronger preference for the present side, with moving players.  [Sacks 2001, 4.3.3]"""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -110,17 +109,14 @@ S58 = Claim(
     f"last for {', '.join(map(str, PATIENCE))} decisions before it is made; beside it the side is kept beyond smaller "
     "angles than 135 degrees.",
     criteria=(
-        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", lambda s: collision_increase(s,
-            "patience", PATIENCE),
+        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
                  unit="pp", above=0.0),
-        *(reported(f"collisions at {n} decisions", partial(collisions_at_patience, n=n), unit="%") for n in PATIENCE),
+        *(reported(f"collisions at {n} decisions", collisions_at_patience, n, unit="%") for n in PATIENCE),
         *(
-            reported(f"{title}: rise", partial(collision_increase, name="patience", values=PATIENCE, scenes=(key,)),
-                unit="pp")
+            reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
             for key, title in MOVERS.items()
         ),
-        reported("side kept beyond 0 degrees less beyond 135", partial(collision_increase, name="keep_side_angle",
-            values=ANGLES),
+        reported("side kept beyond 0 degrees less beyond 135", collision_increase, "keep_side_angle", ANGLES,
                  unit="pp"),
     ),
     rules=NO_MATCH,

@@ -108,8 +108,8 @@ H24 = Claim(
     method=f"{BALL_TEXT}; with the ball's velocity, and going to where the ball is.",
     criteria=(
         measured("more balls are had, of 100", lambda s: got(s, "with") - got(s, "without"), above=5.0),
-        reported("with the velocity", lambda s: got(s, "with"), unit="%"),
-        reported("without it", lambda s: got(s, "without"), unit="%"),
+        reported("with the velocity", got, "with", unit="%"),
+        reported("without it", got, "without", unit="%"),
         reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
@@ -140,10 +140,10 @@ H01 = Claim(
         measured(
             "fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]), above=5.0
         ),
-        reported("balls had, fast base", lambda s: got(s, "fast"), unit="%"),
-        reported("balls had, old base", lambda s: got(s, "old"), unit="%"),
-        reported("goals, fast base", lambda s: 100 * mean(s["fast goal"]), unit="%"),
-        reported("goals, old base", lambda s: 100 * mean(s["old goal"]), unit="%"),
+        reported("balls had, fast base", got, "fast", unit="%"),
+        reported("balls had, old base", got, "old", unit="%"),
+        reported("goals, fast base", "fast goal", unit="%"),
+        reported("goals, old base", "old goal", unit="%"),
     ),
     rules=STAGED,
     measure=compare_bases,
@@ -189,11 +189,11 @@ H03 = Claim(
     method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
     criteria=(
-        measured("fastest ball after a full kick (mean)", lambda s: mean(s["full top"]), unit="m/s", at_most=10.3),
+        measured("fastest ball after a full kick (mean)", "full top", unit="m/s", at_most=10.3),
         measured("more passes are had, of 100", lambda s: got(s, "soft") - got(s, "full"), above=20.0),
-        reported("controlled passes had", lambda s: got(s, "soft"), unit="%"),
-        reported("full kicks had", lambda s: got(s, "full"), unit="%"),
-        reported("speed after a controlled kick", lambda s: mean(s["soft top"]), unit="m/s"),
+        reported("controlled passes had", got, "soft", unit="%"),
+        reported("full kicks had", got, "full", unit="%"),
+        reported("speed after a controlled kick", "soft top", unit="m/s"),
     ),
     rules=STAGED,
     measure=compare_kick_strengths,

@@ -86,9 +86,9 @@ H17 = Claim(
     criteria=(
         measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(open_angle_gains(s) > -0.1), unit="%",
                  at_least=95.0),
-        measured("it is better than 50 cm off by (mean)", lambda s: mean(
-            np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
-        reported("open angle on d", lambda s: mean(s["on"]), unit="deg"),
+        measured("it is better than 50 cm off by (mean)",
+                 lambda s: mean(np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
+        reported("open angle on d", "on", unit="deg"),
         reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
                  unit="deg"),
     ),
@@ -133,10 +133,10 @@ H21 = Claim(
     "where the trajectory crosses the keeper's line.",
     criteria=(
         measured("one way over the other (median)", lambda s: median(s["perpendicular"] / s["crossing"]), at_most=0.7),
-        measured("shots to which the perpendicular is the shorter", lambda s: 100 * mean(
-            s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
-        reported("perpendicular way (mean)", lambda s: 100 * mean(s["perpendicular"]), unit="cm"),
-        reported("way to the crossing (mean)", lambda s: 100 * mean(s["crossing"]), unit="cm"),
+        measured("shots to which the perpendicular is the shorter",
+                 lambda s: 100 * mean(s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
+        reported("perpendicular way (mean)", "perpendicular", unit="cm"),
+        reported("way to the crossing (mean)", "crossing", unit="cm"),
     ),
     rules=NO_MATCH,
     measure=interception_distances,

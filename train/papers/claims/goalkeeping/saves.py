@@ -1,7 +1,6 @@
 """Saves of the passive and the active goalkeeper, of shots at the farther post.  [Heinemann et al. 2006, 4]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
@@ -84,10 +83,10 @@ H18 = Claim(
     statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, passive keeper on its half circle.",
     criteria=(
-        measured("shots that go in", partial(conceded_share, name="passive"), unit="%", at_least=50.0),
-        reported(f"of those up to {SLOWER:g} m/s", partial(conceded_share_slow, name="passive"), unit="%"),
-        reported("on the goal line instead of the half circle", partial(conceded_share, name="line"), unit="%"),
-        reported("at the nearer post", partial(conceded_share, name="near passive"), unit="%"),
+        measured("shots that go in", conceded_share, "passive", unit="%", at_least=50.0),
+        reported(f"of those up to {SLOWER:g} m/s", conceded_share_slow, "passive", unit="%"),
+        reported("on the goal line instead of the half circle", conceded_share, "line", unit="%"),
+        reported("at the nearer post", conceded_share, "near passive", unit="%"),
     ),
     rules=STAGED,
     measure=compare_posts,
@@ -104,10 +103,8 @@ H19 = Claim(
     statement="Even with its delay the active goalkeeper has a high chance to intercept the ball.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, active keeper.",
     criteria=(
-        measured(
-            f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded_share(s, "active"), unit="%",
-            at_least=80.0,
-        ),
+        measured(f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded_share(s, "active"),
+                 unit="%", at_least=80.0),
         reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - conceded_share_slow(s, "active"), unit="%"),
         reported("of those at 8 m/s and more", lambda s: 100 - 100 * mean(s["active"][s["speed"] >= 8.0]), unit="%"),
         reported("at the nearer post", lambda s: 100 - conceded_share(s, "near active"), unit="%"),
@@ -127,16 +124,14 @@ H20 = Claim(
     statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, the same shots at both keepers.",
     criteria=(
-        measured(
-            "active keeper's goals over the passive one's", partial(conceded_ratio, share=conceded_share), at_most=0.5
-        ),
-        measured(f"the same up to {SLOWER:g} m/s", partial(conceded_ratio, share=conceded_share_slow), at_most=0.2),
-        reported("goals, passive", partial(conceded_share, name="passive"), unit="%"),
-        reported("goals, active", partial(conceded_share, name="active"), unit="%"),
-        reported("half circle of 0.8 m, passive", partial(conceded_share, name="nearer passive"), unit="%"),
-        reported("half circle of 0.8 m, active", partial(conceded_share, name="nearer active"), unit="%"),
-        reported("goal line, passive", partial(conceded_share, name="line passive"), unit="%"),
-        reported("goal line, active", partial(conceded_share, name="line active"), unit="%"),
+        measured("active keeper's goals over the passive one's", conceded_ratio, conceded_share, at_most=0.5),
+        measured(f"the same up to {SLOWER:g} m/s", conceded_ratio, conceded_share_slow, at_most=0.2),
+        reported("goals, passive", conceded_share, "passive", unit="%"),
+        reported("goals, active", conceded_share, "active", unit="%"),
+        reported("half circle of 0.8 m, passive", conceded_share, "nearer passive", unit="%"),
+        reported("half circle of 0.8 m, active", conceded_share, "nearer active", unit="%"),
+        reported("goal line, passive", conceded_share, "line passive", unit="%"),
+        reported("goal line, active", conceded_share, "line active", unit="%"),
     ),
     rules=STAGED,
     measure=compare_keeper_lines,
@@ -154,12 +149,10 @@ H23 = Claim(
     method=f"{SHOTS} {SHOT_TEXT}: the farther post; how far the keeper has moved when the ball is past it, saved "
     "or in.",
     criteria=(
-        measured(
-            "active keeper's way over the passive one's (means)",
-            lambda s: mean(s["active way"]) / mean(s["passive way"]), above=2.0,
-        ),
-        reported("passive keeper's way", lambda s: 100 * mean(s["passive way"]), unit="cm"),
-        reported("active keeper's way", lambda s: 100 * mean(s["active way"]), unit="cm"),
+        measured("active keeper's way over the passive one's (means)",
+                 lambda s: mean(s["active way"]) / mean(s["passive way"]), above=2.0),
+        reported("passive keeper's way", "passive way", unit="cm"),
+        reported("active keeper's way", "active way", unit="cm"),
     ),
     rules=STAGED,
     measure=compare_saves,
@@ -210,17 +203,13 @@ H22 = Claim(
     method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "
     "0.7 px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
     criteria=(
-        measured("goals spared at the sensor's own noise", partial(prevented_goals, fit="fit", noise="own"), unit="%",
-                 above=10.0),
-        measured(
-            "goals spared at 30 times the noise, fit over five frames", partial(prevented_goals, fit="fit",
-                noise="thirtyfold"),
-            unit="%", at_most=5.0,
-        ),
-        reported("goals spared at 10 times the noise", partial(prevented_goals, fit="fit", noise="tenfold"), unit="%"),
-        reported("at 30 times, Kalman filter", partial(prevented_goals, fit="kalman", noise="thirtyfold"), unit="%"),
-        reported("error of the ball at 10 times", lambda s: 100 * mean(s["fit tenfold error"]), unit="cm"),
-        reported("error of the ball at 30 times", lambda s: 100 * mean(s["fit thirtyfold error"]), unit="cm"),
+        measured("goals spared at the sensor's own noise", prevented_goals, "fit", "own", unit="%", above=10.0),
+        measured("goals spared at 30 times the noise, fit over five frames", prevented_goals, "fit", "thirtyfold",
+                 unit="%", at_most=5.0),
+        reported("goals spared at 10 times the noise", prevented_goals, "fit", "tenfold", unit="%"),
+        reported("at 30 times, Kalman filter", prevented_goals, "kalman", "thirtyfold", unit="%"),
+        reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
+        reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
     ),
     rules=STAGED,
     measure=compare_camera_noise,

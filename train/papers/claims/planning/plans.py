@@ -47,12 +47,8 @@ H04 = Claim(
     method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
     f"{CELLS} cells of the field.",
     criteria=(
-        measured(
-            "conventional planner: evaluations a plan", partial(evaluations_per_cell, name="old"), unit="%", at_most=5.0
-        ),
-        measured(
-            "time-variant planner: evaluations a plan", partial(evaluations_per_cell, name="new"), unit="%", at_most=5.0
-        ),
+        measured("conventional planner: evaluations a plan", evaluations_per_cell, "old", unit="%", at_most=5.0),
+        measured("time-variant planner: evaluations a plan", evaluations_per_cell, "new", unit="%", at_most=5.0),
         reported("of the time-variant one, 99 % below", lambda s: 100 * quantile(s["new"], 0.99) / CELLS, unit="%"),
     ),
     rules=NO_MATCH,
@@ -81,7 +77,7 @@ H05 = Claim(
     criteria=(
         counted("plans that arrive with the search", "on", "all", at_least=99.0),
         counted("plans that arrive without it", "off", "all", at_most=50.0),
-        measured("arrive with it and touch nobody", lambda s: 100 * mean(s["clean"]), unit="%", at_least=95.0),
+        measured("arrive with it and touch nobody", "clean", unit="%", at_least=95.0),
     ),
     rules=NO_MATCH,
     measure=compare_local_search,
@@ -134,16 +130,11 @@ H06 = Claim(
     method=f"{SCENES} ways a batch of {WAY:g} m with one obstacle that stands on them, planned in both directions; "
     f"first heading over {HEADING:g} m, length, sharpest turn within {HEADING:g} m.",
     criteria=(
-        measured(
-            "the first heading is farther off straight by",
-            partial(backward_excess, name="heading"),
-            unit="deg",
-            above=2.0,
-        ),
+        measured("the first heading is farther off straight by", backward_excess, "heading", unit="deg", above=2.0),
         measured("the way is longer by", lambda s: 100 * backward_excess(s, "length") / WAY, unit="%", at_most=1.0),
         measured("the sharpest turn is less by", lambda s: -backward_excess(s, "turn"), unit="deg", above=0.0),
-        reported("first heading, backwards", lambda s: mean(s["back heading"]), unit="deg"),
-        reported("first heading, forwards", lambda s: mean(s["fore heading"]), unit="deg"),
+        reported("first heading, backwards", "back heading", unit="deg"),
+        reported("first heading, forwards", "fore heading", unit="deg"),
     ),
     rules=NO_MATCH,
     measure=compare_directions,
@@ -182,11 +173,9 @@ H02 = Claim(
     method=f"Time of {SCENES} plans a batch over 5 m past nine moving obstacles, on one core; a tenth of the cycle, "
     "as a machine 20 years younger than the paper's can hardly miss the whole.",
     criteria=(
-        measured(
-            "time that 1 % of the plans exceed", lambda s: 1e-4 * quantile(s["nine"], 0.99) / CYCLE,
-            unit="% of 20 ms", at_most=10.0,
-        ),
-        reported("plan (median)", lambda s: median(s["nine"]), unit="us"),
+        measured("time that 1 % of the plans exceed", lambda s: 1e-4 * quantile(s["nine"], 0.99) / CYCLE,
+                 unit="% of 20 ms", at_most=10.0),
+        reported("plan (median)", "nine", of=median, unit="us"),
     ),
     rules=NO_MATCH,
     measure=compare_planning_times,
@@ -227,7 +216,7 @@ H16 = Claim(
     section="3",
     statement="Conventional planners are unaware of the other robots' speed.",
     method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",
-    criteria=(exact("paths that are the same", lambda s: 100 * mean(s["same"]), unit="%", at_least=100.0),),
+    criteria=(exact("paths that are the same", "same", unit="%", at_least=100.0),),
     rules=NO_MATCH,
     measure=plans_equal_paths,
     without=Ablation("velocities of 0: here the obstacles move", partial(plans_equal_paths, still=False)),

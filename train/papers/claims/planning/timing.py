@@ -35,7 +35,7 @@ H12 = Claim(
     method=f"{TEXT}; time of the path over the time of the straight line.",
     criteria=(
         exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
-        reported("mean ratio", lambda s: mean(s["smooth ratio"])),
+        reported("mean ratio", "smooth ratio"),
     ),
     rules=NO_MATCH,
     measure=measure_plan_times,
@@ -53,11 +53,11 @@ H13 = Claim(
     statement="The iterative planning needs very few iterations to converge to a reasonable path.",
     method=f"{TEXT}; passes over the grid until the times agree to 0.1 s, at most eight.",
     criteria=(
-        measured("passes (median)", lambda s: median(s["smooth passes"]), at_most=2.0),
-        measured("plans that do not converge", lambda s: 100 * mean(s["smooth open"]), unit="%", at_most=10.0),
+        measured("passes (median)", "smooth passes", of=median, at_most=2.0),
+        measured("plans that do not converge", "smooth open", unit="%", at_most=10.0),
         reported("plans of one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
-        reported("the paper's words alone: passes (median)", lambda s: median(s["literal passes"])),
-        reported("they alone: plans that do not converge", lambda s: 100 * mean(s["literal open"]), unit="%"),
+        reported("the paper's words alone: passes (median)", "literal passes", of=median),
+        reported("they alone: plans that do not converge", "literal open", unit="%"),
     ),
     rules=NO_MATCH,
     measure=measure_plan_times,
@@ -86,10 +86,8 @@ H14 = Claim(
     method=f"The first plans of both canonical crossings; beside them {TEXT}.",
     criteria=(
         exact("canonical: passes", lambda s: max(s[f"{name} passes"][0] for name in CANONICAL), at_most=1.0),
-        exact(
-            "canonical: greater error of T", lambda s: max(abs(s[f"{name} error"][0]) for name in CANONICAL),
-            unit="s", below=0.1,
-        ),
+        exact("canonical: greater error of T", lambda s: max(abs(s[f"{name} error"][0]) for name in CANONICAL),
+              unit="s", below=0.1),
         reported("random crossings planned in one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
     ),
     rules=NO_MATCH,

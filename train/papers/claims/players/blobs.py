@@ -4,7 +4,6 @@ Sizes of stickers are guesses, so the claim is judged over jerseys of 0.7 to 1.3
 """
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -117,21 +116,19 @@ S39 = Claim(
     "head sticker; scatter of the believed over the true range in each run; that ratio in frames with a trunk alone "
     "over frames with trunk and head (for these 30 % of the stickers are missed, so that there are enough).",
     criteria=(
-        measured("combined: range without the head over that with it", lambda samples: worst_sticker_ratio(samples,
-            "combined"),
-                 at_least=1.5, at_most=2.5),
-        measured("largest blob: the same, in the worst jersey", lambda samples: float(sticker_range_ratios(samples,
-            "largest").max()),
-                 at_most=1.2),
+        measured("combined: range without the head over that with it", worst_sticker_ratio, "combined", at_least=1.5,
+                 at_most=2.5),
+        measured("largest blob: the same, in the worst jersey",
+                 lambda samples: float(sticker_range_ratios(samples, "largest").max()), at_most=1.2),
         measured("scatter of the largest blob's range over that of the combined",
                  lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9), below=1.0),
         *(
             reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-                     partial(share_without_head_sticker, j=j, i=len(BINS) - 2), unit="%")
+                     share_without_head_sticker, j, len(BINS) - 2, unit="%")
             for j, jersey in enumerate(JERSEYS)
         ),
-        reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),
-        reported("scatter, combined", lambda samples: scatter(samples, "combined"), unit="%"),
+        reported("scatter, largest blob", scatter, "largest", unit="%"),
+        reported("scatter, combined", scatter, "combined", unit="%"),
     ),
     rules=STAGED,
     measure=compare_blobs,

@@ -146,10 +146,9 @@ S33 = Claim(
     "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
         measured("ghosts at a factor of 3, in the worst jersey",
-                 lambda samples: float(error_share(samples, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
+                 lambda s: float(error_share(s, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
         measured("missed less ghosts at a factor of 3, in the worst jersey",
-                 lambda samples: float((error_share(samples, "missed", CHOSEN) - error_share(samples, "ghosts",
-                     CHOSEN)).min()),
+                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()),
                  unit="%", above=0.0),
         measured(
             "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
@@ -159,13 +158,13 @@ S33 = Claim(
             below=0.0,
         ),
         *(
-            reported(f"the same, stickers {jersey:g} times as large",
-                     partial(value_for_jersey, value=excess_over_best_factor, jersey=jersey), unit="%")
+            reported(f"the same, stickers {jersey:g} times as large", value_for_jersey, excess_over_best_factor, jersey,
+                     unit="%")
             for jersey in JERSEYS
         ),
         *(
-            reported(f"ghosts and misses at {factor:g}, stickers of their own size",
-                     partial(value_for_jersey, value=partial(total_error_share, factor=factor), jersey=1.0), unit="%")
+            reported(f"ghosts and misses at {factor:g}, stickers of their own size", value_for_jersey,
+                     partial(total_error_share, factor=factor), 1.0, unit="%")
             for factor in FACTORS
         ),
     ),
@@ -232,7 +231,7 @@ S72 = Claim(
     criteria=(
         counted("the nearer one is kept", "nearer", "merged", at_least=95.0),
         reported(f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
-                 lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
+                 lambda s: 100 * float(s["nearer unlike"].sum() / max(s["merged unlike"].sum(), 1.0)),
                  unit="%"),
     ),
     rules=STAGED,

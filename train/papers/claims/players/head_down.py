@@ -1,7 +1,6 @@
 """A robot nearby that looks down at the ball: its black head hides its jersey.  [Sacks 2001, 4.3.3]"""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -125,7 +124,7 @@ S61 = Claim(
     "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
     "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without.",
     criteria=(
-        measured("head down: bias by size", partial(mean_times_100, name="down"), unit="cm", above=0.0),
+        measured("head down: bias by size", mean_times_100, "down", unit="cm", above=0.0),
         measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
         measured(
             "head down: bias by infrared, of that difference by size",
@@ -134,15 +133,12 @@ S61 = Claim(
             at_most=100.0 / 3.0,
         ),
         *(
-            reported(f"bias, head {name}", partial(mean_times_100, name=name), unit="cm")
+            reported(f"bias, head {name}", mean_times_100, name, unit="cm")
             for name in ("up", "up by infrared", "down by infrared")
         ),
+        *(reported(f"frames that show it, head {name}", mean_times_100, f"seen {name}", unit="%") for name in TILTS),
         *(
-            reported(f"frames that show it, head {name}", partial(mean_times_100, name=f"seen {name}"), unit="%")
-            for name in TILTS
-        ),
-        *(
-            reported(f"frames in which it is {name}", partial(mean_times_100, name=name), unit="%")
+            reported(f"frames in which it is {name}", mean_times_100, name, unit="%")
             for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
         ),
     ),

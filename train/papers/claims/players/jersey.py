@@ -158,8 +158,7 @@ S37 = Claim(
     method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
     criteria=(
-        measured("player: variation of the width over the height's", lambda samples: width_over_height(samples, "all "),
-                 at_least=3.0),
+        measured("player: variation of the width over the height's", width_over_height, "all ", at_least=3.0),
         measured("largest sticker: height head-on over that from the side",
                  lambda samples: float(front_over_side(samples).max()), below=1.0),
         reported("largest sticker: variation of width over that of height", width_over_height),

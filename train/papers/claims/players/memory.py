@@ -4,7 +4,6 @@ The rates of missed stickers and missed players are guesses, so S35 is judged ov
 """
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -143,21 +142,18 @@ S35 = Claim(
     "players; the worst of them counts.",
     criteria=(
         measured("U/d: two slots or more, at the least", lambda s: min(double_slot_share(s, FIRST)), unit="%",
-            at_least=80.0),
-        measured("U/(d^3 angle): two slots or more, at the most", lambda samples: max(double_slot_share(samples,
-            FINAL)),
-                 unit="%", at_most=10.0),
+                 at_least=80.0),
+        measured("U/(d^3 angle): two slots or more, at the most",
+                 lambda samples: max(double_slot_share(samples, FINAL)), unit="%", at_most=10.0),
         *(
-            reported(f"U/(d^3 angle), missed: {missed}", partial(mean_share, name=f"{FINAL}, {missed}"), unit="%")
+            reported(f"U/(d^3 angle), missed: {missed}", mean_share, f"{FINAL}, {missed}", unit="%")
             for missed in MISSES
         ),
-        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", lambda s: mean_share(s, f"steady {FINAL}"),
-                 unit="%"),
-        reported("U/(d^3 angle), one sticker on a side, 5 % missed", lambda s: mean_share(s, "one sticker"), unit="%"),
-        reported("U/(d^3 angle) with blobs grouped by factor 3", lambda samples: mean_share(samples, "grouped"),
-            unit="%"),
-        reported("scatter of a frame's range", lambda s: 100 * rms(s["range, 5 % of the stickers"]), unit="%"),
-        reported("the same, nothing missed", lambda s: 100 * rms(s["range, nothing"]), unit="%"),
+        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", mean_share, f"steady {FINAL}", unit="%"),
+        reported("U/(d^3 angle), one sticker on a side, 5 % missed", mean_share, "one sticker", unit="%"),
+        reported("U/(d^3 angle) with blobs grouped by factor 3", mean_share, "grouped", unit="%"),
+        reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
+        reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
     ),
     rules=STAGED,
     measure=compare_misses,
@@ -176,10 +172,10 @@ S36 = Claim(
     statement="It is not clear that the factor of the angle helps.",
     method=f"{HOW}: with the angle and without.",
     criteria=(
-        reported("U/(d^3 angle)", lambda samples: mean_share(samples, "U/(d^3 a)"), unit="%"),
-        reported("U/d^3", lambda samples: mean_share(samples, "U/d^3"), unit="%"),
-        reported("U/(d angle)", lambda samples: mean_share(samples, "U/(d a)"), unit="%"),
-        reported("U/d", lambda samples: mean_share(samples, "U/d"), unit="%"),
+        reported("U/(d^3 angle)", mean_share, "U/(d^3 a)", unit="%"),
+        reported("U/d^3", mean_share, "U/d^3", unit="%"),
+        reported("U/(d angle)", mean_share, "U/(d a)", unit="%"),
+        reported("U/d", mean_share, "U/d", unit="%"),
         reported(
             "the angle takes away, of U/d^3", lambda s: mean_share(s, "U/d^3") - mean_share(s, "U/(d^3 a)"), unit="%"
         ),

@@ -1,7 +1,6 @@
 """The number and accuracy of tracked players: the old system and the new one.  [Sacks 2001, 4.1]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -135,11 +134,8 @@ S32 = Claim(
         measured("players tracked, new over old",
                  lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
         measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
-        *(
-            reported(f"players tracked of the five others, {name}", partial(recall, name=name), unit="%")
-            for name in VARIANTS
-        ),
-        *(reported(f"range error, {name}", partial(error, name=name), unit="cm") for name in ("new", "old")),
+        *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
+        *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     ),
     rules=STAGED,
     measure=compare_systems,

@@ -1,7 +1,6 @@
 """The angles from which players see each other in play.  [Sacks 2001, 4.1.2]"""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -93,7 +92,7 @@ S69 = Claim(
     criteria=(
         measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
                  unit="%", above=0.0),
-        *(reported(f"share {name}", partial(third_share, third=i), unit="%") for i, name in enumerate(THIRDS)),
+        *(reported(f"share {name}", third_share, i, unit="%") for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),
     rules=PLAYED,

@@ -1,7 +1,5 @@
 """False alarms in play: a robot believes that it is stuck and is not.  [Sacks 2001, 3.3]"""
 
-from functools import partial
-
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
@@ -122,12 +120,9 @@ S24 = Claim(
     "to 90 cm away in any direction, nothing in the way.",
     criteria=(
         counted("approaches in play that end in a false alarm", "alarms", "approaches", at_most=5.0),
-        measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess,
-            unit="pp", above=0.0),
-        *(
-            reported(f"false alarms in play: {name}", partial(cause_share, cause=i), unit="%")
-            for i, name in enumerate(CAUSES)
-        ),
+        measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess, unit="pp",
+                 above=0.0),
+        *(reported(f"false alarms in play: {name}", cause_share, i, unit="%") for i, name in enumerate(CAUSES)),
         reported("receding or turning in free approaches",
                  lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0), unit="%"),
         reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),

@@ -74,7 +74,7 @@ S23 = Claim(
     "one counter and with two: a recovery that begins is a false alarm.",
     criteria=(
         counted("one counter: approaches with a false alarm", "counters 1", "approaches", at_least=5.0),
-        measured("alarms with one counter over those with two", lambda s: alarm_ratio(s, "counters"), at_least=5.0),
+        measured("alarms with one counter over those with two", alarm_ratio, "counters", at_least=5.0),
         reported("two counters: alarms in 100 approaches", lambda s: 100 * mean(s["counters 2"])),
         *(
             reported(f"{name}, {n} counter(s): alarms in 100 approaches", partial(alarms_per_hundred, f"{name} {n}"))
@@ -133,11 +133,9 @@ S25 = Claim(
     f"rolls at {100 * ROLLS[0]:.0f} to {100 * ROLLS[1]:.0f} cm/s; each recovery there is a false alarm.",
     criteria=(
         measured("least rise of the delay from threshold to threshold", lambda s: least_rise(mean_latencies(s)),
-            unit="s",
-                 above=0.0),
+                 unit="s", above=0.0),
         measured("least fall of the false alarms in 100 approaches",
-            lambda s: least_rise([-v for v in false_alarm_rates(s)]),
-                 at_least=0.0),
+                 lambda s: least_rise([-v for v in false_alarm_rates(s)]), at_least=0.0),
         measured("false alarms in 100 approaches: least threshold less greatest",
                  lambda s: false_alarm_rates(s)[0] - false_alarm_rates(s)[-1], above=0.0),
         reported("least threshold: delay", lambda s: mean_latencies(s)[0], unit="s"),

@@ -125,11 +125,11 @@ S02 = Claim(
                  lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
         measured("stuck balls a minute of play, with less without",
                  lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY, below=0.0),
-        reported("held in play: success without", partial(task_success, word="off"), unit="%"),
+        reported("held in play: success without", task_success, "off", unit="%"),
         reported("held in play: goals in 100, with less without",
                  lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
         *(
-            reported(f"success, {name}, recovery {word}", partial(task_success, word=word, task=name), unit="%")
+            reported(f"success, {name}, recovery {word}", task_success, word, name, unit="%")
             for name in TASKS
             for word in WAYS
         ),
