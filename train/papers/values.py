@@ -1,6 +1,6 @@
 """Statistics of samples in which NaN means "no value": without warnings for empty ones, unlike numpy's."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import nan, sqrt
 from typing import Any
 
@@ -48,6 +48,11 @@ def percent(samples: Mapping[str, np.ndarray], hits: str, trials: str) -> float:
     """Return the sum of the counts `hits` over the sum of the counts `trials` [%], NaN without a trial."""
     total = samples[trials].sum()
     return 100.0 * float(samples[hits].sum() / total) if total else nan
+
+
+def ratio(samples: Mapping[str, np.ndarray], above: str, below: str, of: Callable[[Any], float] = mean) -> float:
+    """Return a statistic of the samples `above` divided by that of the samples `below`."""
+    return of(samples[above]) / max(of(samples[below]), 1e-12)
 
 
 def least_rise(values: Any) -> float:

@@ -174,11 +174,11 @@ def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
 def test_goals_and_benefits_are_counted() -> None:
     speed = np.array([5.0, 5.0, 9.0, 9.0])
     samples = {"speed": speed, "passive": np.array([1.0, 1, 1, 1]), "active": np.array([0.0, 0, 1, 0])}
-    assert saves.conceded_share(samples, "active") == 25.0 and saves.conceded_share_slow(samples, "passive") == 100.0
     assert (
-        saves.conceded_ratio(samples, saves.conceded_share) == 0.25
-        and saves.conceded_ratio(samples, saves.conceded_share_slow) == 0.0
+        saves.conceded_share(samples, "active") == 25.0
+        and saves.conceded_share(samples, "passive", saves.SLOWER) == 100.0
     )
+    assert saves.conceded_ratio(samples) == 0.25 and saves.conceded_ratio(samples, saves.SLOWER) == 0.0
     noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
     assert saves.prevented_goals(noisy, "fit", "own") == 75.0
 

@@ -76,11 +76,6 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def watch_by_old_system(batch: Batch) -> Samples:
-    """Watch balls at random distances up to 60 cm, with the settings of the system that preceded Sacks's work."""
-    return watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD)
-
-
 def range_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the median and the quartiles of the range error against the distance."""
     edges = np.linspace(NEAR, FAR, 9)
@@ -103,7 +98,7 @@ S05 = Claim(
         measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
     rules=STAGED,
-    measure=watch_by_old_system,
+    measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD),
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
     seconds=0.7,

@@ -5,7 +5,7 @@ import numpy as np
 from soccer_env.train.papers.claim import STAGED, Batch, Claim
 from soccer_env.train.papers.claims.ball.occlusion import CUT, SCENES, draw_scene, visible_shares, watch_scene
 from soccer_env.train.papers.claims.ball.range import OLD
-from soccer_env.train.papers.values import known, mean
+from soccer_env.train.papers.values import known, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 DEEP = 2.0 / 3.0  # [1] visible share of both dimensions below which a right reading is under 2/3 of the range by size
@@ -36,11 +36,6 @@ def compare_infrared_rule(batch: Batch) -> Samples:
     return samples
 
 
-def error_ratio(samples: Samples, frames: str = "") -> float:
-    """Return the mean absolute error with the infrared rule over that without; `frames`: "", "all " or "mild "."""
-    return mean(samples[f"{frames}on"]) / max(mean(samples[f"{frames}off"]), 1e-9)
-
-
 S09 = Claim(
     id="S09",
     section="3.1.1",
@@ -49,11 +44,11 @@ S09 = Claim(
     "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames "
     "in which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
     criteria=(
-        measured("mean error with the rule over that without", error_ratio, at_most=0.5),
+        measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
         counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
-        reported("the first ratio in all frames of these balls", error_ratio, "all "),
-        reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both", error_ratio,
-                 "mild "),
+        reported("the first ratio in all frames of these balls", ratio, "all on", "all off"),
+        reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both", ratio, "mild on",
+                 "mild off"),
         reported("mean error without the rule", "off", unit="cm"),
         reported("the same in all frames of these balls", "all off", unit="cm"),
         reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),

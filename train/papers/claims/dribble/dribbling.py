@@ -21,6 +21,7 @@ from soccer_env.train.papers.dribble_runs import (
     set_up_dribblers,
 )
 from soccer_env.train.papers.staging import LEGGED, put, stage, standing_actions
+from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 64
@@ -74,11 +75,6 @@ def loss_increase(samples: Samples, world: str = "") -> float:
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
-def percent_of_trials(samples: Samples, hits: str, trials: str) -> float:
-    """Return the sum of the samples `hits` divided by the sum of the samples `trials` [%]."""
-    return 100.0 * float(samples[hits].sum()) / max(float(samples[trials].sum()), 1.0)
-
-
 def step_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the balls lost per metre against the step length."""
     centimetres = [100 * step for step in STEPS]
@@ -101,7 +97,7 @@ S51 = Claim(
         measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
         reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
         reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
-        reported("body of one piece: kept over 1 m at 3.5 cm", percent_of_trials, "smooth kept at 3.5",
+        reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5",
                  "smooth tried at 3.5", unit="%"),
         reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
         reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
@@ -228,14 +224,9 @@ def blocked_time_difference(samples: Samples, world: str = "") -> float:
     return 100.0 * float(by_limit[0] - by_limit[1])
 
 
-def blocked_time_share(samples: Samples, index: int, world: str = "") -> float:
-    """Return the share of time [%] for which the other robot blocks the walk at the angle LIMITS[index]."""
-    return 100.0 * float(samples[f"{world}caught"][:, index].mean())
-
-
-def mean_distance_walked(samples: Samples, index: int, world: str = "") -> float:
-    """Return the mean distance walked [cm] at the angle LIMITS[index]."""
-    return 100.0 * float(samples[f"{world}made"][:, index].mean())
+def mean_at_limit(samples: Samples, name: str, index: int) -> float:
+    """Return the mean of the samples `name` at the angle LIMITS[index], times 100: a share [%], or a distance [cm]."""
+    return 100.0 * float(samples[name][:, index].mean())
 
 
 S60 = Claim(
@@ -248,12 +239,12 @@ S60 = Claim(
     "Beside it the same with the body of one piece.",
     criteria=(
         measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
-        reported("caught at 45 degrees", blocked_time_share, 0, unit="%"),
-        reported("caught at 55 degrees", blocked_time_share, 1, unit="%"),
-        reported("distance made at 45 degrees", mean_distance_walked, 0, unit="cm"),
-        reported("distance made at 55 degrees", mean_distance_walked, 1, unit="cm"),
-        reported("body of one piece: caught at 45 degrees", blocked_time_share, 0, "smooth ", unit="%"),
-        reported("body of one piece: caught at 55 degrees", blocked_time_share, 1, "smooth ", unit="%"),
+        reported("caught at 45 degrees", mean_at_limit, "caught", 0, unit="%"),
+        reported("caught at 55 degrees", mean_at_limit, "caught", 1, unit="%"),
+        reported("distance made at 45 degrees", mean_at_limit, "made", 0, unit="cm"),
+        reported("distance made at 55 degrees", mean_at_limit, "made", 1, unit="cm"),
+        reported("body of one piece: caught at 45 degrees", mean_at_limit, "smooth caught", 0, unit="%"),
+        reported("body of one piece: caught at 55 degrees", mean_at_limit, "smooth caught", 1, unit="%"),
         reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     ),
     rules=STAGED,

@@ -1,7 +1,6 @@
 """How often a dribbler has to decide.  [Sacks 2001, 4.3.2]"""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -20,11 +19,6 @@ def compare_decision_times(batch: Batch) -> Samples:
     plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
     runs, count = play_two_distances(batch, plan, FEWER), len(REPLANS)
     return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in runs.items()}
-
-
-def clean_shares_at(samples: Samples, *times: float) -> float:
-    """Return the share of clean runs [%] at the given times between decisions."""
-    return outcome_share(samples, "clean", [REPLANS.index(time) for time in times])
 
 
 def fitted_clean_share(samples: Samples, *times: float, name: str = "clean") -> float:
@@ -65,7 +59,7 @@ S52 = Claim(
         measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", fast_decisions_gain, unit="%",
                  at_most=5.0),
         measured("curve at 0.5 s less at 1 s", half_second_gain, unit="%", above=0.0),
-        *(reported(f"clean at {time:g} s", partial(lambda s, time: clean_shares_at(s, time), time=time), unit="%")
+        *(reported(f"clean at {time:g} s", outcome_share, "clean", REPLANS.index(time), unit="%")
           for time in REPLANS),
         reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", fast_decisions_gain, "middle clean",
                  unit="%"),

@@ -66,22 +66,14 @@ def velocities_towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Gener
     return velocity
 
 
-def collisions_by_value(
-    samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS
-) -> list[float]:
-    """Return the share of runs with a collision [%] at each value of the setting `name`, over classes of scenes."""
-    return [100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes]) for value in values]
-
-
-def collisions_at_patience(samples: Samples, n: int) -> float:
-    """Return the share of runs with a collision [%] at a patience of `n` decisions."""
-    return collisions_by_value(samples, "patience", (n,))[0]
+def collision_share(samples: Samples, name: str, value: float, scenes: Sequence[str] = PAPERS) -> float:
+    """Return the share of runs with a collision [%] at a value of the setting `name`, over classes of scenes."""
+    return 100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes])
 
 
 def collision_increase(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
     """Return the share of runs with a collision [pp] at the last value minus the share at the first value."""
-    shares = collisions_by_value(samples, name, values, scenes)
-    return shares[-1] - shares[0]
+    return collision_share(samples, name, values[-1], scenes) - collision_share(samples, name, values[0], scenes)
 
 
 def collision_figures(samples: Samples) -> Sequence[Figure]:
@@ -92,7 +84,7 @@ def collision_figures(samples: Samples) -> Sequence[Figure]:
         ("keep_side_angle", ANGLES, "angle beyond which the side is kept [degrees]"),
     ):
         curves = [
-            Curve(title, list(values), collisions_by_value(samples, name, values, (key,)))
+            Curve(title, list(values), [collision_share(samples, name, value, (key,)) for value in values])
             for key, title in MOVERS.items()
         ]
         figures.append(Figure("Collisions with movers", label, "runs with a collision [%]", tuple(curves)))
@@ -111,7 +103,7 @@ S58 = Claim(
     criteria=(
         measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
                  unit="pp", above=0.0),
-        *(reported(f"collisions at {n} decisions", collisions_at_patience, n, unit="%") for n in PATIENCE),
+        *(reported(f"collisions at {n} decisions", collision_share, "patience", n, unit="%") for n in PATIENCE),
         *(
             reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
             for key, title in MOVERS.items()

@@ -1,6 +1,7 @@
 """Saves of the passive and the active goalkeeper, of shots at the farther post.  [Heinemann et al. 2006, 4]"""
 
 from collections.abc import Sequence
+from math import inf
 from typing import Any
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
@@ -46,20 +47,15 @@ def compare_keeper_lines(batch: Batch) -> Samples:
     return samples
 
 
-def conceded_share(samples: Samples, name: str) -> float:
-    """Return the share of shots that go in [%]."""
-    return 100.0 * mean(samples[name])
+def conceded_share(samples: Samples, name: str, fastest: float = inf) -> float:
+    """Return the share of goals [%] among the shots of at most `fastest` [m/s]."""
+    return 100.0 * mean(samples[name][samples["speed"] <= fastest])
 
 
-def conceded_share_slow(samples: Samples, name: str) -> float:
-    """Return the share of goals [%] among the shots of at most SLOWER [m/s]."""
-    return 100.0 * mean(samples[name][samples["speed"] <= SLOWER])
-
-
-def conceded_ratio(samples: Samples, share: Any) -> float:
+def conceded_ratio(samples: Samples, fastest: float = inf) -> float:
     """Return the active keeper's share of goals over the passive keeper's; 1 if the passive keeper concedes none."""
-    passive = share(samples, "passive")
-    return float(share(samples, "active") / passive) if passive > 0.0 else 1.0
+    passive = conceded_share(samples, "passive", fastest)
+    return conceded_share(samples, "active", fastest) / passive if passive > 0.0 else 1.0
 
 
 def goals_by_speed_figure(samples: Samples) -> Sequence[Figure]:
@@ -83,10 +79,10 @@ H18 = Claim(
     statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, passive keeper on its half circle.",
     criteria=(
-        measured("shots that go in", conceded_share, "passive", unit="%", at_least=50.0),
-        reported(f"of those up to {SLOWER:g} m/s", conceded_share_slow, "passive", unit="%"),
-        reported("on the goal line instead of the half circle", conceded_share, "line", unit="%"),
-        reported("at the nearer post", conceded_share, "near passive", unit="%"),
+        measured("shots that go in", "passive", unit="%", at_least=50.0),
+        reported(f"of those up to {SLOWER:g} m/s", conceded_share, "passive", SLOWER, unit="%"),
+        reported("on the goal line instead of the half circle", "line", unit="%"),
+        reported("at the nearer post", "near passive", unit="%"),
     ),
     rules=STAGED,
     measure=compare_posts,
@@ -105,7 +101,7 @@ H19 = Claim(
     criteria=(
         measured(f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded_share(s, "active"),
                  unit="%", at_least=80.0),
-        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - conceded_share_slow(s, "active"), unit="%"),
+        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - conceded_share(s, "active", SLOWER), unit="%"),
         reported("of those at 8 m/s and more", lambda s: 100 - 100 * mean(s["active"][s["speed"] >= 8.0]), unit="%"),
         reported("at the nearer post", lambda s: 100 - conceded_share(s, "near active"), unit="%"),
     ),
@@ -124,14 +120,14 @@ H20 = Claim(
     statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, the same shots at both keepers.",
     criteria=(
-        measured("active keeper's goals over the passive one's", conceded_ratio, conceded_share, at_most=0.5),
-        measured(f"the same up to {SLOWER:g} m/s", conceded_ratio, conceded_share_slow, at_most=0.2),
-        reported("goals, passive", conceded_share, "passive", unit="%"),
-        reported("goals, active", conceded_share, "active", unit="%"),
-        reported("half circle of 0.8 m, passive", conceded_share, "nearer passive", unit="%"),
-        reported("half circle of 0.8 m, active", conceded_share, "nearer active", unit="%"),
-        reported("goal line, passive", conceded_share, "line passive", unit="%"),
-        reported("goal line, active", conceded_share, "line active", unit="%"),
+        measured("active keeper's goals over the passive one's", conceded_ratio, at_most=0.5),
+        measured(f"the same up to {SLOWER:g} m/s", conceded_ratio, SLOWER, at_most=0.2),
+        reported("goals, passive", "passive", unit="%"),
+        reported("goals, active", "active", unit="%"),
+        reported("half circle of 0.8 m, passive", "nearer passive", unit="%"),
+        reported("half circle of 0.8 m, active", "nearer active", unit="%"),
+        reported("goal line, passive", "line passive", unit="%"),
+        reported("goal line, active", "line active", unit="%"),
     ),
     rules=STAGED,
     measure=compare_keeper_lines,

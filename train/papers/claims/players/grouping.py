@@ -4,7 +4,7 @@ Sizes of stickers are guesses, so the grouping factor is judged over jerseys of 
 jersey counts.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -114,11 +114,6 @@ def excess_over_best_factor(samples: Samples) -> np.ndarray:
     return np.asarray(total_error_share(samples, CHOSEN) - others.min(axis=0))
 
 
-def value_for_jersey(samples: Samples, value: Callable[[Samples], np.ndarray], jersey: float) -> float:
-    """Return the quantity `value` of the samples for one size of the jersey's stickers."""
-    return float(value(samples)[JERSEYS.index(jersey)])
-
-
 def factor_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the shares of ghosts and missed players against the grouping factor, one figure for each jersey."""
     label = "grouping factor [sizes of the larger blob]"
@@ -158,13 +153,13 @@ S33 = Claim(
             below=0.0,
         ),
         *(
-            reported(f"the same, stickers {jersey:g} times as large", value_for_jersey, excess_over_best_factor, jersey,
+            reported(f"the same, stickers {jersey:g} times as large", lambda s, j: excess_over_best_factor(s)[j], j,
                      unit="%")
-            for jersey in JERSEYS
+            for j, jersey in enumerate(JERSEYS)
         ),
         *(
-            reported(f"ghosts and misses at {factor:g}, stickers of their own size", value_for_jersey,
-                     partial(total_error_share, factor=factor), 1.0, unit="%")
+            reported(f"ghosts and misses at {factor:g}, stickers of their own size",
+                     lambda s, factor: total_error_share(s, factor)[JERSEYS.index(1.0)], factor, unit="%")
             for factor in FACTORS
         ),
     ),
@@ -201,11 +196,6 @@ def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     return {"nearer": kept, "merged": merged, "nearer unlike": kept * unlike, "merged unlike": merged * unlike}
 
 
-def keep_one_of_equals(batch: Batch) -> Samples:
-    """Return `count_kept_opponents` for two opponents at equal distances, whose sizes do not tell which is nearer."""
-    return count_kept_opponents(batch, alike=True)
-
-
 def kept_opponent(match: Match) -> np.ndarray:
     """Return the index of the opponent (M,) that the slot filled in this frame stands for.
 
@@ -239,7 +229,7 @@ S72 = Claim(
     batches=24,
     seconds=2.0,
     without=Ablation("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
-                    keep_one_of_equals),
+                    partial(count_kept_opponents, alike=True)),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
 )  # fmt: skip
 

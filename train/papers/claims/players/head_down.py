@@ -1,6 +1,7 @@
 """A robot nearby that looks down at the ball: its black head hides its jersey.  [Sacks 2001, 4.3.3]"""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -80,16 +81,6 @@ def infrared_distance(match: Match) -> np.ndarray:
     return np.where(reading > 0.0, place, np.nan)
 
 
-def compare_transparent_heads(batch: Batch) -> Samples:
-    """Return `compare_head_tilts` with heads that never hide stickers."""
-    return compare_head_tilts(batch, head_down=np.pi)
-
-
-def mean_times_100(samples: Samples, name: str) -> float:
-    """Return a hundred times the mean of the quantity `name`: [cm] for metres, [%] for a share."""
-    return 100 * mean(samples[name])
-
-
 def head_down_excess(samples: Samples) -> float:
     """Return the believed range with the player's head down minus the range with its head up [cm]."""
     return 100 * mean(samples["down"] - samples["up"])
@@ -101,7 +92,7 @@ def remaining_error_share(samples: Samples) -> float:
     NaN where a lowered head does not make the player seem farther.
     """
     difference = head_down_excess(samples)
-    return 100 * abs(mean_times_100(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
+    return 100 * abs(100 * mean(samples["down by infrared"])) / difference if difference > 0.0 else np.nan
 
 
 def head_figure(samples: Samples) -> Sequence[Figure]:
@@ -124,7 +115,7 @@ S61 = Claim(
     "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
     "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without.",
     criteria=(
-        measured("head down: bias by size", mean_times_100, "down", unit="cm", above=0.0),
+        measured("head down: bias by size", "down", unit="cm", above=0.0),
         measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
         measured(
             "head down: bias by infrared, of that difference by size",
@@ -132,20 +123,19 @@ S61 = Claim(
             unit="%",
             at_most=100.0 / 3.0,
         ),
+        *(reported(f"bias, head {name}", name, unit="cm") for name in ("up", "up by infrared", "down by infrared")),
+        *(reported(f"frames that show it, head {name}", f"seen {name}", unit="%") for name in TILTS),
         *(
-            reported(f"bias, head {name}", mean_times_100, name, unit="cm")
-            for name in ("up", "up by infrared", "down by infrared")
-        ),
-        *(reported(f"frames that show it, head {name}", mean_times_100, f"seen {name}", unit="%") for name in TILTS),
-        *(
-            reported(f"frames in which it is {name}", mean_times_100, name, unit="%")
+            reported(f"frames in which it is {name}", name, unit="%")
             for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
         ),
     ),
     rules=STAGED,
     measure=compare_head_tilts,
     seconds=1.5,
-    without=Ablation("sensors.head_down, the angle from which a head hides stickers", compare_transparent_heads),
+    without=Ablation(
+        "sensors.head_down, the angle from which a head hides stickers", partial(compare_head_tilts, head_down=np.pi)
+    ),
     figures=head_figure,
     ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),
     note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "

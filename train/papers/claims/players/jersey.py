@@ -5,6 +5,7 @@ jersey counts.
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -97,11 +98,6 @@ def measure_all_sides(batch: Batch, **sensors: Any) -> Samples:
     return {name: np.stack([one[name] for one in runs], axis=1) for name in QUANTITIES}
 
 
-def measure_equal_stickers(batch: Batch) -> Samples:
-    """Return `measure_all_sides` with stickers of chest and rump as large as the stickers of the flanks."""
-    return measure_all_sides(batch, **ALIKE)
-
-
 def variation(sizes: np.ndarray) -> np.ndarray:
     """Return the coefficient of variation [1] over views, mean over runs (jerseys,); sizes (runs, jerseys, views)."""
     there = np.isfinite(sizes)
@@ -146,6 +142,9 @@ def plot_over_views(
     return draw
 
 
+EQUAL_STICKERS = Ablation(
+    "smaller stickers on chest and rump than on the flanks; here all are alike", partial(measure_all_sides, **ALIKE)
+)
 HOW = (
     f"{RUNS} players a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) turn "
     f"once round, {100 * NEAR:.0f} to {100 * FAR:.0f} cm before a robot that stares at them; means in 30-degree sectors"
@@ -167,8 +166,7 @@ S37 = Claim(
     rules=STAGED,
     measure=measure_all_sides,
     seconds=1.5,
-    without=Ablation("smaller stickers on chest and rump than on the flanks; here all are alike",
-        measure_equal_stickers),
+    without=EQUAL_STICKERS,
     figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
     ingredients=("sensors.sticker_*, all assumed", "the four largest blobs of a colour alone are delivered (MS04)"),
     note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
@@ -196,8 +194,7 @@ S38 = Claim(
     rules=STAGED,
     measure=measure_all_sides,
     seconds=1.5,
-    without=Ablation("smaller stickers on chest and rump than on the flanks; here all are alike",
-        measure_equal_stickers),
+    without=EQUAL_STICKERS,
     figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip

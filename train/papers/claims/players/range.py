@@ -20,7 +20,7 @@ from soccer_env.train.papers.staging import (
     standing_actions,
 )
 from soccer_env.train.papers.true_sight import stare_at_ball
-from soccer_env.train.papers.values import bin_masks, middles_of, rms
+from soccer_env.train.papers.values import bin_masks, middles_of, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -87,11 +87,6 @@ def compare_player_and_ball(batch: Batch) -> Samples:
     }  # fmt: skip
 
 
-def player_over_ball_error(samples: Samples) -> float:
-    """Return the relative rms range error of the player divided by that of the ball."""
-    return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
-
-
 def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
     """Return curves of the rms of labelled errors, times 100, against the true distance."""
     edges = np.linspace(near, far, 8)
@@ -141,7 +136,7 @@ S40 = Claim(
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
     criteria=(
-        measured("relative range error of players over the ball's", player_over_ball_error, above=1.0),
+        measured("relative range error of players over the ball's", ratio, "player", "ball", rms, above=1.0),
         reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
         reported("relative error, ball", "ball", of=rms, unit="%"),
     ),

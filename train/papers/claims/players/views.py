@@ -59,11 +59,6 @@ def shares_by_third(counts: np.ndarray) -> np.ndarray:
     return np.asarray(100.0 * total / max(total.sum(), 1.0))
 
 
-def third_share(samples: Samples, third: int) -> float:
-    """Return the share [%] of one third of the circle (see `shares_by_third`) in play by sensors."""
-    return float(shares_by_third(samples["sensors"])[third])
-
-
 def front_lead(counts: np.ndarray) -> float:
     """Return the share of head-on views minus the larger share of the two other thirds [%]."""
     front, side, rear = shares_by_third(counts)
@@ -92,7 +87,8 @@ S69 = Claim(
     criteria=(
         measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
                  unit="%", above=0.0),
-        *(reported(f"share {name}", third_share, i, unit="%") for i, name in enumerate(THIRDS)),
+        *(reported(f"share {name}", lambda s, i: shares_by_third(s["sensors"])[i], i, unit="%")
+          for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),
     rules=PLAYED,

@@ -97,16 +97,10 @@ def sign_frequency_excess(samples: Samples) -> float:
     return 100.0 * float(samples["usual"].sum() / alarms - samples["usual free"].sum() / free)
 
 
-def cause_shares(samples: Samples) -> np.ndarray:
-    """Return the share [%] of each cause among all false alarms of play."""
-    total = samples["causes"].sum()
-    shares: np.ndarray = 100.0 * samples["causes"].sum(axis=0) / total if total else np.full(len(CAUSES), np.nan)
-    return shares
-
-
 def cause_share(samples: Samples, cause: int) -> float:
     """Return the share [%] of one cause among all false alarms of play."""
-    return float(cause_shares(samples)[cause])
+    total = samples["causes"].sum()
+    return 100.0 * float(samples["causes"][:, cause].sum()) / total if total else float("nan")
 
 
 S24 = Claim(

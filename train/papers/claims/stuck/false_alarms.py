@@ -1,7 +1,6 @@
 """False alarms in staged approaches: a robot that nothing stops believes that it is stuck.  [Sacks 2001, 3.3]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -61,7 +60,7 @@ def alarm_ratio(samples: Samples, name: str) -> float:
     return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
 
 
-def alarms_per_hundred(name: str, samples: Samples) -> float:
+def alarms_per_hundred(samples: Samples, name: str) -> float:
     """Return the number of alarms of the variant `name` in 100 approaches."""
     return 100.0 * mean(samples[name])
 
@@ -75,9 +74,11 @@ S23 = Claim(
     criteria=(
         counted("one counter: approaches with a false alarm", "counters 1", "approaches", at_least=5.0),
         measured("alarms with one counter over those with two", alarm_ratio, "counters", at_least=5.0),
-        reported("two counters: alarms in 100 approaches", lambda s: 100 * mean(s["counters 2"])),
+        reported("two counters: alarms in 100 approaches", alarms_per_hundred, "counters 2"),
         *(
-            reported(f"{name}, {n} counter(s): alarms in 100 approaches", partial(alarms_per_hundred, f"{name} {n}"))
+            reported(
+                f"{name}, {n} counter(s): alarms in 100 approaches", lambda s, name: 100 * mean(s[name]), f"{name} {n}"
+            )
             for name in VARIANTS
             for n in (1, 2)
         ),

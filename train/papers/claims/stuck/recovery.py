@@ -53,11 +53,6 @@ def held_again_shares(samples: Samples) -> list[float]:
     return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
 
 
-def held_again_share(samples: Samples, number: int) -> float:
-    """Return the share of robots held again [%] for the number of steps BACK_STEPS[number]."""
-    return held_again_shares(samples)[number]
-
-
 def ten_steps_ratio(samples: Samples) -> float:
     """Return the share held again after 10 steps back over the mean share after 2 and 5; NaN: no robot is held."""
     two, five, ten, _ = held_again_shares(samples)
@@ -79,7 +74,7 @@ S26 = Claim(
     criteria=(
         measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
         *(
-            reported(f"held again after {steps} steps back", held_again_share, i, unit="%")
+            reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
             for i, steps in enumerate(BACK_STEPS)
         ),
     ),

@@ -27,21 +27,11 @@ def task(batch: Batch, scene: str, recovery: bool) -> Match:
     return stage_drill(batch, scene, make_team("sacks-2001", recovery=recovery), matches=RUNS)
 
 
-def set_up_hidden_post(batch: Batch, recovery: bool) -> Match:
-    """Set up runs of robot 0 to a ball that it sees past an immovable robot in its path."""
-    return set_up_blocked_path(batch, RUNS, recovery=recovery)
-
-
-def set_up_meeting(batch: Batch, recovery: bool) -> Match:
-    """Set up pairs that go for a still ball from two directions, both with the recovery or both without."""
-    return set_up_converging(batch, RUNS, recovery=recovery)
-
-
 TASKS: dict[str, Callable[..., Match]] = {
     "blocker": partial(task, scene="ball-behind-robot"),
     "wall": partial(task, scene="facing-wall"),
-    "post": set_up_hidden_post,
-    "pair": set_up_meeting,
+    "post": partial(set_up_blocked_path, matches=RUNS),
+    "pair": partial(set_up_converging, matches=RUNS),
 }
 
 
