@@ -211,5 +211,3 @@ S71 = Claim(
     least=4,
     batches=30,
 )  # fmt: skip
-
-CLAIMS = (S67, S71)

@@ -154,5 +154,3 @@ H26 = Claim(
     "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion "
     "hangs on that.",
 )  # fmt: skip
-
-CLAIMS = (H26,)

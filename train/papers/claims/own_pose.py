@@ -162,5 +162,3 @@ H27 = Claim(
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
     pose="particles",
 )  # fmt: skip
-
-CLAIMS = (H27,)

@@ -107,5 +107,3 @@ S66 = Claim(
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
     "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",
 )  # fmt: skip
-
-CLAIMS = (S66,)

@@ -190,20 +190,18 @@ def sensor_tables(samples: Samples) -> str:
     return "\n\n".join(["Rms errors in frames that show the thing, and the share of frames that do:", *parts])
 
 
-CLAIMS = (
-    Claim(
-        id="sensors",
-        section="",
-        statement="Error against range for every sensor and estimate.",
-        method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
-        criteria=(),
-        rules=STAGED,
-        measure=look_at_things,
-        batches=4,
-        seconds=4.0,
-        figures=sensor_figures,
-        note=sensor_tables,
-        study=True,
-        ingredients=("all settings of leagues/legged_sensors.py and leagues/omni_sensors.py",),
-    ),
+SENSORS = Claim(
+    id="sensors",
+    section="",
+    statement="Error against range for every sensor and estimate.",
+    method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
+    criteria=(),
+    rules=STAGED,
+    measure=look_at_things,
+    batches=4,
+    seconds=4.0,
+    figures=sensor_figures,
+    note=sensor_tables,
+    study=True,
+    ingredients=("all settings of leagues/legged_sensors.py and leagues/omni_sensors.py",),
 )

@@ -154,5 +154,3 @@ S17 = Claim(
     seconds=0.5,
     batches=32,
 )  # fmt: skip
-
-CLAIMS = (S16, S17)

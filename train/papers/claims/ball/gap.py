@@ -183,5 +183,3 @@ S19 = Claim(
     seconds=1.5,
     batches=24,
 )  # fmt: skip
-
-CLAIMS = (S19,)

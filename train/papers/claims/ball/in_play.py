@@ -148,5 +148,3 @@ S11 = Claim(
     seconds=4.0,
     batches=24,
 )
-
-CLAIMS = (S10, S11)

@@ -203,5 +203,3 @@ S14 = Claim(
     ingredients=("memory.dribbling_distance", "contact of ball and paws"),
     seconds=0.8,
 )
-
-CLAIMS = (S12, S13, S14)

@@ -232,5 +232,3 @@ S08 = Claim(
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )
-
-CLAIMS = (S07, S08)

@@ -214,5 +214,3 @@ S15 = Claim(
     seconds=0.5,
     batches=1,
 )  # fmt: skip
-
-CLAIMS = (S05, S06, S15)

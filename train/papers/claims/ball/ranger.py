@@ -59,5 +59,3 @@ S09 = Claim(
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )  # fmt: skip
-
-CLAIMS = (S09,)

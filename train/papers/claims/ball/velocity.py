@@ -225,5 +225,3 @@ S21 = Claim(
     seconds=0.7,
     batches=32,
 )
-
-CLAIMS = (S18, S20, S21)

@@ -115,5 +115,3 @@ S43 = Claim(
     seconds=8.0,
     batches=2,
 )  # fmt: skip
-
-CLAIMS = (S43, S64)

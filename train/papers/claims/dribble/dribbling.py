@@ -255,5 +255,3 @@ S60 = Claim(
     seconds=2.0,
     batches=16,
 )  # fmt: skip
-
-CLAIMS = (S51, S59, S60)

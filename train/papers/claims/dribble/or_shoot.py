@@ -119,5 +119,3 @@ S31 = Claim(
     seconds=4.2,
     batches=14,
 )  # fmt: skip
-
-CLAIMS = (S31,)

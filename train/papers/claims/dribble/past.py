@@ -185,5 +185,3 @@ S63 = Claim(
     seconds=6.0,
     batches=8,
 )  # fmt: skip
-
-CLAIMS = (S62, S63)

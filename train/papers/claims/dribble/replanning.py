@@ -74,5 +74,3 @@ S52 = Claim(
     seconds=8.0,
     batches=7,
 )  # fmt: skip
-
-CLAIMS = (S52,)

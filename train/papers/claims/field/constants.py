@@ -218,5 +218,3 @@ S65 = Claim(
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
     "than the paper's; tuned past standing players alone they get by with weak ones.",
 )  # fmt: skip
-
-CLAIMS = (S53, S65)

@@ -77,5 +77,3 @@ S42 = Claim(
     batches=4,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )
-
-CLAIMS = (S42,)

@@ -215,5 +215,3 @@ S47 = Claim(
     batches=6,
     figures=cosine_figures,
 )  # fmt: skip
-
-CLAIMS = (S44, S46, S47)

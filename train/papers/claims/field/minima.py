@@ -166,6 +166,3 @@ S68 = Claim(
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",
 )  # fmt: skip
-
-
-CLAIMS = (S54, S68)

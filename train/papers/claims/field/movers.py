@@ -119,5 +119,3 @@ S58 = Claim(
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
 )  # fmt: skip
-
-CLAIMS = (S58,)

@@ -179,5 +179,3 @@ S50 = Claim(
     ),
     note="The effect of the walls' force is reported, not judged: the paper does not say which it is.",
 )
-
-CLAIMS = (S48, S49, S50)

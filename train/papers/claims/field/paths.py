@@ -239,6 +239,3 @@ S57 = Claim(
     batches=6,
     figures=gap_figures,
 )
-
-
-CLAIMS = (S45, S55, S56, S57)

@@ -57,5 +57,3 @@ H28 = Claim(
     figures=cycle_figure,
     ingredients=("camera and delay stay at 50 Hz and 0.1 s: only decisions are rarer",),
 )
-
-CLAIMS = (H28,)

@@ -201,5 +201,3 @@ H03 = Claim(
     batches=4,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),
 )
-
-CLAIMS = (H01, H03, H24)

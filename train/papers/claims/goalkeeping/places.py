@@ -148,5 +148,3 @@ H21 = Claim(
     batches=4,
     note="That the perpendicular is the shortest way to a line is geometry.",
 )  # fmt: skip
-
-CLAIMS = (H17, H21)

@@ -214,5 +214,3 @@ H22 = Claim(
     figures=prevented_goals_figure,
     ingredients=INGREDIENTS,
 )  # fmt: skip
-
-CLAIMS = (H18, H19, H20, H22, H23)

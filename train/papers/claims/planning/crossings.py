@@ -266,5 +266,3 @@ H11 = Claim(
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip
-
-CLAIMS = (H07, H08, H09, H10, H11)

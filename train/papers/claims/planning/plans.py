@@ -223,5 +223,3 @@ H16 = Claim(
     seconds=0.8,
     batches=2,
 )
-
-CLAIMS = (H02, H04, H05, H06, H15, H16)

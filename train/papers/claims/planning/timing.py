@@ -97,6 +97,3 @@ H14 = Claim(
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip
-
-
-CLAIMS = (H12, H13, H14)

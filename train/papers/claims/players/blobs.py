@@ -138,5 +138,3 @@ S39 = Claim(
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "
     "straight on, nearer by if not; the field is 3 m long.",
 )  # fmt: skip
-
-CLAIMS = (S39,)

@@ -122,5 +122,3 @@ S34 = Claim(
     figures=ghost_figure,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
 )  # fmt: skip
-
-CLAIMS = (S34,)

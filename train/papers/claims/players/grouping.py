@@ -232,5 +232,3 @@ S72 = Claim(
                     partial(count_kept_opponents, alike=True)),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
 )  # fmt: skip
-
-CLAIMS = (S33, S72)

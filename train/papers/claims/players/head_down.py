@@ -143,5 +143,3 @@ S61 = Claim(
     "about in which the player is overlooked: neither it nor an obstacle is believed to be within 1.5 times its true "
     "distance. In the frames that do not show it the lowered head leaves nothing of the jersey to be seen.",
 )
-
-CLAIMS = (S61,)

@@ -198,5 +198,3 @@ S38 = Claim(
     figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip
-
-CLAIMS = (S37, S38)

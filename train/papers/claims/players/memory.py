@@ -182,5 +182,3 @@ S36 = Claim(
     figures=slot_figure,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
 )
-
-CLAIMS = (S35, S36)

@@ -167,5 +167,3 @@ S70 = Claim(
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "
     "weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
 )  # fmt: skip
-
-CLAIMS = (S70,)

@@ -168,5 +168,3 @@ S41 = Claim(
     figures=ranger_figure,
     ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),
 )
-
-CLAIMS = (S40, S41)

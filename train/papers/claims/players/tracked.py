@@ -145,5 +145,3 @@ S32 = Claim(
     note="The table of the old system is not told; the first one of the paper's own calibrations, from the side by all "
     "blobs, stands for it, so that the second criterion compares the new system with its own first version.",
 )  # fmt: skip
-
-CLAIMS = (S32,)

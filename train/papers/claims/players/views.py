@@ -97,5 +97,3 @@ S69 = Claim(
     figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
 )  # fmt: skip
-
-CLAIMS = (S69,)

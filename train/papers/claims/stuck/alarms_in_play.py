@@ -133,5 +133,3 @@ S24 = Claim(
     batches=12,
     least=4,
 )  # fmt: skip
-
-CLAIMS = (S24,)

@@ -144,5 +144,3 @@ S03 = Claim(
     seconds=4.0,
     batches=12,
 )  # fmt: skip
-
-CLAIMS = (S01, S03)

@@ -177,5 +177,3 @@ S04 = Claim(
     batches=12,
     least=4,
 )
-
-CLAIMS = (S04, S22)

@@ -149,5 +149,3 @@ S25 = Claim(
     seconds=4.0,
     batches=6,
 )  # fmt: skip
-
-CLAIMS = (S23, S25)

@@ -241,5 +241,3 @@ S29 = Claim(
     batches=12,
     least=4,
 )  # fmt: skip
-
-CLAIMS = (S26, S27, S29)

@@ -86,5 +86,3 @@ S30 = Claim(
     seconds=3.0,
     batches=16,
 )
-
-CLAIMS = (S30,)

@@ -81,5 +81,3 @@ S28 = Claim(
     seconds=4.0,
     batches=10,
 )  # fmt: skip
-
-CLAIMS = (S28,)

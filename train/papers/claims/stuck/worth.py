@@ -139,5 +139,3 @@ S02 = Claim(
     batches=6,
     least=2,  # few robots are held in a batch
 )  # fmt: skip
-
-CLAIMS = (S02,)
