@@ -54,8 +54,7 @@ def start_drill(
 def gap_to_others(match: Match) -> np.ndarray:
     """Return the distance (M,) [m] from robot 0 to the nearest other robot, between the middles of their bodies."""
     robot, others = match.robots[:, :1], match.robots[:, 1:]
-    gap: np.ndarray = np.hypot(others["x"] - robot["x"], others["y"] - robot["y"]).min(axis=1)
-    return gap
+    return np.asarray(np.hypot(others["x"] - robot["x"], others["y"] - robot["y"]).min(axis=1))
 
 
 @dataclass

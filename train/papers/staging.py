@@ -119,8 +119,7 @@ def distance_to_point(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray,
 
 def wrap_angle(angle: np.ndarray) -> np.ndarray:
     """Wrap angles [rad] to [-pi, pi)."""
-    turned: np.ndarray = (angle + np.pi) % (2.0 * np.pi) - np.pi
-    return turned
+    return (angle + np.pi) % (2.0 * np.pi) - np.pi
 
 
 def watch(match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0) -> Iterable[int]:

@@ -37,8 +37,7 @@ def ball_in_sight(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
 
 def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
     """Return the angle [rad] that the ball's radius spans at a distance (M,)."""
-    angle: np.ndarray = np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0))
-    return angle
+    return np.asarray(np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0)))
 
 
 def stare_at_ball(match: Match, actions: np.ndarray, r: int = 0) -> None:

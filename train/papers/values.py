@@ -10,8 +10,7 @@ import numpy as np
 def known(values: Any) -> np.ndarray:
     """Return the finite values as a flat array."""
     array = np.asarray(values, float)
-    finite: np.ndarray = array[np.isfinite(array)]
-    return finite
+    return np.asarray(array[np.isfinite(array)])
 
 
 def median(values: Any) -> float:
@@ -74,5 +73,4 @@ def subtract_row_mean(values: np.ndarray) -> np.ndarray:
     """Return values (M, T) minus the mean of the finite values in each row."""
     there = np.isfinite(values)
     total = np.where(there, values, 0.0).sum(axis=1) / np.maximum(there.sum(axis=1), 1)
-    about: np.ndarray = values - total[:, None]
-    return about
+    return np.asarray(values - total[:, None])

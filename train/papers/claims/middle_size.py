@@ -89,8 +89,7 @@ def range_errors_by_light(samples: Samples, name: str) -> np.ndarray:
 
 def relative_to_constant_light(samples: Samples, name: str, quantity: Any) -> np.ndarray:
     """Return a quantity in each bin of the light, divided by its value for the same frames under constant light."""
-    ratio: np.ndarray = quantity(samples, name) / quantity(samples, "constant")
-    return ratio
+    return np.asarray(quantity(samples, name) / quantity(samples, "constant"))
 
 
 def seen_in_changed_light(samples: Samples, name: str) -> float:

@@ -41,8 +41,7 @@ def ball_place_error(match: Match) -> np.ndarray:
     ball = match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
     y = ball["distance"] * np.sin(ball["bearing"]) - true * np.sin(bearing)
-    gap: np.ndarray = np.hypot(x, y)
-    return gap
+    return np.asarray(np.hypot(x, y))
 
 
 def look_at_ball(batch: Batch, **memory: Any) -> Match:

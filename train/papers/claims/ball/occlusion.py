@@ -169,8 +169,7 @@ def bias_by_share(samples: Samples) -> list[float]:
 def count_hidden_dimensions(samples: Samples) -> np.ndarray:
     """Return in how many dimensions, width and height, each ball is partly hidden (M,): 0, 1 or 2; NaN: unknown."""
     width, height = samples["width left"], samples["height left"]
-    count: np.ndarray = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
-    return count
+    return np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
 
 
 def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer") -> float:

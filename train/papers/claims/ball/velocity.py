@@ -44,8 +44,7 @@ def true_radial(match: Match, r: int = 0) -> np.ndarray:
     robot, ball = match.robots[:, r], match.balls
     x, y = ball["x"] - robot["x"], ball["y"] - robot["y"]
     away = np.maximum(np.hypot(x, y), 1e-9)
-    rate: np.ndarray = (x * (ball["vx"] - robot["vx"]) + y * (ball["vy"] - robot["vy"])) / away
-    return rate
+    return np.asarray((x * (ball["vx"] - robot["vx"]) + y * (ball["vy"] - robot["vy"])) / away)
 
 
 def walk_to_ball(

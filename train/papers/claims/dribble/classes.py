@@ -104,8 +104,7 @@ S43 = Claim(
           for prefix, where in (("", ""), ("middle ", "from the middle: "))
           for i, text in ((0, "one still player"), (1, "one mover"))),
         *(reported(f"{where}touched, mover less still",
-                   lambda s, name=f"{prefix}touched": outcome_share(s, name, 1) - outcome_share(s, name, 0),
-                   unit="%")  # type: ignore[misc]
+                   lambda s, name: outcome_share(s, name, 1) - outcome_share(s, name, 0), f"{prefix}touched", unit="%")
           for prefix, where in (("", ""), ("middle ", "from the middle: "))),
     ),
     rules=STAGED,

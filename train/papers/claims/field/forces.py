@@ -128,8 +128,7 @@ def compare_reactions(batch: Batch, **play: Any) -> Samples:
 
 def reaction_difference(samples: Samples, kind: str) -> np.ndarray:
     """Return the absolute difference (M,) [degrees] between reactions near the goal and far from the goal."""
-    values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
-    return values
+    return np.asarray(np.abs(samples[f"{kind} near"] - samples[f"{kind} far"]))
 
 
 S46 = Claim(

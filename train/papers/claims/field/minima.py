@@ -51,8 +51,7 @@ def compare_angle_limits(batch: Batch) -> Samples:
 def has_trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
     """Return for each run (M,) 1 if it stalls or retreats, 0 if not, and NaN if it is not played."""
     stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {kind}"] for kind in ("stalls", "retreats"))
-    worse: np.ndarray = np.maximum(stalls, retreats)
-    return worse
+    return np.maximum(stalls, retreats)
 
 
 def trouble_share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head-on", "gap")) -> float:

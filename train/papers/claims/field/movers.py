@@ -62,8 +62,7 @@ def crossing_player(rng: np.random.Generator) -> np.ndarray:
 def velocities_towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """Return velocities (M, 2) from places towards goals, with random speeds within SPEEDS."""
     way = goal - place
-    velocity: np.ndarray = way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1))
-    return velocity
+    return np.asarray(way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1)))
 
 
 def collision_share(samples: Samples, name: str, value: float, scenes: Sequence[str] = PAPERS) -> float:

@@ -21,8 +21,7 @@ class PointRuns:
     @property
     def arrived(self) -> np.ndarray:
         """Tell which points arrived (M,)."""
-        arrived: np.ndarray = np.isnan(self.path[-1, :, 0])
-        return arrived
+        return np.asarray(np.isnan(self.path[-1, :, 0]))
 
     @property
     def clearance(self) -> np.ndarray:
@@ -32,8 +31,7 @@ class PointRuns:
         square = np.maximum((change**2).sum(axis=-1), ROUNDING**2)
         share = np.clip(-(before * change).sum(axis=-1) / square, 0.0, 1.0)
         nearest = np.linalg.norm(before + share[..., None] * change, axis=-1)
-        least: np.ndarray = np.nanmin(nearest, axis=(0, 2))
-        return least
+        return np.asarray(np.nanmin(nearest, axis=(0, 2)))
 
     @property
     def flips(self) -> np.ndarray:
@@ -48,21 +46,18 @@ class PointRuns:
     @property
     def steps(self) -> np.ndarray:
         """Count the decisions of each run (M,)."""
-        count: np.ndarray = np.isfinite(self.off).sum(axis=0)
-        return count
+        return np.asarray(np.isfinite(self.off).sum(axis=0))
 
     @property
     def retreats(self) -> np.ndarray:
         """Count the steps that lead away from the goal (M,)."""
         distance = np.hypot(self.goal - self.path[..., 0], self.path[..., 1])
-        away: np.ndarray = (np.diff(distance, axis=0) > ROUNDING).sum(axis=0)
-        return away
+        return np.asarray((np.diff(distance, axis=0) > ROUNDING).sum(axis=0))
 
     @property
     def length(self) -> np.ndarray:
         """Return the lengths of the paths (M,) [m]."""
-        total: np.ndarray = np.nansum(np.linalg.norm(np.diff(self.path, axis=0), axis=-1), axis=0)
-        return total
+        return np.asarray(np.nansum(np.linalg.norm(np.diff(self.path, axis=0), axis=-1), axis=0))
 
     @property
     def deviation(self) -> np.ndarray:
@@ -71,13 +66,11 @@ class PointRuns:
         line = np.stack([self.goal - start[:, 0], -start[:, 1]], axis=-1)
         way = self.path - start
         across = (line[:, 0] * way[..., 1] - line[:, 1] * way[..., 0]) / np.linalg.norm(line, axis=-1)
-        greatest: np.ndarray = np.nanmax(np.abs(across), axis=0)
-        return greatest
+        return np.asarray(np.nanmax(np.abs(across), axis=0))
 
     @property
     def turns(self) -> np.ndarray:
         """Return the change of direction from each step to the next (T - 1, M) [rad]."""
         way = np.diff(self.path, axis=0)
         turn = np.diff(np.arctan2(way[..., 1], way[..., 0]), axis=0)
-        wrapped: np.ndarray = (turn + np.pi) % (2.0 * np.pi) - np.pi
-        return wrapped
+        return (turn + np.pi) % (2.0 * np.pi) - np.pi

@@ -58,14 +58,12 @@ def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: 
 
 def collided(runs: PointRuns) -> np.ndarray:
     """Tell in which runs the bodies would have touched (M,)."""
-    hit: np.ndarray = runs.clearance < TOUCH
-    return hit
+    return runs.clearance < TOUCH
 
 
 def is_clean(runs: PointRuns) -> np.ndarray:
     """Tell in which runs the dribbler came to the goal and touched nobody (M,)."""
-    clean: np.ndarray = runs.arrived & ~collided(runs)
-    return clean
+    return np.asarray(runs.arrived & ~collided(runs))
 
 
 def draw_field(title: str, crowd: np.ndarray, paths: dict[str, np.ndarray], **play: Any) -> Figure:

@@ -50,8 +50,7 @@ def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
     middle = np.arctan2(dy, dx)
     wide = np.arcsin(np.clip((LEAGUE.body.disc_radius + radius) / np.hypot(dx, dy), -1.0, 1.0))
     shadow = np.clip(np.minimum(high, middle + wide) - np.maximum(low, middle - wide), 0.0, None)
-    left: np.ndarray = np.degrees(high - low - shadow)
-    return left
+    return np.asarray(np.degrees(high - low - shadow))
 
 
 def compare_open_angles(batch: Batch) -> Samples:
@@ -73,8 +72,7 @@ def compare_open_angles(batch: Batch) -> Samples:
 def open_angle_gains(samples: Samples) -> np.ndarray:
     """Return the smallest open angle with the keeper off the line minus the open angle on the line (M,) [degrees]."""
     off = np.stack([values for name, values in samples.items() if name != "on"])
-    least: np.ndarray = off.min(axis=0) - samples["on"]
-    return least
+    return np.asarray(off.min(axis=0) - samples["on"])
 
 
 H17 = Claim(

@@ -153,13 +153,13 @@ S33 = Claim(
             below=0.0,
         ),
         *(
-            reported(f"the same, stickers {jersey:g} times as large", lambda s, j: excess_over_best_factor(s)[j], j,
-                     unit="%")
+            reported(f"the same, stickers {jersey:g} times as large",
+                     lambda s, j: float(excess_over_best_factor(s)[j]), j, unit="%")
             for j, jersey in enumerate(JERSEYS)
         ),
         *(
             reported(f"ghosts and misses at {factor:g}, stickers of their own size",
-                     lambda s, factor: total_error_share(s, factor)[JERSEYS.index(1.0)], factor, unit="%")
+                     lambda s, factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
             for factor in FACTORS
         ),
     ),

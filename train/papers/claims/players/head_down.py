@@ -67,8 +67,7 @@ def nearest_known(match: Match) -> np.ndarray:
     """Return the believed distance (M,) [m] of the nearest player or obstacle from robot 0; inf without one."""
     slots, obstacle = match.tracks[:, 0], match.beliefs["obstacle"]["distance"][:, 0].astype(float)
     player = np.where(slots["present"] == 1, slots["distance"], np.inf).min(axis=1)
-    nearest: np.ndarray = np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf))
-    return nearest
+    return np.asarray(np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf)))
 
 
 def infrared_distance(match: Match) -> np.ndarray:

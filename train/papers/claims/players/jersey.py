@@ -27,7 +27,7 @@ FRONT, SIDES = (0,), (3, 9)  # sectors head-on and from the sides
 ALL, ASIDE = tuple(range(SECTORS)), tuple(range(1, SECTORS))  # all of them, and all but head-on
 # [m] of the flank's stickers, for a jersey of equal stickers, side by side on chest and rump
 FLANK = {"width": 0.06, "height": 0.06, "apart": 0.062}
-ALIKE = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
+ALIKE: dict[str, Any] = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
 SIZES = {
     "width": "width of the largest blob",
     "height": "height of the largest blob",

@@ -51,14 +51,12 @@ def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICK
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:
     """Return robot 0's memory slots (M, slots), with their tracks, for opponents or for team-mates."""
     first = match.league.slots.teammates
-    slots: np.ndarray = match.tracks[:, 0, :first] if teammates else match.tracks[:, 0, first:]
-    return slots
+    return match.tracks[:, 0, :first] if teammates else match.tracks[:, 0, first:]
 
 
 def is_fresh(match: Match, slots: np.ndarray) -> np.ndarray:
     """Tell which slots hold a player seen in this frame."""
-    fresh: np.ndarray = (slots["present"] == 1) & (slots["age"] < 0.5 * match.league.dt)
-    return fresh
+    return np.asarray((slots["present"] == 1) & (slots["age"] < 0.5 * match.league.dt))
 
 
 def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
@@ -141,8 +139,7 @@ def blob_heights(match: Match, r: int = 1) -> np.ndarray:
     """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot r."""
     away, _ = distances_from_camera(match, [r])
     camera, _ = camera_of(match)
-    heights: np.ndarray = camera[:, 2:] + away * np.tan(blob_directions(match)[1])
-    return heights
+    return np.asarray(camera[:, 2:] + away * np.tan(blob_directions(match)[1]))
 
 
 def blob_owners(match: Match, robots: Any) -> np.ndarray:
@@ -157,5 +154,4 @@ def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
     """Return the bearings (M, slots) [rad] of slots' places from robot 0's camera, not from its body's centre."""
     camera, _ = camera_of(match)
     ahead, left = into_robot_frames(match.robots[:, 0], camera[:, 0], camera[:, 1])
-    bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])
-    return bearing
+    return np.asarray(np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None]))

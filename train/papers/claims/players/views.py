@@ -87,7 +87,7 @@ S69 = Claim(
     criteria=(
         measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
                  unit="%", above=0.0),
-        *(reported(f"share {name}", lambda s, i: shares_by_third(s["sensors"])[i], i, unit="%")
+        *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
           for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),

@@ -26,8 +26,7 @@ def count_near_ball(match: Match) -> np.ndarray:
     """Return the number of robots (M,) on the field within NEAR of the ball."""
     robots, ball = match.robots, match.balls
     away = np.hypot(robots["x"] - ball["x"][:, None], robots["y"] - ball["y"][:, None])
-    count: np.ndarray = ((away < NEAR) & (robots["active"] == 1)).sum(axis=1)
-    return count
+    return np.asarray(((away < NEAR) & (robots["active"] == 1)).sum(axis=1))
 
 
 def contacts(batch: Batch) -> Samples:
