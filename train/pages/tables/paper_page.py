@@ -20,8 +20,7 @@ from soccer_env.train.files import read_lines
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.report import estimate_with_interval
-from soccer_env.train.papers.results import ClaimResult, plot_name
-from soccer_env.train.papers.stored import FILE, KEPT, Measured, read_stored, restore_result
+from soccer_env.train.papers.results import FILE, KEPT, ClaimResult, Measured, plot_name, read_stored, restore_result
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
 

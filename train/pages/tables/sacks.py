@@ -14,7 +14,7 @@ from soccer_env.train.evaluate.report import plain_number
 from soccer_env.train.pages.tables.claims import RUN, measure_all
 from soccer_env.train.pages.tables.paper_page import PaperPage
 from soccer_env.train.papers.claim import SACKS
-from soccer_env.train.papers.stored import FOLDERS
+from soccer_env.train.papers.results import FOLDERS
 
 WIDTH = 118  # of a line of text
 

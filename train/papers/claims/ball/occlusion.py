@@ -1,8 +1,8 @@
-"""A ball that other robots hide in part, and its estimated range.  [Sacks 2001, 3.1.1]
+"""A ball that other robots hide in part: its estimated range, and the correction by infrared.  [Sacks 2001, 3.1.1]
 
-Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two other
-robots stand at random places that hide part of the ball in plan view. The hidden share follows from two pictures
-without noise, with and without the other robots.
+Scenes: a robot looks at a ball 30 to 60 cm ahead of its camera; one or two other robots stand at random places that
+hide part of the ball in plan view. The hidden share follows from two pictures without noise, with and without the
+other robots.
 """
 
 from collections.abc import Sequence
@@ -27,8 +27,8 @@ from soccer_env.train.papers.staging import (
     wrap_angle,
 )
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare_at_ball
-from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.values import bin_masks, known, least_rise, median, middles_of, ratio
+from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 192
 NEAR, FAR = 0.45, 0.75  # [m] of the ball from the body's centre: 30 to 60 cm from the camera
@@ -231,3 +231,57 @@ S08 = Claim(
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )
+
+# Hidden in both dimensions
+
+DEEP = 2.0 / 3.0  # [1] visible share of both dimensions below which a right reading is under 2/3 of the range by size
+HIDDEN_FAR = 0.60  # [m] range along the ground from the camera
+
+
+def compare_infrared_rule(batch: Batch) -> Samples:
+    """Return range errors (M, T) [m] of balls cut in width and height, infrared rule on and off, and false triggers.
+
+    "on", "off": visible shares below DEEP, camera's axis on the ball; "all ...": shares below DEEP, all frames with the
+    ball; "mild ...": shares below CUT, axis on the ball. "triggers": readings that the rule changes on free balls.
+    """
+    scene = draw_scene(batch)
+    width, height, _ = visible_shares(batch, scene)
+    samples = {}
+    for name, rule in (("on", True), ("off", False)):
+        seen = watch_scene(batch, scene, True, False, OLD | {"infrared_override": rule})
+        error, near = np.abs(seen["error"] * seen["range"]), seen["range"] <= HIDDEN_FAR
+        deep, mild = (((width < share) & (height < share))[:, None] & near for share in (DEEP, CUT))
+        samples[name] = np.where(deep & seen["centred"], error, np.nan)
+        samples[f"all {name}"] = np.where(deep, error, np.nan)
+        samples[f"mild {name}"] = np.where(mild & seen["centred"], error, np.nan)
+        samples[f"short {name}"] = np.where(deep & seen["centred"], seen["short"], np.nan)
+        samples[f"free {name}"] = watch_scene(batch, scene, False, True, OLD | {"infrared_override": rule})["believed"]
+    judged = np.isfinite(samples["free off"])
+    samples["triggers"] = (judged & (np.abs(samples["free on"] - samples["free off"]) > 1e-6)).sum(axis=1)
+    samples["judged"] = judged.sum(axis=1)
+    return samples
+
+
+S09 = Claim(
+    id="S09",
+    section="3.1.1",
+    statement="Infrared, where below 2/3 of the range by size, repairs obstruction in both dimensions.",
+    method=f"{SCENES}, robots tracking what they see; balls of which less than 2/3 is left in both dimensions (of "
+    "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames "
+    "in which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
+    criteria=(
+        measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
+        counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
+        reported("the first ratio in all frames of these balls", ratio, "all on", "all off"),
+        reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both", ratio, "mild on",
+                 "mild off"),
+        reported("mean error without the rule", "off", unit="cm"),
+        reported("the same in all frames of these balls", "all off", unit="cm"),
+        reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),
+        reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
+    ),
+    rules=STAGED,
+    measure=compare_infrared_rule,
+    least=4,
+    ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
+)  # fmt: skip

@@ -19,7 +19,7 @@ from soccer_env.train.papers.claims.dribble.past import (
     outcome_share,
     play_two_distances,
 )
-from soccer_env.train.papers.drill_runs import PAPER
+from soccer_env.train.papers.dribble_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import FROM_MIDDLE
-from soccer_env.train.papers.drill_runs import start_drill
+from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, start_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 

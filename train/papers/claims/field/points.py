@@ -12,8 +12,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.train.papers.claim import Arrows, Curve, Figure
-from soccer_env.train.papers.claims.field.point_runs import PointRuns
-from soccer_env.train.papers.claims.field.point_world import PointWorld, players
+from soccer_env.train.papers.claims.field.point_world import PointRuns, PointWorld, players
 from soccer_env.train.papers.staging import LEGGED
 
 SCENES = 256  # of a batch

@@ -10,7 +10,7 @@ from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.field.point_runs import SIDE
+from soccer_env.train.papers.claims.field.point_world import SIDE
 from soccer_env.train.papers.claims.field.points import SCENES
 from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, DribbleRecord, place_with_ball, record_dribble
 from soccer_env.train.papers.staging import put, stage, standing_actions, wrap_angle

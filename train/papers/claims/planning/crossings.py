@@ -13,16 +13,20 @@ import numpy as np
 from soccer_env.baselines.weigel_2001.planner import Travel
 from soccer_env.train.papers.claim import NO_MATCH, Arrows, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.planning.runs import (
+    CANONICAL,
+    CROSSERS,
     CROSSING,
     PLANNERS,
+    SLOW,
     SPEED,
+    WAY,
     Draw,
     scenes_of,
     side_changes,
+    slow_traffic,
     travel,
     travel_results,
 )
-from soccer_env.train.papers.claims.planning.scenes import CANONICAL, CROSSERS, SLOW, WAY, slow_traffic
 from soccer_env.train.papers.values import mean, quantile
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
 

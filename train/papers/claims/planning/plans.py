@@ -13,12 +13,15 @@ from soccer_env.train.papers.claims.planning.runs import (
     CROSSING,
     PLANNERS,
     SCENES,
+    WAY,
+    Scene,
     crossing_text,
     plan,
     plans_of,
+    robot_row_or_cup,
     scenes_of,
+    still_obstacle,
 )
-from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, robot_row_or_cup, still_obstacle
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 

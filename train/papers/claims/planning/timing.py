@@ -7,8 +7,7 @@ import numpy as np
 
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
-from soccer_env.train.papers.claims.planning.runs import SCENES, crossing_text, plan, plans_of
-from soccer_env.train.papers.claims.planning.scenes import CANONICAL
+from soccer_env.train.papers.claims.planning.runs import CANONICAL, SCENES, crossing_text, plan, plans_of
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
 

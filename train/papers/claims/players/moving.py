@@ -9,8 +9,7 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, set_up_watchers
-from soccer_env.train.papers.dribble_runs import WAYS
-from soccer_env.train.papers.drill_runs import play_drill
+from soccer_env.train.papers.dribble_runs import WAYS, play_drill
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
 from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
