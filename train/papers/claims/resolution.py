@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import set_up_watchers
 from soccer_env.train.papers.staging import (
     LEGGED,
@@ -19,7 +19,7 @@ from soccer_env.train.papers.staging import (
     standing_actions,
 )
 from soccer_env.train.papers.true_sight import stare_at_ball
-from soccer_env.train.papers.values import bin_masks, middles_of, ratio, rms, subtract_row_mean
+from soccer_env.train.papers.values import ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 64
@@ -65,15 +65,12 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
 
 def layer_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the scatter of the range and of the velocity against the distance, for both layers."""
-    edges = np.linspace(NEAR, FAR, 8)
-    inside = bin_masks(samples["true"], edges)
-    middles = middles_of(edges, 100)
-    return tuple(
-        Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", tuple(
-            Curve(layer, middles, [100 * rms(samples[f"{name} {layer}"][i]) for i in inside]) for layer in LAYERS
-        ))
-        for name, unit in (("range", "cm"), ("velocity", "cm/s"))
-    )  # fmt: skip
+    figures = []
+    for name, unit in (("range", "cm"), ("velocity", "cm/s")):
+        names = {f"{name} {layer}": layer for layer in LAYERS}
+        curves = curves_by_bin(samples, names, samples["true"], np.linspace(NEAR, FAR, 8), rms)
+        figures.append(Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", curves))
+    return figures
 
 
 S66 = Claim(

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.papers.staging import (
     LEGGED,
@@ -20,7 +20,7 @@ from soccer_env.train.papers.staging import (
     wrap_angle,
 )
 from soccer_env.train.papers.true_sight import look_first
-from soccer_env.train.papers.values import bin_masks, middles_of, ratio, rms, subtract_row_mean
+from soccer_env.train.papers.values import bin_masks, ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, exact, measured
 from soccer_env.types import RobotStream
 
@@ -92,12 +92,8 @@ def radial_over_tangential(samples: Samples) -> list[float]:
 
 def filter_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the deviations of the raw range, of the filtered range and across the line of sight against the distance."""
-    edges = np.linspace(NEAR, FAR, 9)
-    inside = bin_masks(samples["range"], edges)
-    keys = {"raw": "raw", "mean of four": "filtered", "across the line of sight": "aside"}
-    curves = tuple(
-        Curve(name, middles_of(edges, 100), [100 * rms(samples[key][i]) for i in inside]) for name, key in keys.items()
-    )
+    names = {"raw": "raw", "filtered": "mean of four", "aside": "across the line of sight"}
+    curves = curves_by_bin(samples, names, samples["range"], np.linspace(NEAR, FAR, 9), rms)
     return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", curves),)
 
 

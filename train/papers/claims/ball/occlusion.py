@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.staging import (
     LEGGED,
@@ -27,7 +27,7 @@ from soccer_env.train.papers.staging import (
     wrap_angle,
 )
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare_at_ball
-from soccer_env.train.papers.values import bin_masks, known, least_rise, median, middles_of, ratio
+from soccer_env.train.papers.values import known, least_rise, median, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 192
@@ -179,15 +179,10 @@ def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer"
 
 def hidden_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the median range error against the hidden share of the ball's picture."""
-    gone = 1.0 - samples["area left"]
-    edges = np.linspace(0.0, 1.0, 9)
-    inside = bin_masks(gone, edges)
-    curves = [
-        Curve(label, middles_of(edges, 100), [100 * median(samples[name][i]) for i in inside])
-        for name, label in {"width": "by width", "height": "by height", "closer": "the closer of both"}.items()
-    ]
+    names = {"width": "by width", "height": "by height", "closer": "the closer of both"}
+    curves = curves_by_bin(samples, names, 1.0 - samples["area left"], np.linspace(0.0, 1.0, 9), median)
     hidden = "hidden share of the ball's picture [%]"
-    return (Figure("Range of a ball that is partly hidden", hidden, "median range error [%]", tuple(curves)),)
+    return (Figure("Range of a ball that is partly hidden", hidden, "median range error [%]", curves),)
 
 
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"

@@ -11,10 +11,10 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, standing_actions
-from soccer_env.train.papers.values import bin_masks, mean, median, middles_of
+from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 BALLS = 48  # of a batch
@@ -92,12 +92,8 @@ def got_more(samples: Samples, name: str, other: str) -> float:
 
 def received_share_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of received balls against their speed."""
-    edges = (1.0, 1.5, 2.0, 2.5, 3.0)
-    names, inside = {"with": "with the ball's velocity", "without": "without"}, bin_masks(samples["speed"], edges)
-    curves = tuple(
-        Curve(text, middles_of(edges), [100 * mean(samples[f"{name} got"][there]) for there in inside])
-        for name, text in names.items()
-    )
+    names, edges = {"with got": "with the ball's velocity", "without got": "without"}, (1.0, 1.5, 2.0, 2.5, 3.0)
+    curves = curves_by_bin(samples, names, samples["speed"], edges, mean, place_scale=1.0)
     return (Figure("Passes received", "speed of the ball [m/s]", "received [%]", curves),)
 
 

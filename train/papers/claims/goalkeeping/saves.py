@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from math import inf
 from typing import Any
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
-from soccer_env.train.papers.values import bin_masks, mean, middles_of
+from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 KEEPERS: dict[str, dict[str, Any]] = {"passive": {"keeper": "passive"}, "active": {}}
@@ -60,15 +60,9 @@ def conceded_ratio(samples: Samples, fastest: float = inf) -> float:
 
 def goals_by_speed_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of goals against the speed of the shot, for both keepers."""
-    names = {"passive": "passive, far post", "active": "active, far post"}
-    names |= {f"near {name}": f"{name}, near post" for name in KEEPERS}
-    curves = tuple(
-        Curve(
-            text, middles_of(BINS), [100.0 * mean(samples[name][there]) for there in bin_masks(samples["speed"], BINS)]
-        )
-        for name, text in names.items()
-        if name in samples
-    )
+    names = {name: f"{name}, far post" for name in KEEPERS}
+    names |= {f"near {name}": f"{name}, near post" for name in KEEPERS if f"near {name}" in samples}
+    curves = curves_by_bin(samples, names, samples["speed"], BINS, mean, place_scale=1.0)
     words = ("Goals of shots at the goalkeeper", "speed at the kick [m/s]", "goals [%]")
     return (Figure(*words, curves, rules=(50.0,), rule="half of them"),)
 

@@ -6,11 +6,11 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
-from soccer_env.train.papers.values import bin_masks, mean, middles_of
+from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -96,13 +96,9 @@ def remaining_error_share(samples: Samples) -> float:
 
 def head_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the bias of a near player's range against the distance, with its head up and down."""
-    edges = np.linspace(NEAR, FAR, 6)
-    inside = bin_masks(samples["distance"], edges)
-    curves = [
-        Curve(f"head {name}", middles_of(edges, 100), [100 * mean(samples[name][i]) for i in inside])
-        for name in (*TILTS, "down by infrared")
-    ]
-    return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", tuple(curves)),)
+    names = {name: f"head {name}" for name in (*TILTS, "down by infrared")}
+    curves = curves_by_bin(samples, names, samples["distance"], np.linspace(NEAR, FAR, 6), mean)
+    return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", curves),)
 
 
 S61 = Claim(

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import STAGED, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
 from soccer_env.train.papers.staging import (
     begin_scene,
@@ -20,7 +20,7 @@ from soccer_env.train.papers.staging import (
     standing_actions,
 )
 from soccer_env.train.papers.true_sight import stare_at_ball
-from soccer_env.train.papers.values import bin_masks, middles_of, ratio, rms
+from soccer_env.train.papers.values import ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -87,19 +87,10 @@ def compare_player_and_ball(batch: Batch) -> Samples:
     }  # fmt: skip
 
 
-def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
-    """Return curves of the rms of labelled errors, times 100, against the true distance."""
-    edges = np.linspace(near, far, 8)
-    inside = bin_masks(samples["true"], edges)
-    return tuple(
-        Curve(label, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside])
-        for name, label in labels.items()
-    )
-
-
 def ball_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the relative range errors of a player and of the ball against the distance."""
-    curves = error_curves(samples, {"player": "player", "ball": "ball"}, NEAR, FAR)
+    names, edges = {"player": "player", "ball": "ball"}, np.linspace(NEAR, FAR, 8)
+    curves = curves_by_bin(samples, names, samples["true"], edges, rms)
     return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
 
 
@@ -123,7 +114,8 @@ def ranger_gain(samples: Samples) -> float:
 
 def ranger_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the range error with the ranger's rule and without against the distance."""
-    curves = error_curves(samples, {"with": "by infrared", "without": "by size"}, RANGER_NEAR, RANGER_FAR)
+    names, edges = {"with": "by infrared", "without": "by size"}, np.linspace(RANGER_NEAR, RANGER_FAR, 8)
+    curves = curves_by_bin(samples, names, samples["true"], edges, rms)
     label = "distance between bodies' centres [cm]"
     return (Figure("Range error of a centred player, infrared below 40 cm", label, "rms error [cm]", curves),)
 
