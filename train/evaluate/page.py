@@ -2,10 +2,9 @@
 
 from collections.abc import Callable, Iterator, Sequence
 
-from soccer_env.train.evaluate.map_pictures import check_maps
-from soccer_env.train.evaluate.map_tables import map_rows, pass_rows
+from soccer_env.train.evaluate.map_pictures import check_maps, map_rows, pass_rows
 from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.evaluate.replays.page_section import add_replays
+from soccer_env.train.evaluate.replays.keep import add_replays
 from soccer_env.train.evaluate.report import (
     PAIRS_SHOWN,
     conditions_rows,

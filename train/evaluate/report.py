@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.train.evaluate.map_tables import map_rows, player_rows
+from soccer_env.train.evaluate.map_pictures import map_rows, player_rows
 from soccer_env.train.evaluate.results import HALF_WIDTH, EvaluationResult
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.statistics import interquartile_mean, wilson_interval

@@ -6,8 +6,8 @@ import pytest
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims.stuck import collisions, false_alarms, runs, worth
 from soccer_env.train.papers.claims.stuck import detection as stuck_detection
-from soccer_env.train.papers.claims.stuck import false_alarms, runs, stealing, worth
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, distance_from_camera, sample_moments
 from soccer_env.train.papers.staging import distance_to_ball, play, wrap_angle
@@ -152,6 +152,6 @@ def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
 
 
 def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:
-    won, by_contact, called = stealing.steal(BATCH, avoid=False)
+    won, by_contact, called = collisions.steal(BATCH, avoid=False)
     assert 0.2 < won.mean() <= 1.0 and (by_contact <= won).all() and by_contact.mean() < won.mean()
     assert (won + called <= 1.0).all(), "who has won has done so before the referee ends the scene"

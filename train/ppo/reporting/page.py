@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.evaluate.replays.page_section import add_replays
+from soccer_env.train.evaluate.replays.keep import add_replays
 from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, decisions_of, evaluation_rows, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, version_of
