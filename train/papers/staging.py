@@ -55,6 +55,22 @@ def stage(
     return match
 
 
+def stage_ball(
+    batch: Batch, x: Any, y: Any, heading: Any, distance: np.ndarray, bearing: Any, *, forward: Any = 0.0,
+    league: str | League = LEGGED, **settings: Any,
+) -> Match:  # fmt: skip
+    """Return matches with a robot at a pose [m, rad] and a still ball at a distance [m] and bearing [rad] from it.
+
+    Nothing else is orange; the robot walks `forward` [m/s], and its head obeys actions.
+    """
+    settings["sensors"] = {"patches": 0.0, **settings.get("sensors", {})}
+    match = stage(batch, league, matches=len(distance), actions="full", **settings)
+    put(match, 0, x, y, heading, forward)
+    put_ball(match, *point_ahead(match, 0, distance, bearing))
+    begin_scene(match)
+    return match
+
+
 def kick_off(
     batch: Batch, *, matches: int = 32, team: str = "chaser", rules: str | None = None, **settings: Any
 ) -> Match:
@@ -74,12 +90,6 @@ def stage_drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
     )  # fmt: skip
 
 
-def hide_ball(match: Match, rows: Any = slice(None)) -> None:
-    """Put the ball out of sight in some matches (rows or a mask): far behind the boards, at rest."""
-    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
-        match.balls[name][rows] = value
-
-
 def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Iterator[int]:
     """Step all matches for `seconds`, and yield 0, 1, ... after each control step; robots stand without `actions`.
 
@@ -89,6 +99,12 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
     for step in range(round(seconds * match.league.control_rate)):
         match.step(numbers)
         yield step
+
+
+def stacked(match: Match, rows: dict[str, list[np.ndarray]]) -> dict[str, np.ndarray]:
+    """Close the matches; return the values (M,) of each frame, by name, as arrays (M, T)."""
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
 def standing_actions(match: Match) -> np.ndarray:

@@ -1,5 +1,6 @@
 """The true camera, ranger beam and ball of legged robots, for all matches at once."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -63,6 +64,15 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
     actions[:, r, 4] = 1.0
     actions[:, r, 5] = np.clip(pan / head.pan_limit, -1.0, 1.0)
     actions[:, r, 6] = np.clip(share_of_tilt(tilt, head.tilt_low, head.tilt_high), -1.0, 1.0)
+
+
+def stare_for(match: Match, settle: float, seconds: float) -> Iterator[int]:
+    """Let robot 0 stand and stare at the true ball; yield each step of `seconds`, after `settle` [s] before them."""
+    actions = standing_actions(match)
+    for step in play(match, settle + seconds, actions):
+        stare_at_ball(match, actions)
+        if step >= settle * match.league.control_rate:
+            yield step
 
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import MIDDLE, distance_to_point, play, put, put_ball, stage
+from soccer_env.train.papers.staging import MIDDLE, distance_to_point, play, put, put_ball, stacked, stage
 from soccer_env.train.papers.values import middles_of, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -48,8 +48,7 @@ def watch_in_light(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarra
         frames["light"].append(percept["light"].astype(float))
         frames["found"].append(ball + sum((seen == 1).astype(int) for seen in others))
         frames["error"].append(np.where(ball, error, np.nan))
-    match.close()
-    return {name: np.stack(rows, axis=1) for name, rows in frames.items()}
+    return stacked(match, frames)
 
 
 def compare_tables(batch: Batch, **adaptive: Any) -> Samples:

@@ -8,17 +8,9 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
-from soccer_env.train.papers.claims.players.seen import set_up_watchers
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    point_ahead,
-    put_ball,
-    standing_actions,
-)
-from soccer_env.train.papers.true_sight import stare_at_ball
+from soccer_env.train.papers.claims.players.seen import stage_watchers
+from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball
+from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -35,16 +27,12 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
     """
     rng = batch.rng()
     settings = {"resolution": layer, "patches": 0.0, **sensors}
-    match = set_up_watchers(batch, MATCHES, sensors=settings, memory={"infrared_override": override})
+    match = stage_watchers(batch, MATCHES, sensors=settings, memory={"infrared_override": override})
     put_ball(match, *point_ahead(match, 0, rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
     begin_scene(match)
-    actions = standing_actions(match)
     true, _ = distance_to_ball(match)
     frames = []
-    for step in play(match, SETTLE + SECONDS, actions):
-        stare_at_ball(match, actions)
-        if step < SETTLE * match.league.control_rate:
-            continue
+    for _ in stare_for(match, SETTLE, SECONDS):
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
         frames.append([np.where(seen, value, np.nan) for value in (ball["distance"], ball["radial"])])

@@ -17,6 +17,7 @@ from soccer_env.train.papers.staging import (
     point_ahead,
     put,
     put_ball,
+    stacked,
     stage,
     standing_actions,
     watch,
@@ -115,8 +116,7 @@ def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray
             "ball, velocity along": ball["radial"],
         }
         append_frame(rows, errors, seen, "ball, seen")
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray) -> Samples:
@@ -139,8 +139,7 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
         seen = usable[np.arange(MATCHES), slot] & (track["age"] < newest_picture_age(match))
         errors = {"player, range": track["distance"] - true, "player, bearing": wrap_angle(track["bearing"] - off)}
         append_frame(rows, errors, seen, "player, seen")
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def newest_picture_age(match: Match) -> float:

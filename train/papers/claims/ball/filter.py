@@ -8,17 +8,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    point_ahead,
-    put,
-    put_ball,
-    stage,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, put_ball, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import look_first
 from soccer_env.train.papers.values import bin_masks, ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, exact, measured
@@ -45,11 +35,9 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
     league = find_league(LEGGED)
     if radius is not None:
         league = replace(league, ball=replace(league.ball, radius=radius))
-    match = stage(batch, league, matches=MATCHES, actions="full", sensors={"patches": 0.0})
-    put(match, 0, rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES))
-    place = rng.uniform(NEAR, FAR, MATCHES)
-    put_ball(match, *point_ahead(match, 0, CAMERA_AHEAD + place, rng.uniform(-0.4, 0.4, MATCHES)))
-    begin_scene(match)
+    pose = rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES)
+    place, aside = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)
+    match = stage_ball(batch, *pose, CAMERA_AHEAD + place, aside, league=league)
     true, bearing = distance_to_ball(match)
     look_first(match, SETTLE)
     frames = []
@@ -71,10 +59,7 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
 
 def averaging_time(batch: Batch) -> float:
     """Return the filter's averaging time [s]: from a jump of the ball until the estimate is within 10 % of the jump."""
-    match = stage(batch, matches=1, actions="full", sensors=STEADY)
-    put(match, 0, 0.0, 0.0)
-    put_ball(match, 0.5, 0.0)
-    begin_scene(match)
+    match = stage_ball(batch, 0.0, 0.0, 0.0, np.array([0.5]), 0.0, sensors=STEADY)
     look_first(match, SETTLE)
     put_ball(match, 0.5 + JUMP, 0.0)
     match.rebuild()

@@ -8,13 +8,11 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import (
-    begin_scene,
     distance_to_ball,
     play,
-    point_ahead,
-    put,
     put_ball,
-    stage,
+    stacked,
+    stage_ball,
     standing_actions,
     wrap_angle,
 )
@@ -47,11 +45,9 @@ def ball_place_error(match: Match) -> np.ndarray:
 def look_at_ball(batch: Batch, **memory: Any) -> Match:
     """Set up matches whose robots have watched a still ball beside their path for SEEN [s]."""
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
-    put(match, 0, rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES))
-    side = rng.choice([-1.0, 1.0], MATCHES)
-    put_ball(match, *point_ahead(match, 0, rng.uniform(0.5, 0.9, MATCHES), side * rng.uniform(0.6, 1.2, MATCHES)))
-    begin_scene(match)
+    pose = rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES)
+    side, distance = rng.choice([-1.0, 1.0], MATCHES), rng.uniform(0.5, 0.9, MATCHES)
+    match = stage_ball(batch, *pose, distance, side * rng.uniform(0.6, 1.2, MATCHES), memory=memory)
     look_first(match, SEEN)
     return match
 
@@ -103,8 +99,7 @@ def roll_balls(batch: Batch, seen: bool) -> Samples:
         before = time
         rows["way"].append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
         rows["error"].append(ball_place_error(match))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def error_by_roll_distance(samples: Samples) -> list[float]:
@@ -115,11 +110,9 @@ def error_by_roll_distance(samples: Samples) -> list[float]:
 def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its remembered place (M,) [m]."""
     rng = batch.rng()
+    pose = rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES)
     memory = {"odometry_while_dribbling": update}
-    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
-    put(match, 0, rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES))
-    put_ball(match, *point_ahead(match, 0, POCKET, 0.0))
-    begin_scene(match)
+    match = stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory=memory)
     look_first(match, SEEN)
     blind_cameras(match)
     actions = standing_actions(match)

@@ -22,6 +22,7 @@ from soccer_env.train.papers.staging import (
     point_ahead,
     put,
     put_ball,
+    stacked,
     stage,
     standing_actions,
     wrap_angle,
@@ -145,8 +146,7 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
         rows["range"].append(ground)
         rows["centred"].append(seen & (angle < ball_angle(match, distance)))
         rows["short"].append((infrared > 0.0) & (infrared < distance - WELL_BEFORE))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def compare_dimensions(batch: Batch, **memory: Any) -> Samples:

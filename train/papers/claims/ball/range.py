@@ -12,17 +12,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
 from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    point_ahead,
-    put,
-    put_ball,
-    stage,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, stacked, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, look_first
 from soccer_env.train.papers.values import bin_masks, median, middles_of, quantile, rms
 from soccer_env.train.papers.verdicts import Samples, exact, measured
@@ -55,12 +45,8 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     """
     rng = batch.rng()
     count = len(place)
-    distance = CAMERA_AHEAD + place
-    sensors = {"patches": 0.0, **settings.pop("sensors", {})}
-    match = stage(batch, matches=count, actions="full", sensors=sensors, **settings)
-    put(match, 0, rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count))
-    put_ball(match, *point_ahead(match, 0, distance, rng.uniform(-0.7, 0.7, count)))
-    begin_scene(match)
+    pose = rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count)
+    match = stage_ball(batch, *pose, CAMERA_AHEAD + place, rng.uniform(-0.7, 0.7, count), **settings)
     look_first(match, SETTLE)
     rows: dict[str, list[np.ndarray]] = {"true": [], "range": [], "distance": [], "bearing": []}
     for _ in play(match, seconds):
@@ -72,8 +58,7 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
         rows["true"].append(true)
         rows["distance"].append(np.where(seen, ball["distance"] - true, np.nan))
         rows["bearing"].append(np.where(seen, wrap_angle(ball["bearing"] - bearing), np.nan))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def range_figure(samples: Samples) -> Sequence[Figure]:

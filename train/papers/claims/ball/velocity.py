@@ -10,16 +10,7 @@ from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    play,
-    point_ahead,
-    put,
-    put_ball,
-    stage,
-    standing_actions,
-)
+from soccer_env.train.papers.staging import LEGGED, play, stacked, stage_ball, standing_actions
 from soccer_env.train.papers.true_sight import camera_of, stare_at_ball
 from soccer_env.train.papers.values import least_rise, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
@@ -59,13 +50,9 @@ def walk_to_ball(
     league = find_league(LEGGED)
     if stuck:
         league = replace(league, drive=replace(league.drive, traction=1e-9, thrust=1e-9))
-    sensors = {"patches": 0.0, **settings.pop("sensors", {})}
-    match = stage(batch, league, matches=count, actions="full", sensors=sensors, **settings)
-    put(
-        match, 0, rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0, 0.0 if stuck else pace * TOP_SPEED
-    )
-    put_ball(match, *point_ahead(match, 0, CAMERA_AHEAD + start, 0.0))
-    begin_scene(match)
+    pose = rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0
+    forward = 0.0 if stuck else pace * TOP_SPEED
+    match = stage_ball(batch, *pose, CAMERA_AHEAD + start, 0.0, forward=forward, league=league, **settings)
     actions = standing_actions(match)
     actions[:, 0, 0] = pace
     rows: dict[str, list[np.ndarray]] = {"radial": [], "rate": [], "range": []}
@@ -79,8 +66,7 @@ def walk_to_ball(
         rows["radial"].append(match.beliefs["ball"]["radial"][:, 0].copy())
         rows["rate"].append(true_radial(match))
         rows["range"].append(np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1]))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def sweep_intervals(batch: Batch) -> Samples:

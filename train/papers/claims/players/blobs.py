@@ -9,8 +9,8 @@ import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
-from soccer_env.train.papers.claims.players.seen import blob_heights, look_at, nearest_seen, put_facing, set_up_watchers
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
+from soccer_env.train.papers.claims.players.seen import blob_heights, nearest_seen, put_facing, stage_watchers, stare
+from soccer_env.train.papers.staging import begin_scene, put, stacked, standing_actions
 from soccer_env.train.papers.values import bin_masks, mean, median, middles_of, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -31,23 +31,18 @@ def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> 
     """
     rng = batch.rng()
     memory = {"player_blob": blobs, "player_infrared": False}
-    match = set_up_watchers(batch, RUNS, sensors={"jersey": jersey, **sensors}, memory=memory)
+    match = stage_watchers(batch, RUNS, sensors={"jersey": jersey, **sensors}, memory=memory)
     put(match, 0, EYE_X, rng.uniform(-0.3, 0.3, RUNS), 0.0)
     distance, bearing = rng.uniform(NEAR, FAR, RUNS), rng.uniform(-0.2, 0.2, RUNS)
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, RUNS))
     begin_scene(match)
-    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "head": [], "trunk": []}
-    for step in play(match, SETTLE + SECONDS, actions):
-        look_at(match, actions)
-        if step >= SETTLE * match.league.control_rate:
-            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            heights = blob_heights(match)
-            rows["range"].append(nearest_seen(match)[0] / true)
-            rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False
-            rows["trunk"].append(np.any(heights <= HEAD_HEIGHT, axis=1))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()} | {"distance": true}
+    for true in stare(match, standing_actions(match), SETTLE, SECONDS):
+        heights = blob_heights(match)
+        rows["range"].append(nearest_seen(match)[0] / true)
+        rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False
+        rows["trunk"].append(np.any(heights <= HEAD_HEIGHT, axis=1))
+    return stacked(match, rows) | {"distance": true}
 
 
 def compare_blobs(batch: Batch) -> Samples:

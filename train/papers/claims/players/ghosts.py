@@ -12,13 +12,7 @@ from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
-from soccer_env.train.papers.claims.players.seen import (
-    gaps_to,
-    matched_distances,
-    put_facing,
-    set_up_watchers,
-    slots_of,
-)
+from soccer_env.train.papers.claims.players.seen import gaps_to, matched_distances, put_facing, slots_of, stage_watchers
 from soccer_env.train.papers.staging import begin_scene, play, standing_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean
@@ -41,7 +35,7 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     "ghosts" and "missed" (M,): their numbers in the frame of the event.
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, away=3)
+    match = stage_watchers(batch, MATCHES, away=3)
     put_two_in_view(match, rng)
     side = rng.choice([-1.0, 1.0], MATCHES)
     put_facing(

@@ -17,9 +17,9 @@ from soccer_env.train.papers.claims.players.seen import (
     distances_from_camera,
     is_fresh,
     put_facing,
-    set_up_watchers,
     slot_bearings,
     slots_of,
+    stage_watchers,
 )
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
@@ -74,7 +74,7 @@ def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarr
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
     """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
-    match = set_up_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
+    match = stage_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
     put_two_in_view(match, batch.rng())
     begin_scene(match)
     actions = standing_actions(match)
@@ -175,7 +175,7 @@ S33 = Claim(
 
 def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     """Count frames (M,) with two opponents visible and one slot filled, and frames that keep the nearer opponent."""
-    match = set_up_watchers(batch, PAIRS, away=2)
+    match = stage_watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin_scene(match)
     actions = standing_actions(match)

@@ -7,8 +7,8 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
+from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare
+from soccer_env.train.papers.staging import begin_scene, standing_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -47,18 +47,15 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
     player or obstacle; and the true distance.
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
+    match = stage_watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
     distance, view = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-FRONTAL, FRONTAL, MATCHES)
     put_facing(match, 1, distance, rng.uniform(-0.3, 0.3, MATCHES), view)
     begin_scene(match)
     actions = standing_actions(match)
     turn_head(match, actions, 1, 0.0, tilt)
     rows = []
-    for step in play(match, SETTLE + SECONDS, actions):
-        look_at(match, actions)
-        if step >= SETTLE * match.league.control_rate:
-            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            rows.append([nearest_seen(match)[0] - true, infrared_distance(match) - true, nearest_known(match), true])
+    for true in stare(match, actions, SETTLE, SECONDS):
+        rows.append([nearest_seen(match)[0] - true, infrared_distance(match) - true, nearest_known(match), true])
     match.close()
     return tuple(np.moveaxis(np.array(rows), 1, 0))
 

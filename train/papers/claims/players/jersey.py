@@ -12,8 +12,8 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
+from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
+from soccer_env.train.papers.staging import begin_scene, standing_actions
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -58,19 +58,16 @@ def turn_player_once(batch: Batch, jersey: float, view: str, **sensors: Any) -> 
     """Return sizes [px] and relative range errors of a turning player, means (RUNS, SECTORS) over angles of view."""
     rng = batch.rng()
     settings = {"jersey": jersey, **sensors}
-    match = set_up_watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
+    match = stage_watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
     distance = rng.uniform(NEAR, FAR, RUNS)
     put_facing(match, 1, distance, rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS))
     begin_scene(match)
     actions = standing_actions(match)
     frames = []
-    for step in play(match, SETTLE + ROUND, actions):
-        look_at(match, actions)
-        actions[:, 1, 2] = 1.0 if step >= SETTLE * match.league.control_rate else 0.0
-        if step >= SETTLE * match.league.control_rate:
-            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
-            frames.append([sector, *box_sizes(match), nearest_seen(match)[0] / true - 1.0])
+    for true in stare(match, actions, SETTLE, ROUND):
+        actions[:, 1, 2] = 1.0
+        sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
+        frames.append([sector, *box_sizes(match), nearest_seen(match)[0] / true - 1.0])
     match.close()
     sector, *values = (np.stack(rows, axis=1) for rows in zip(*frames, strict=True))
     names = ("width", "height", "all width", "all height", f"{view} table")

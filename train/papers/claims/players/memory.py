@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT
-from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, set_up_watchers, slots_of
+from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, slots_of, stage_watchers
 from soccer_env.train.papers.staging import begin_scene, play, standing_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
@@ -46,7 +46,7 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
     "filled": number of slots filled since then, ideally one; "range": relative scatter of the believed range [1].
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
+    match = stage_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
     for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
         distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
         put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))

@@ -8,7 +8,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, set_up_watchers
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, stage_watchers
 from soccer_env.train.papers.dribble_runs import WAYS, play_drill
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
 from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
@@ -45,7 +45,7 @@ def walk_off(batch: Batch) -> Samples:
     """
     distance, bearing, y, heading = draw_scenes(batch)
     speeds = np.tile(SPEEDS, SCENES)
-    match = set_up_watchers(batch, len(speeds))
+    match = stage_watchers(batch, len(speeds))
     put(match, 0, EYE_X, y, 0.0)
     put(match, 1, EYE_X + distance * np.cos(bearing), y + distance * np.sin(bearing), heading, forward=speeds)
     begin_scene(match)

@@ -9,17 +9,16 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Figure, curves_by_bin
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
+from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
 from soccer_env.train.papers.staging import (
     begin_scene,
     distance_to_ball,
-    distance_to_point,
-    play,
     point_ahead,
     put_ball,
+    stacked,
     standing_actions,
 )
-from soccer_env.train.papers.true_sight import stare_at_ball
+from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -38,44 +37,33 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
     "range": error of the distance of body centres; "true": this distance; "infrared": 0 if none; all [m]; "view" [rad].
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, **settings)
+    match = stage_watchers(batch, MATCHES, **settings)
     distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
-    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": [], "view": [], "infrared": []}
-    for step in play(match, SETTLE + SECONDS, actions):
-        look_at(match, actions)
-        if step < SETTLE * match.league.control_rate:
-            continue
-        true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+    for true in stare(match, standing_actions(match), SETTLE, SECONDS):
         rows["range"].append(nearest_seen(match)[0] - true)
         rows["true"].append(true)
         rows["view"].append(view_of(match, 1))
         rows["infrared"].append(match.percepts["infrared"][:, 0].astype(float))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def look_at_balls(batch: Batch) -> Samples:
     """Return the measured range of a ball ("range") and its true range ("true"), at the places of `look_at_players`."""
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, sensors={"patches": 0.0})
+    match = stage_watchers(batch, MATCHES, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_ball(match, *point_ahead(match, 0, distance, bearing))
     begin_scene(match)
-    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": []}
-    for step in play(match, SETTLE + SECONDS, actions):
-        stare_at_ball(match, actions)
-        if step < SETTLE * match.league.control_rate:
-            continue
+    for _ in stare_for(match, SETTLE, SECONDS):
         true, _ = distance_to_ball(match)
         ball = match.beliefs["ball"][:, 0]
         rows["range"].append(np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan))
         rows["true"].append(true)
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def compare_player_and_ball(batch: Batch) -> Samples:

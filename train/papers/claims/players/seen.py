@@ -3,6 +3,7 @@
 Robot 0, of the home team, is the observer; the claim moves its head.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -12,20 +13,26 @@ from soccer_env.leagues.legged_sensors import RESOLUTIONS
 from soccer_env.match import Match
 from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, distance_to_point, hide_ball, point_ahead, put, stage, wrap_angle
+from soccer_env.train.papers.staging import LEGGED, distance_to_point, play, point_ahead, put, stage, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, look_at_point
 
 NONE = np.inf  # [m] gap to a player that nobody remembers
 STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at which a player is looked at
 
 
-def set_up_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
+def stage_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
     """Set up matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
     settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
     match = stage(batch, matches=matches, home=home, away=away, **settings)
     hide_ball(match)
     put(match, 0, 0.0, 0.0, batch.rng(9).uniform(-np.pi, np.pi, matches))
     return match
+
+
+def hide_ball(match: Match) -> None:
+    """Put the ball out of sight: far behind the boards, at rest."""
+    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
+        match.balls[name] = value
 
 
 def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> None:
@@ -46,6 +53,14 @@ def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
 def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICKER) -> None:
     """Turn the head of robot 0 to robot r: fill columns 4 to 6 of actions (M, R, 7)."""
     look_at_point(match, actions, 0, match.robots["x"][:, r], match.robots["y"][:, r], height)
+
+
+def stare(match: Match, actions: np.ndarray, settle: float, seconds: float) -> Iterator[np.ndarray]:
+    """Let robot 0 stare at robot 1; after `settle` [s] yield their true distance (M,) [m] in each step of `seconds`."""
+    for step in play(match, settle + seconds, actions):
+        look_at(match, actions)
+        if step >= settle * match.league.control_rate:
+            yield distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])[0]
 
 
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:

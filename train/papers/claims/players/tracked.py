@@ -12,9 +12,9 @@ from soccer_env.train.papers.claims.players.seen import (
     gaps_to,
     is_fresh,
     matched_distances,
-    set_up_watchers,
     slot_bearings,
     slots_of,
+    stage_watchers,
 )
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
@@ -54,7 +54,7 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
     The errors are of the nearest team-mate and the nearest opponent in the frame, NaN without one.
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, home=3, away=3, memory=memory)
+    match = stage_watchers(batch, MATCHES, home=3, away=3, memory=memory)
     for r, (x, y) in enumerate(PLACES):
         aside = rng.uniform(-0.2, 0.2, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
