@@ -5,14 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from soccer_env.train.evaluate.map_pictures import check_maps, map_rows, pass_rows
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.evaluate.replays.keep import add_replays
-from soccer_env.train.evaluate.report import (
-    PAIR_HEAD,
-    conditions_rows,
-    needed_matches_sentence,
-    pair_rows,
-    rows,
-    verdict_sentence,
-)
+from soccer_env.train.evaluate.report import conditions_rows, needed_matches_sentence, pair_rows, rows, verdict_sentence
 from soccer_env.train.evaluate.results import EvaluationResult, pair_means
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_bars, draw_curves
@@ -84,8 +77,8 @@ def add_matches(page: ReportPage, result: EvaluationResult) -> None:
     """Add the table of pairs, folded away."""
     page.section("Matches")
     page.fold(f"scores of {len(result.lines) // 2} pairs, {result.conditions.home} first")
-    pairs, rest = pair_rows(result)
-    page.table(PAIR_HEAD, pairs, sorts=True)
+    head, pairs, rest = pair_rows(result)
+    page.table(head, pairs, sorts=True)
     page.unfold()
     page.say(rest)
 

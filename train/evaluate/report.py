@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 PAIRS_SHOWN = 100
-PAIR_HEAD = ("pair", "seed", "as home", "as away")
 VERDICTS = {
     "beats clearly": "{home} beats {away} clearly.",
     "beats": "{home} beats {away}.",
@@ -68,7 +67,7 @@ def percent(share: float) -> str:
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     """Return the report in Markdown; `about` holds the command, date and commit of the evaluation's start."""
     home, away = escaped(result.conditions.home), escaped(result.conditions.away)
-    pairs, rest = pair_rows(result)
+    head, pairs, rest = pair_rows(result)
     lines = [
         f"# {home} against {away}",
         f"{verdict_sentence(result, escaped)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
@@ -81,7 +80,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         code_block(about.get("command", "")),
         "## Matches",
         f"Score of {home} first, as home and as away.",
-        table(PAIR_HEAD, pairs),
+        table(head, pairs),
         rest,
     ]
     return "\n\n".join(line for line in lines if line) + "\n"
@@ -142,15 +141,15 @@ def map_tables_markdown(result: EvaluationResult, head: tuple[str, ...]) -> list
     ]
 
 
-def pair_rows(result: EvaluationResult) -> tuple[list[tuple[str, ...]], str]:
-    """Return a row for each of the first PAIRS_SHOWN pairs, below PAIR_HEAD, and a sentence on those left out."""
+def pair_rows(result: EvaluationResult) -> tuple[tuple[str, ...], list[tuple[str, ...]], str]:
+    """Return the head of the table of pairs, a row for each of the first PAIRS_SHOWN, a sentence on those left out."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
         (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
         for first, second in both[:PAIRS_SHOWN]
     ]
     rest = len(both) - len(cells)
-    return cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
+    return ("pair", "seed", "as home", "as away"), cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
 
 
 def escaped(text: str) -> str:

@@ -95,7 +95,7 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
 
     Actions (M, R, 4 or 7) may be changed between steps.
     """
-    numbers = standing_actions(match) if actions is None and match.learns.any() else actions
+    numbers = still_actions(match) if actions is None and match.learns.any() else actions
     for step in range(round(seconds * match.league.control_rate)):
         match.step(numbers)
         yield step
@@ -107,7 +107,7 @@ def stacked(match: Match, rows: dict[str, list[np.ndarray]]) -> dict[str, np.nda
     return {name: np.stack(values, axis=1) for name, values in rows.items()}
 
 
-def standing_actions(match: Match) -> np.ndarray:
+def still_actions(match: Match) -> np.ndarray:
     """Return actions by which robots stand and heads move by themselves: (M, R, 4), with actions="full" (M, R, 7)."""
     actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
     actions[..., 4:5] = -1.0

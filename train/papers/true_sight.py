@@ -8,7 +8,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import sensors_of
 from soccer_env.optics.head_camera import share_of_tilt
-from soccer_env.train.papers.staging import distance_to_point, play, standing_actions
+from soccer_env.train.papers.staging import distance_to_point, play, still_actions
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
@@ -68,7 +68,7 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
 
 def stare_for(match: Match, settle: float, seconds: float) -> Iterator[int]:
     """Let robot 0 stand and stare at the true ball; yield each step of `seconds`, after `settle` [s] before them."""
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for step in play(match, settle + seconds, actions):
         stare_at_ball(match, actions)
         if step >= settle * match.league.control_rate:
@@ -77,7 +77,7 @@ def stare_for(match: Match, settle: float, seconds: float) -> Iterator[int]:
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:
     """Let robot r stand and stare at the true ball for `seconds`, so that it sees the ball; needs actions="full"."""
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for _ in play(match, seconds, actions):
         stare_at_ball(match, actions, r)
 

@@ -27,7 +27,7 @@ from soccer_env.train.papers.claims.players.seen import (
     stage_watchers,
     view_of,
 )
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 
 BATCH = Batch("test", 0, 0)
@@ -38,7 +38,7 @@ def looking(matches: int = 6, distance: float = 0.8, **settings: object):
     match = stage_watchers(BATCH, matches, **settings)
     put_facing(match, 1, distance, np.linspace(-0.5, 0.5, matches), 0.0)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for _ in play(match, 1.0, actions):
         look_at(match, actions)
     return match
@@ -68,7 +68,7 @@ def test_a_head_that_looks_at_a_player_has_it_on_its_axis() -> None:
 def test_the_head_turns_where_it_is_asked_to() -> None:
     match = stage_watchers(BATCH, 2)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, np.array([0.8, -0.8]), -0.4)
     for _ in play(match, 1.0, actions):
         pass
@@ -123,7 +123,7 @@ def test_blobs_belong_to_who_stands_there() -> None:
     put_facing(match, 1, 0.7, 0.3, 0.0)
     put_facing(match, 2, 1.2, -0.3, 1.0)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, -0.1)
     for _ in play(match, 1.0, actions):
         pass
@@ -152,7 +152,7 @@ def test_two_in_view_do_not_touch() -> None:
 def test_the_memory_reads_the_settings_that_a_claim_changes() -> None:
     match = looking(matches=4)
     memory_settings_of(match)["ghost_time"] = 0.0
-    match.step(standing_actions(match))
+    match.step(still_actions(match))
     assert (slots_of(match)["age"] == 0.0).all()
 
 

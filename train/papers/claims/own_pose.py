@@ -6,16 +6,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import (
-    MIDDLE,
-    begin_scene,
-    play,
-    put,
-    put_ball,
-    stage,
-    standing_actions,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, put_ball, stage, still_actions, wrap_angle
 from soccer_env.train.papers.values import median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -42,7 +33,7 @@ class RandomDrivers:
         self.match, self.rng = match, rng
         self.x, self.y = self.targets()
         self.turn = rng.uniform(-0.3, 0.3, match.robots.shape)  # [1] of the top turn rate
-        self.actions = standing_actions(match)
+        self.actions = still_actions(match)
 
     def targets(self) -> tuple[np.ndarray, np.ndarray]:
         """Return random target places within the field (M, R) [m]."""

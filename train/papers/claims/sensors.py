@@ -19,7 +19,7 @@ from soccer_env.train.papers.staging import (
     put_ball,
     stacked,
     stage,
-    standing_actions,
+    still_actions,
     watch,
     wrap_angle,
 )
@@ -126,7 +126,7 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
     put(match, 1, *point_ahead(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
     true, off = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-    actions, head = standing_actions(match), match.league.head
+    actions, head = still_actions(match), match.league.head
     if head.pan_limit > 0.0:
         actions[..., 4], actions[..., 5] = 1.0, 0.0  # both: a lowered head would hide the other's jersey
         actions[..., 6] = (2.0 * LEVEL - head.tilt_high - head.tilt_low) / (head.tilt_high - head.tilt_low)

@@ -7,7 +7,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.velocity import true_radial
-from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, standing_actions
+from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, still_actions
 from soccer_env.train.papers.true_sight import blind_cameras, follow_ball, restore_cameras, stare_at_ball
 from soccer_env.train.papers.values import bin_masks, least_rise, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -39,7 +39,7 @@ def set_up_random_kicks(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, St
     put(match, 0, START, 0.0)
     put_ball(match, START + MIDDLE, 0.0)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     rng = batch.rng(2)
     ball, ahead = match.balls, np.ones(MATCHES)
 
@@ -68,7 +68,7 @@ def set_up_play(batch: Batch, gate: bool) -> tuple[Match, np.ndarray, Steer]:
         sensors=CLEAN, memory={"velocity_gate": gate},
     )  # fmt: skip
     match.reset(seeds=batch.seeds(MATCHES))
-    actions = standing_actions(match)
+    actions = still_actions(match)
 
     def steer() -> None:
         actions[:, 0, :3] = follow_ball(match, KEPT)

@@ -6,7 +6,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, STAGED, Batch, Claim
-from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, standing_actions
+from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, still_actions
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -77,7 +77,7 @@ def count_jumps(batch: Batch, **memory: Any) -> JumpCounter:
     senses = {"home": "sensors", "away": "ideal"}
     match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
-    counter, actions = JumpCounter(match), standing_actions(match)
+    counter, actions = JumpCounter(match), still_actions(match)
     for step in play(match, SETTLE + TIME, actions):
         actions[:, 0, :3] = follow_ball(match, KEPT)
         if (step + 1) * match.league.dt > SETTLE:

@@ -13,7 +13,7 @@ from soccer_env.train.papers.staging import (
     put_ball,
     stacked,
     stage_ball,
-    standing_actions,
+    still_actions,
     wrap_angle,
 )
 from soccer_env.train.papers.true_sight import blind_cameras, look_first, stare_at_ball
@@ -57,7 +57,7 @@ def walk_blind(batch: Batch, odometry: str) -> Samples:
     match = look_at_ball(batch, odometry=odometry)
     blind_cameras(match)
     seconds = WAY / SPEED
-    actions = standing_actions(match)
+    actions = still_actions(match)
     away = -np.sign(distance_to_ball(match)[1])
     actions[:, 0, 0] = 1.0
     actions[:, 0, 2] = away * batch.rng(1).uniform(0.0, 0.5 * np.pi, MATCHES) / seconds / TURN
@@ -88,7 +88,7 @@ def roll_balls(batch: Batch, seen: bool) -> Samples:
     speed[: MATCHES // 6] = 0.0
     x, y = match.balls["x"].copy(), match.balls["y"].copy()
     put_ball(match, x, y, speed * np.cos(course), speed * np.sin(course))
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 0, 0] = 1.0
     rows: dict[str, list[np.ndarray]] = {"way": [], "error": []}
     before = 0.0
@@ -115,7 +115,7 @@ def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     match = stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory=memory)
     look_first(match, SEEN)
     blind_cameras(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
     for _ in play(match, PUSHED, actions):
         pass

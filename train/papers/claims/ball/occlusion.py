@@ -24,7 +24,7 @@ from soccer_env.train.papers.staging import (
     put_ball,
     stacked,
     stage,
-    standing_actions,
+    still_actions,
     wrap_angle,
 )
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare_at_ball
@@ -109,7 +109,7 @@ def visible_shares(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, 
     sizes = []
     for others in (False, True):
         match = set_up(batch, scene, others, sensors=PLAIN | FINE)
-        actions = standing_actions(match)
+        actions = still_actions(match)
         for _ in play(match, SETTLE, actions):
             stare_at_ball(match, actions)
         blob = match.percepts["ball"][:, 0, 0]
@@ -128,7 +128,7 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
     camera's axis meets the ball; "short": the infrared ranger reads less than the ball's distance by WELL_BEFORE.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
-    actions, dt = standing_actions(match), match.league.dt
+    actions, dt = still_actions(match), match.league.dt
     rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": [], "short": []}
     for step in play(match, SETTLE + SECONDS, actions):
         actions[:, 0, 4] = -1.0

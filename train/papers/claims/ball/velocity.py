@@ -10,7 +10,7 @@ from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
-from soccer_env.train.papers.staging import LEGGED, play, stacked, stage_ball, standing_actions
+from soccer_env.train.papers.staging import LEGGED, play, stacked, stage_ball, still_actions
 from soccer_env.train.papers.true_sight import camera_of, stare_at_ball
 from soccer_env.train.papers.values import least_rise, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
@@ -53,7 +53,7 @@ def walk_to_ball(
     pose = rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0
     forward = 0.0 if stuck else pace * TOP_SPEED
     match = stage_ball(batch, *pose, CAMERA_AHEAD + start, 0.0, forward=forward, league=league, **settings)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 0, 0] = pace
     rows: dict[str, list[np.ndarray]] = {"radial": [], "rate": [], "range": []}
     for step in play(match, SETTLE + seconds, actions):

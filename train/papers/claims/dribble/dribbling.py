@@ -20,7 +20,7 @@ from soccer_env.train.papers.dribble_runs import (
     record_dribble,
     set_up_dribblers,
 )
-from soccer_env.train.papers.staging import LEGGED, put, stage, standing_actions
+from soccer_env.train.papers.staging import LEGGED, put, stage, still_actions
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -131,7 +131,7 @@ def push_at_angles(batch: Batch, world: str) -> Samples:
 
 def walking_actions(match: object, step: float, angle: np.ndarray) -> np.ndarray:
     """Return actions by which robot 0 walks with steps [m] at angles [degrees] off straight ahead."""
-    actions, drive = standing_actions(match), match.league.drive  # type: ignore[arg-type, attr-defined]
+    actions, drive = still_actions(match), match.league.drive  # type: ignore[arg-type, attr-defined]
     speed = step / (drive.gait_steps * match.league.dt)  # type: ignore[attr-defined]
     actions[:, 0, 0] = speed * np.cos(angle * pi / 180.0) / drive.forward
     actions[:, 0, 1] = speed * np.sin(angle * pi / 180.0) / drive.sideways

@@ -13,7 +13,7 @@ from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.field.point_world import SIDE
 from soccer_env.train.papers.claims.field.points import SCENES
 from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, DribbleRecord, place_with_ball, record_dribble
-from soccer_env.train.papers.staging import put, stage, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import put, stage, still_actions, wrap_angle
 
 ROBOTS = 24  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
@@ -95,7 +95,7 @@ def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str =
     team = make_team("sacks-2001", **{**NO_SHOTS, **play})
     match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
     place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for i in range(others):
         one = crowd[:, i]
         speed = np.hypot(one["vx"], one["vy"])

@@ -13,7 +13,7 @@ from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
-from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, standing_actions
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, still_actions
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -162,7 +162,7 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     put(match, 2, -x, -y, way + np.pi)
     put_ball(match, *point_ahead(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
     begin_scene(match, placed=True)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     arrival = HeinemannSettings().pass_arrival
     kick = np.array([kick_strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
     actions[:, 1, 3] = kick
@@ -170,7 +170,7 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     for _ in range(2):  # a kick needs a ball that was noticed at the kicker in the step before
         match.step(actions)
         top = np.maximum(top, np.hypot(match.balls["vx"], match.balls["vy"]))
-    return wait_for_possession(match, 2, standing_actions(match)) | {"top": top}
+    return wait_for_possession(match, 2, still_actions(match)) | {"top": top}
 
 
 def compare_kick_strengths(batch: Batch) -> Samples:

@@ -10,7 +10,7 @@ import numpy as np
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import blob_heights, nearest_seen, put_facing, stage_watchers, stare
-from soccer_env.train.papers.staging import begin_scene, put, stacked, standing_actions
+from soccer_env.train.papers.staging import begin_scene, put, stacked, still_actions
 from soccer_env.train.papers.values import bin_masks, mean, median, middles_of, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -37,7 +37,7 @@ def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> 
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, RUNS))
     begin_scene(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "head": [], "trunk": []}
-    for true in stare(match, standing_actions(match), SETTLE, SECONDS):
+    for true in stare(match, still_actions(match), SETTLE, SECONDS):
         heights = blob_heights(match)
         rows["range"].append(nearest_seen(match)[0] / true)
         rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False

@@ -13,7 +13,7 @@ from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
 from soccer_env.train.papers.claims.players.seen import gaps_to, matched_distances, put_facing, slots_of, stage_watchers
-from soccer_env.train.papers.staging import begin_scene, play, standing_actions
+from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -42,7 +42,7 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
         match, 3, rng.uniform(NEAR, FAR, MATCHES), side * rng.uniform(*ASIDE, MATCHES), rng.uniform(-3.0, 3.0, MATCHES)
     )
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for pan, seconds in ((side * TURNED, LOOK_ASIDE), (0.0, LOOK_AHEAD)):
         turn_head(match, actions, 0, pan, TILT)
         for _ in play(match, seconds, actions):

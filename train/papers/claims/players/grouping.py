@@ -21,7 +21,7 @@ from soccer_env.train.papers.claims.players.seen import (
     slots_of,
     stage_watchers,
 )
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -77,7 +77,7 @@ def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.nda
     match = stage_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
     put_two_in_view(match, batch.rng())
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     total = np.zeros((4, MATCHES))
     for step in play(match, SETTLE + SECONDS, actions):
@@ -178,7 +178,7 @@ def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     match = stage_watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     kept, merged = np.zeros((2, match.count))
     true = np.stack(

@@ -8,7 +8,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare
-from soccer_env.train.papers.staging import begin_scene, standing_actions
+from soccer_env.train.papers.staging import begin_scene, still_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -51,7 +51,7 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
     distance, view = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-FRONTAL, FRONTAL, MATCHES)
     put_facing(match, 1, distance, rng.uniform(-0.3, 0.3, MATCHES), view)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 1, 0.0, tilt)
     rows = []
     for true in stare(match, actions, SETTLE, SECONDS):

@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
-from soccer_env.train.papers.staging import begin_scene, standing_actions
+from soccer_env.train.papers.staging import begin_scene, still_actions
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -62,7 +62,7 @@ def turn_player_once(batch: Batch, jersey: float, view: str, **sensors: Any) -> 
     distance = rng.uniform(NEAR, FAR, RUNS)
     put_facing(match, 1, distance, rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS))
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     frames = []
     for true in stare(match, actions, SETTLE, ROUND):
         actions[:, 1, 2] = 1.0

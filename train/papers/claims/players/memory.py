@@ -11,7 +11,7 @@ import numpy as np
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT
 from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, slots_of, stage_watchers
-from soccer_env.train.papers.staging import begin_scene, play, standing_actions
+from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -51,7 +51,7 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
         distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
         put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for pan in (TURNED, -TURNED, 0.0):
         turn_head(match, actions, 0, pan, TILT)
         for _ in play(match, LOOK, actions):

@@ -10,7 +10,7 @@ from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, stage_watchers
 from soccer_env.train.papers.dribble_runs import WAYS, play_drill
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
 from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -49,7 +49,7 @@ def walk_off(batch: Batch) -> Samples:
     put(match, 0, EYE_X, y, 0.0)
     put(match, 1, EYE_X + distance * np.cos(bearing), y + distance * np.sin(bearing), heading, forward=speeds)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 1, 0] = speeds / match.league.drive.forward
     walk_mover(match, actions, LOOK, batch.rng(1))
     distance, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])

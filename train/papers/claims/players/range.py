@@ -10,14 +10,7 @@ import numpy as np
 
 from soccer_env.train.papers.claim import STAGED, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
-from soccer_env.train.papers.staging import (
-    begin_scene,
-    distance_to_ball,
-    point_ahead,
-    put_ball,
-    stacked,
-    standing_actions,
-)
+from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, stacked, still_actions
 from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -42,7 +35,7 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": [], "view": [], "infrared": []}
-    for true in stare(match, standing_actions(match), SETTLE, SECONDS):
+    for true in stare(match, still_actions(match), SETTLE, SECONDS):
         rows["range"].append(nearest_seen(match)[0] - true)
         rows["true"].append(true)
         rows["view"].append(view_of(match, 1))

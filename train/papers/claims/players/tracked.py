@@ -16,7 +16,7 @@ from soccer_env.train.papers.claims.players.seen import (
     slots_of,
     stage_watchers,
 )
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -59,7 +59,7 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
         aside = rng.uniform(-0.2, 0.2, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     walks = batch.rng(1)
     tracked, errors = [], []
     for step in play(match, SETTLE + SECONDS, actions):
