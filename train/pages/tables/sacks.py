@@ -13,18 +13,9 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.evaluate.report import plain_number
 from soccer_env.train.pages.tables.paper_page import PaperPage
 from soccer_env.train.papers.claim import SACKS
-from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.results import FOLDERS
-from soccer_env.train.papers.settings import ReproduceSettings
 
-RUN = Path("runs/claims")  # folder of the run, which can be stopped and resumed
 WIDTH = 118  # of a line of text
-
-
-def measure_both_papers() -> Path:
-    """Measure every claim of both papers, resuming an earlier call; return the folder of the run."""
-    reproduce(ReproduceSettings(all=True, threads=2, out=RUN))
-    return RUN
 
 
 def constants_text() -> str:
@@ -66,8 +57,9 @@ PAGE = PaperPage(
     folder=FOLDERS[SACKS],
     paper=SACKS,
     pictures={"S06": 1, "S29": 1, "S35": 1, "S47": 1, "S63": 1},
-    measure=measure_both_papers,
+    run=Path("runs/claims"),
     tables={"constants": constants_text},
+    both_papers=True,
 )
 
 

@@ -100,10 +100,10 @@ def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random
     return np.moveaxis(np.array(way), 1, 0)
 
 
-def error_by_distance(samples: Samples, speeds: Sequence[float], name: str = "error") -> list[float]:
+def error_by_distance(samples: Samples, speeds: Sequence[float]) -> list[float]:
     """Return the median error of the believed place [cm] in each bin of distance, over movers of the given speeds."""
     column = [SPEEDS.index(speed) for speed in speeds]
-    distance, error = samples["distance"][:, column], samples[name][:, column]
+    distance, error = samples["distance"][:, column], samples["error"][:, column]
     return [100 * median(error[there]) for there in bin_masks(distance, BINS)]
 
 

@@ -22,6 +22,7 @@ ABREAST = 0.16  # [m] sideways distance at which two robots just pass each other
 OVERLAP = 0.08  # [m] greatest overlap of bodies: with more the ball is hidden
 POST, BEYOND = (0.33, 0.4), (0.22, 0.35)  # [m] of the robot in the way, and of the ball beyond it
 AHEAD, ANGLE = (0.5, 0.7), (np.pi / 6.0, 2.0 * np.pi / 3.0)  # [m] of the ball before a camera, [rad] between ways
+WAYS = 0.4  # [rad] of a blocked path off the goal's direction, at most
 START = -0.9  # [m] x of the robot at the start
 
 
@@ -81,15 +82,15 @@ def set_up_converging(batch: Batch, matches: int, **settings: Any) -> Match:
     return match
 
 
-def set_up_blocked_path(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) -> Match:
+def set_up_blocked_path(batch: Batch, matches: int, **settings: Any) -> Match:
     """Set up matches in which an immovable robot stands in robot 0's path to a still ball.
 
     The immovable robot stands beside the straight path, so that the ball is seen past it, and the bodies overlap by up
-    to OVERLAP; paths (M,) [rad] are up to `ways` off the goal's direction.
+    to OVERLAP; paths are up to WAYS off the goal's direction.
     """
     rng = batch.rng()
     match = set_up_seekers(batch, matches, **settings)
-    way, side = rng.uniform(-ways, ways, matches), rng.choice([-1.0, 1.0], matches)
+    way, side = rng.uniform(-WAYS, WAYS, matches), rng.choice([-1.0, 1.0], matches)
     x, y = rng.uniform(-0.6, 0.3, matches), rng.uniform(-0.2, 0.2, matches)
     ahead, aside = rng.uniform(*POST, matches), side * (ABREAST - rng.uniform(0.0, OVERLAP, matches))
     put(match, 0, x, y, way)
