@@ -124,8 +124,8 @@ class Claim:
     statement: str  # what the paper says
     method: str  # how it is measured
     criteria: tuple[Criterion, ...]  # none that decides: context
-    rules: tuple[str, ...]  # rule sets of its matches: PLAYED, PLAYED_AND_STAGED, STAGED or NO_MATCH
     measure: Callable[[Batch], Samples]
+    rules: tuple[str, ...] = STAGED  # rule sets of its matches: PLAYED, PLAYED_AND_STAGED, STAGED or NO_MATCH
     batches: int = 16
     least: int = 1  # batches of a seed before the first verdict; more than 1 where few units of a batch count
     quick: int = 1

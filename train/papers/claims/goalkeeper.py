@@ -11,7 +11,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.resolution import LAYERS
 from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
 from soccer_env.train.papers.values import mean
@@ -139,7 +139,6 @@ S67 = Claim(
         reported("no block: by the bearing alone", "step off", of=saved, unit="%"),
         reported("no block: guarding the line, no reaction", "step guards", of=saved, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_angular_velocity,
     figures=angular_figure,
     ingredients=(
@@ -199,7 +198,6 @@ S71 = Claim(
         reported("saved at 88x72, one reaction", "off 88x72", of=saved, unit="%"),
         reported("saved at 176x144, one reaction", "off 176x144", of=saved, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_resolutions,
     figures=layer_figure,
     ingredients=(

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import stage_watchers
 from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball
 from soccer_env.train.papers.true_sight import stare_for
@@ -81,7 +81,6 @@ S66 = Claim(
         reported("velocity at 88x72", "velocity 88x72", of=rms, unit="cm/s"),
         reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
     ),
-    rules=STAGED,
     measure=compare_layers,
     seconds=1.5,
     batches=32,

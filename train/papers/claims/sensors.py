@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.evaluate.report import plain_number, table
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import (
     LEGGED,
     MIDDLE,
@@ -195,7 +195,6 @@ SENSORS = Claim(
     statement="Error against range for every sensor and estimate.",
     method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
     criteria=(),
-    rules=STAGED,
     measure=look_at_things,
     batches=4,
     seconds=4.0,

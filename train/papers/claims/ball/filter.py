@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, put_ball, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import look_first
@@ -104,7 +104,6 @@ S16 = Claim(
         ),
         exact("span of the average", "span", unit="s", at_least=0.2, at_most=0.3),
     ),
-    rules=STAGED,
     measure=look_at_still_balls,
     without=Ablation(
         f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a second",
@@ -126,7 +125,6 @@ S17 = Claim(
         measured("deviation of the range over that across, from 60 cm on",
                  lambda samples: float(np.min(radial_over_tangential(samples))), at_least=3.0),
     ),
-    rules=STAGED,
     measure=look_at_still_balls,
     without=Ablation("a ball of 84 mm: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
                     lambda batch: look_at_still_balls(batch, radius=LARGE)),

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.velocity import true_radial
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, still_actions
 from soccer_env.train.papers.true_sight import blind_cameras, follow_ball, restore_cameras, stare_at_ball
@@ -173,7 +173,6 @@ S19 = Claim(
         reported("in play, without the rule: the first ratio", long_gap_error_ratio, "play off"),
         reported("in play, with the rule: the second ratio", long_gap_error_ratio, "play on"),
     ),
-    rules=STAGED,
     measure=compare_velocity_gate,
     figures=gap_figure,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),

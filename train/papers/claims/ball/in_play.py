@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED, STAGED, Batch, Claim
+from soccer_env.train.papers.claim import PLAYED, Batch, Claim
 from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, still_actions
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -142,7 +142,6 @@ S11 = Claim(
         reported("fewer jumps by the area thresholds alone", fewer_jumps, "area", unit="%"),
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
-    rules=STAGED,
     measure=compare_sighting_rules,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
     seconds=4.0,

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import (
     distance_to_ball,
     play,
@@ -149,7 +149,6 @@ S12 = Claim(
         reported("no update: median error of the place", "place none", of=median, unit="cm"),
         reported("rotation only: the same", "place rotation", of=median, unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_updates,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
     seconds=1.5,
@@ -165,7 +164,6 @@ S13 = Claim(
         measured("least rise of the median error with the ball's way",
                  lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
     ),
-    rules=STAGED,
     measure=lambda batch: roll_balls(batch, seen=False),
     without=Ablation("a memory that leaves an unseen ball where it was: here it stays in sight",
                     lambda batch: roll_balls(batch, seen=True)),
@@ -186,7 +184,6 @@ S14 = Claim(
         reported("without the update", "off", of=median, unit="cm"),
         reported("with the update", "on", of=median, unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_dribbling,
     without=Ablation(
         f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",

@@ -12,7 +12,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.staging import (
     LEGGED,
@@ -198,7 +198,6 @@ S07 = Claim(
                  unit="%", above=0.0),
         measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
-    rules=STAGED,
     measure=compare_dimensions,
     without=Ablation(
         "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
@@ -221,7 +220,6 @@ S08 = Claim(
         reported("not cut: median error", bias_of_hidden_balls, 0, unit="%"),
         reported("cut in one dimension, by width alone: median error", bias_of_hidden_balls, 1, "width", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_dimensions,
     figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
@@ -275,7 +273,6 @@ S09 = Claim(
         reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
-    rules=STAGED,
     measure=compare_infrared_rule,
     least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),

@@ -11,7 +11,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, stacked, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, look_first
 from soccer_env.train.papers.values import bin_masks, median, middles_of, quantile, rms
@@ -82,7 +82,6 @@ S05 = Claim(
                  lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]), unit="%", at_most=10.0),
         measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
-    rules=STAGED,
     measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD),
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
@@ -168,7 +167,6 @@ S06 = Claim(
                  at_most=100 * CROSSING[1]),
         measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
-    rules=STAGED,
     measure=compare_size_and_infrared,
     figures=crossing_figure,
     without=Ablation("sensors.infrared_growth = 0: a ranger as good far away as near",

@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
 from soccer_env.train.papers.staging import LEGGED, play, stacked, stage_ball, still_actions
 from soccer_env.train.papers.true_sight import camera_of, stare_at_ball
@@ -165,7 +165,6 @@ S18 = Claim(
                  lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
-    rules=STAGED,
     measure=sweep_intervals,
     figures=interval_figure,
     ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
@@ -185,7 +184,6 @@ S20 = Claim(
         exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
         counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
     ),
-    rules=STAGED,
     measure=count_misjudged_readings,
     without=Ablation(
         "sensors.dither = 0: blobs without flicker", lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})
@@ -203,7 +201,6 @@ S21 = Claim(
     f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
     "against half the top speed.",
     criteria=(counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),),
-    rules=STAGED,
     measure=mean_readings,
     figures=readings_figure,
     ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),

@@ -9,7 +9,7 @@ from soccer_env.leagues.league import League
 from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import legged_drill, put_at_distance, send_mover, start_dribble
 from soccer_env.scenes.scene import SceneRandom
-from soccer_env.train.papers.claim import STAGED, Batch, Claim
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.dribble.past import (
     BODIES,
     MATCHES,
@@ -86,7 +86,6 @@ S64 = Claim(
         reported("from the middle: the least other class less opposite sides", opposite_sides_disadvantage,
                  "middle clean", unit="%"),
     ),
-    rules=STAGED,
     measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
     note=BODIES,
@@ -107,7 +106,6 @@ S43 = Claim(
                    lambda s, name: outcome_share(s, name, 1) - outcome_share(s, name, 0), f"{prefix}touched", unit="%")
           for prefix, where in (("", ""), ("middle ", "from the middle: "))),
     ),
-    rules=STAGED,
     measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way",),
     note="A report, for the paper gives no measure; S62 to S64 judge. The field has positions alone, no velocities.",

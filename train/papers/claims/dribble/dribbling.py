@@ -10,7 +10,7 @@ from math import pi
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.dribble_runs import (
     COUNTED,
     LOST,
@@ -103,7 +103,6 @@ S51 = Claim(
         reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
         reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
     ),
-    rules=STAGED,
     measure=measure_in_both_worlds(dribble_steps),
     figures=step_figure,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
@@ -184,7 +183,6 @@ S59 = Claim(
         reported("body of one piece: the difference", wide_angle_loss_difference, "smooth ", unit="%"),
         reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
     ),
-    rules=STAGED,
     measure=measure_in_both_worlds(push_at_angles),
     figures=angle_figure,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
@@ -247,7 +245,6 @@ S60 = Claim(
         reported("body of one piece: caught at 55 degrees", mean_at_limit, "smooth caught", 1, unit="%"),
         reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     ),
-    rules=STAGED,
     measure=measure_in_both_worlds(push_past_robot),
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
     note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "

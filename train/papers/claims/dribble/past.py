@@ -12,7 +12,7 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import player_near_path, starts
 from soccer_env.train.papers.claims.field.robots import run_two_distances
 from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, LONGEST, PAPER, WAYS, play_drill
@@ -111,7 +111,6 @@ S62 = Claim(
                  "middle free", unit="%"),
         reported("from the middle, ideal senses: clean, one", "clean middle ideal", unit="%"),
     ),
-    rules=STAGED,
     measure=dribble_past_still,
     figures=still_figure,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
@@ -175,7 +174,6 @@ S63 = Claim(
         reported("past with the ball, touched or not, all speeds", outcome_share, "past", unit="%"),
         reported("from the middle: clean at 3 and 6 cm/s", outcome_share, "middle clean", unit="%"),
     ),
-    rules=STAGED,
     measure=dribble_past_mover,
     figures=mover_figure,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
@@ -243,7 +241,6 @@ S52 = Claim(
                  unit="%"),
         reported("from the middle: curve at 0.5 s less at 1 s", half_second_gain, "middle clean", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_decision_times,
     figures=replan_figure,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.movers import SPEEDS, approaching_player
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, player_near_path, run_points, starts
 from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
@@ -129,7 +129,6 @@ S53 = Claim(
             for axis in AXES
         ),
     ),
-    rules=STAGED,
     measure=vary_each_constant,
     seconds=12.0,
     least=2,
@@ -209,7 +208,6 @@ S65 = Claim(
             for kind in KINDS
         ),
     ),
-    rules=STAGED,
     measure=compare_tuned_constants,
     seconds=8.0,
     least=3,

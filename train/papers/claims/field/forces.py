@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import (
     FIELD,
@@ -208,7 +208,6 @@ S47 = Claim(
         reported("extra length of the path is less by",
                  lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_cosine_factor,
     seconds=4.0,
     batches=6,

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, gap_with_third_player, side_change_share
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
@@ -101,7 +101,6 @@ S54 = Claim(
         reported("robots, distances from the middle: the same difference", trouble_without_limits, "middle robots",
                  unit="pp"),
     ),
-    rules=STAGED,
     measure=compare_angle_limits,
     seconds=9.0,
     batches=6,
@@ -156,7 +155,6 @@ S68 = Claim(
                  "middle robots all rules", unit="%"),
         reported("robots, distances from the middle: that pass and touch nobody", "middle clean all rules", unit="%"),
     ),
-    rules=STAGED,
     measure=count_side_changes,
     seconds=7.0,
     batches=6,

@@ -12,7 +12,7 @@ from soccer_env.baselines.sacks_2001.steering import force_of_players
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
-from soccer_env.train.papers.claim import NO_MATCH, PLAYED, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points, starts
 from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
@@ -169,7 +169,6 @@ S50 = Claim(
         reported("distances from the middle: with it", "middle robots with", unit="%"),
         reported("distances from the middle: without", "middle robots without", unit="%"),
     ),
-    rules=STAGED,
     measure=walls_with_robots,
     seconds=4.0,
     batches=6,

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import (
     BLOBS,
@@ -233,7 +233,6 @@ S57 = Claim(
         reported("robots, distances from the middle: without over with", side_change_ratio, "middle robots "),
         reported("robots, distances from the middle: clean with it", "middle clean rule", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_gaps_with_robots,
     seconds=6.0,
     batches=6,

@@ -11,7 +11,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, still_actions
 from soccer_env.train.papers.values import mean, median
@@ -109,7 +109,6 @@ H24 = Claim(
         reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
-    rules=STAGED,
     measure=compare_velocity_use,
     seconds=5.0,
     batches=6,
@@ -141,7 +140,6 @@ H01 = Claim(
         reported("goals, fast base", "fast goal", unit="%"),
         reported("goals, old base", "old goal", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_bases,
     seconds=9.0,
     batches=4,
@@ -191,7 +189,6 @@ H03 = Claim(
         reported("full kicks had", "full got", unit="%"),
         reported("speed after a controlled kick", "soft top", unit="m/s"),
     ),
-    rules=STAGED,
     measure=compare_kick_strengths,
     seconds=5.0,
     batches=4,
@@ -242,7 +239,6 @@ H28 = Claim(
         reported("saves at 20 ms", "saved 0.02", unit="%"),
         reported("balls had at 20 ms", "had 0.02", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_cycles,
     seconds=12.0,
     batches=4,

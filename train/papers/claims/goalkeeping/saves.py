@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import inf
 from typing import Any
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -78,7 +78,6 @@ H18 = Claim(
         reported("on the goal line instead of the half circle", "line", unit="%"),
         reported("at the nearer post", "near passive", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_posts,
     seconds=8.0,
     batches=4,
@@ -99,7 +98,6 @@ H19 = Claim(
         reported("of those at 8 m/s and more", lambda s: 100 - 100 * mean(s["active"][s["speed"] >= 8.0]), unit="%"),
         reported("at the nearer post", lambda s: 100 - conceded_share(s, "near active"), unit="%"),
     ),
-    rules=STAGED,
     measure=compare_posts,
     seconds=8.0,
     batches=4,
@@ -123,7 +121,6 @@ H20 = Claim(
         reported("goal line, passive", "line passive", unit="%"),
         reported("goal line, active", "line active", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_keeper_lines,
     seconds=9.0,
     batches=6,
@@ -144,7 +141,6 @@ H23 = Claim(
         reported("passive keeper's way", "passive way", unit="cm"),
         reported("active keeper's way", "active way", unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_saves,
     seconds=3.0,
     batches=6,
@@ -201,7 +197,6 @@ H22 = Claim(
         reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
         reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_camera_noise,
     seconds=10.5,
     batches=5,

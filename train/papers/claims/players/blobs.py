@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import blob_heights, nearest_seen, put_facing, stage_watchers, stare
 from soccer_env.train.papers.staging import begin_scene, put, stacked, still_actions
@@ -125,7 +125,6 @@ S39 = Claim(
         reported("scatter, largest blob", scatter, "largest", unit="%"),
         reported("scatter, combined", scatter, "combined", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_blobs,
     seconds=2.0,
     figures=blob_figures,

@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
 from soccer_env.train.papers.claims.players.seen import gaps_to, matched_distances, put_facing, slots_of, stage_watchers
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
@@ -110,7 +110,6 @@ S34 = Claim(
         reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
         reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
     ),
-    rules=STAGED,
     measure=compare_errors,
     seconds=5.0,
     figures=ghost_figure,

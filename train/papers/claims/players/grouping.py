@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import (
     blob_owners,
@@ -163,7 +163,6 @@ S33 = Claim(
             for factor in FACTORS
         ),
     ),
-    rules=STAGED,
     measure=try_factors,
     seconds=5.0,
     figures=factor_figure,
@@ -224,7 +223,6 @@ S72 = Claim(
                  lambda s: 100 * float(s["nearer unlike"].sum() / max(s["merged unlike"].sum(), 1.0)),
                  unit="%"),
     ),
-    rules=STAGED,
     measure=count_kept_opponents,
     batches=24,
     seconds=2.0,

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare
 from soccer_env.train.papers.staging import begin_scene, still_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
@@ -122,7 +122,6 @@ S61 = Claim(
             for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
         ),
     ),
-    rules=STAGED,
     measure=compare_head_tilts,
     seconds=1.5,
     without=Ablation(

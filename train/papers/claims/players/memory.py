@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.grouping import TILT
 from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, slots_of, stage_watchers
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
@@ -150,7 +150,6 @@ S35 = Claim(
         reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
         reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_misses,
     batches=10,
     seconds=6.0,
@@ -175,7 +174,6 @@ S36 = Claim(
             "the angle takes away, of U/d^3", lambda s: 100 * mean(s["U/d^3"]) - 100 * mean(s["U/(d^3 a)"]), unit="%"
         ),
     ),
-    rules=STAGED,
     measure=compare_likelihoods,
     batches=4,
     seconds=5.0,

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, stage_watchers
 from soccer_env.train.papers.dribble_runs import WAYS, play_drill
@@ -156,7 +156,6 @@ S70 = Claim(
         reported("distances from the middle: less with the same k2", cut_off_gain, "clean", "middle ", "unmatched",
                  unit="pp"),
     ),
-    rules=STAGED,
     measure=walk_off_and_pass,
     seconds=6.0,
     batches=10,

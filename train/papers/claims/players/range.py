@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, stacked, still_actions
 from soccer_env.train.papers.true_sight import stare_for
@@ -113,7 +113,6 @@ S40 = Claim(
         reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
         reported("relative error, ball", "ball", of=rms, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_player_and_ball,
     batches=32,
     seconds=1.0,
@@ -135,7 +134,6 @@ S41 = Claim(
         reported("frames with a reading under 40 cm", "near", unit="%"),
         reported("frames in which the rule takes it", "taken", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_ranger_rule,
     seconds=1.0,
     figures=ranger_figure,

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.seen import (
     distances_from_camera,
     gaps_to,
@@ -137,7 +137,6 @@ S32 = Claim(
         *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
         *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     ),
-    rules=STAGED,
     measure=compare_systems,
     seconds=5.0,
     figures=tracked_figure,

@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.stuck.detection import NEAR, latencies
 from soccer_env.train.papers.claims.stuck.runs import is_recovering, set_up_seekers
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, distance_from_camera
@@ -86,7 +86,6 @@ S23 = Claim(
             for n in (1, 2)
         ),
     ),
-    rules=STAGED,
     measure=compare_counters,
     ingredients=("near_step 0.25 and near_time 8 s: assumed",),
     note="With the paper's smaller steps the ball's velocity drops to 3 cm/s, but the ball is reached before nine "
@@ -145,7 +144,6 @@ S25 = Claim(
         reported("least threshold: delay", lambda s: mean_latencies(s)[0], unit="s"),
         reported("greatest threshold: delay", lambda s: mean_latencies(s)[-1], unit="s"),
     ),
-    rules=STAGED,
     measure=sweep_thresholds,
     figures=sweep_figure,
     ingredients=("the second counter stays at 8 s",),

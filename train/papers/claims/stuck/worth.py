@@ -10,7 +10,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.stuck.branches import follow_moments
 from soccer_env.train.papers.claims.stuck.runs import set_up_blocked_path, set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES
@@ -206,7 +206,6 @@ S28 = Claim(
         reported("ball behind: got without any recovery", "behind none", unit="%"),
         reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
     ),
-    rules=STAGED,
     measure=compare_turns_at_wall,
     ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
     note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "
