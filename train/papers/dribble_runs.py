@@ -68,12 +68,6 @@ def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0
     put_ball(match, x + reach * np.cos(heading), y + reach * np.sin(heading))
 
 
-def begin_dribbling(match: Match) -> None:
-    """Begin the scene: the robots know their places, and robot 0's player already dribbles."""
-    begin_scene(match, placed=True)
-    start_dribbling(match)
-
-
 def start_dribbling(match: Match) -> None:
     """Set the memory of a sacks team's first player as if it had just felt the ball and begun to dribble."""
     if not match.learns[0]:
@@ -85,7 +79,8 @@ def start_dribbling(match: Match) -> None:
 
 def record_dribble(match: Match, seconds: float, actions: np.ndarray | None = None, moved: Any = None) -> DribbleRecord:
     """Play for `seconds` and record robot 0's path; `moved(step)` may move other robots before each step."""
-    begin_dribbling(match)
+    begin_scene(match, placed=True)
+    start_dribbling(match)
     rows: list[tuple[np.ndarray, ...]] = []
     for step in range(round(seconds * match.league.control_rate)):
         if moved is not None:

@@ -22,16 +22,12 @@ NEARLY = 10.0  # [pp] below the best success: a constant suffices within this di
 FINE = 201  # points of a fitted curve
 KINDS = ("standing", "moving")
 AXES = {"k2": GAINS, "x0": RANGES}
+SETTINGS = {"k2": "player_gain", "x0": "player_range"}  # of the team
 
 
 def scenes(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Draw starts and two kinds of players: standing up to 25 cm beside the path, or coming straight at the start."""
     return starts(rng), {"standing": player_near_path(rng, 0.0, 0.25), "moving": approaching_player(rng)}
-
-
-def constant_setting(axis: str, value: float) -> dict[str, Any]:
-    """Return the team settings that set one constant, the gain ("k2") or the range, to a value."""
-    return {"player_gain" if axis == "k2" else "player_range": value}
 
 
 def vary_each_constant(batch: Batch) -> Samples:
@@ -42,11 +38,11 @@ def vary_each_constant(batch: Batch) -> Samples:
         at_paper = robots_succeed(batch, start, crowd, {}, FEW)
         for axis, values in AXES.items():
             for value in values:
-                play = constant_setting(axis, value)
+                play = {SETTINGS[axis]: value}
                 runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
                 samples[f"points {kind} {axis} {value:g}"] = is_clean(runs).astype(float)
             for value in TRIED[axis]:
-                play = constant_setting(axis, value)
+                play = {SETTINGS[axis]: value}
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
                 samples |= {f"{prefix}robots {kind} {axis} {value:g}": clean for prefix, clean in robots.items()}
     return samples

@@ -80,11 +80,6 @@ def prefix_names(prefix: str, samples: Samples) -> Samples:
     return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
 
 
-def compare_velocity_use(batch: Batch) -> Samples:
-    """Return the results of `receive` for a player that uses the ball's velocity, and for a player that does not."""
-    return prefix_names("with", receive(batch, {})) | prefix_names("without", receive(batch, {"intercepts": False}))
-
-
 def got_more(samples: Samples, name: str, other: str) -> float:
     """Return the share of balls that a player receives minus the share that another receives [%]."""
     return 100 * mean(samples[f"{name} got"]) - 100 * mean(samples[f"{other} got"])
@@ -109,7 +104,9 @@ H24 = Claim(
         reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
-    measure=compare_velocity_use,
+    measure=lambda batch: (
+        prefix_names("with", receive(batch, {})) | prefix_names("without", receive(batch, {"intercepts": False}))
+    ),
     seconds=5.0,
     batches=6,
     figures=received_share_figure,
@@ -171,11 +168,6 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     return wait_for_possession(match, 2, still_actions(match)) | {"top": top}
 
 
-def compare_kick_strengths(batch: Batch) -> Samples:
-    """Return the results of passes kicked with controlled strength and with full strength."""
-    return prefix_names("soft", kick_passes(batch, True)) | prefix_names("full", kick_passes(batch, False))
-
-
 H03 = Claim(
     id="H03",
     section="2",
@@ -189,7 +181,9 @@ H03 = Claim(
         reported("full kicks had", "full got", unit="%"),
         reported("speed after a controlled kick", "soft top", unit="m/s"),
     ),
-    measure=compare_kick_strengths,
+    measure=lambda batch: (
+        prefix_names("soft", kick_passes(batch, True)) | prefix_names("full", kick_passes(batch, False))
+    ),
     seconds=5.0,
     batches=4,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),

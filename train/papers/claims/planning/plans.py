@@ -11,11 +11,11 @@ from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.papers.claims.planning.runs import (
     CROSSING,
+    PLANNED,
     PLANNERS,
     SCENES,
     WAY,
     Scene,
-    crossing_text,
     plan,
     plans_of,
     robot_row_or_cup,
@@ -27,7 +27,6 @@ from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, 
 
 CYCLE = 0.02  # [s] Heinemann 2006, 2  MH03
 HEADING = 0.5  # [m] of path that define its first heading
-TEXT = crossing_text()
 SETTINGS = PlannerSettings()
 CELLS = (2 * SETTINGS.half_u + 1) * (2 * SETTINGS.half_v + 1)  # of the whole grid
 
@@ -47,7 +46,7 @@ H04 = Claim(
     id="H04",
     section="3",
     statement="Evaluating the potential at adjacent cells alone spares the whole field.",
-    method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
+    method=f"{PLANNED}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
     f"{CELLS} cells of the field.",
     criteria=(
         measured("conventional planner: evaluations a plan", evaluations_per_cell, "old", unit="%", at_most=5.0),
@@ -191,7 +190,7 @@ H15 = Claim(
     id="H15",
     section="3",
     statement="The planner is very fast, comparable to standard potential field planners.",
-    method=f"{TEXT}, by both planners; the least of five times each, on one core, with what Python adds to both.",
+    method=f"{PLANNED}, by both planners; the least of five times each, on one core, with what Python adds to both.",
     criteria=(
         measured("time over the conventional planner's (median)", lambda s: median(s["new"] / s["old"]), at_most=3.0),
         reported("that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
@@ -218,7 +217,7 @@ H16 = Claim(
     id="H16",
     section="3",
     statement="Conventional planners are unaware of the other robots' speed.",
-    method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",
+    method=f"{PLANNED} by both planners, all velocities taken away: which paths are the same to the last bit.",
     criteria=(exact("paths that are the same", "same", unit="%", at_least=100.0),),
     rules=NO_MATCH,
     measure=plans_equal_paths,

@@ -98,6 +98,7 @@ def robot_row_or_cup(rng: np.random.Generator) -> Scene:
 
 SPEED = PlannerSettings().speed  # [m/s] of the robot
 SCENES = 200  # single plans of a batch
+PLANNED = f"{SCENES} crossings a batch, of one obstacle and a way of {WAY:g} m, each planned once"
 LONGEST = 15.0  # [s] of a travel: three times the canonical ones
 PLANNERS: dict[str, dict[str, Any]] = {"old": {"time_variant": False}, "new": {}}  # Weigel's, the paper's
 Draw = Callable[[np.random.Generator], Scene]
@@ -124,11 +125,6 @@ def plans_of(batch: Batch, draw: Draw = CROSSING, **changes: Any) -> list[Plan]:
     """Return one plan for each scene of a batch, by a planner with the settings `changes`."""
     planner = Planner(**changes)
     return [planner.plan(*scene) for scene in scenes_of(batch, draw, SCENES)]
-
-
-def crossing_text() -> str:
-    """Describe the scenes of `plans_of` in words."""
-    return f"{SCENES} crossings a batch, of one obstacle and a way of {WAY:g} m, each planned once"
 
 
 def side_changes(travels: Travel) -> int:

@@ -44,9 +44,9 @@ def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> 
     put(match, r, x, y, wrap_angle(match.robots["heading"][:, 0] + bearing + np.pi - view))
 
 
-def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
-    """Return the angle (M,) [rad] from which another robot sees robot r: 0 head-on, a half-turn from behind."""
-    eye = match.robots[:, seen_by]
+def view_of(match: Match, r: int) -> np.ndarray:
+    """Return the angle (M,) [rad] from which robot 0 sees robot r: 0 head-on, a half-turn from behind."""
+    eye = match.robots[:, 0]
     return distance_to_point(match, r, eye["x"], eye["y"])[1]
 
 
@@ -125,13 +125,13 @@ def matched_distances(gaps: np.ndarray, limit: float) -> np.ndarray:
     return nearest
 
 
-def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray, np.ndarray]:
-    """Return bearings and elevations (M, blobs) [rad] of blobs of a colour from robot 0's camera, NaN without a blob.
+def blob_directions(match: Match) -> tuple[np.ndarray, np.ndarray]:
+    """Return bearings and elevations (M, blobs) [rad] of opponents' blobs from robot 0's camera, NaN without a blob.
 
     The geometry of soccer_env.optics.head_camera for all robots at once; a test compares the two.
     """
     percept, s = match.percepts[:, 0], match.league.sensors
-    blobs = percept[colour]
+    blobs = percept["opponents"]
     pan = percept["pan"][:, None].astype(float)
     tilt = percept["tilt"][:, None].astype(float)
     finer = 1 << RESOLUTIONS[s.resolution]
@@ -150,9 +150,9 @@ def distances_from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.nda
     return np.hypot(dx, dy), wrap_angle(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
 
 
-def blob_heights(match: Match, r: int = 1) -> np.ndarray:
-    """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot r."""
-    away, _ = distances_from_camera(match, [r])
+def blob_heights(match: Match) -> np.ndarray:
+    """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot 1."""
+    away, _ = distances_from_camera(match, [1])
     camera, _ = camera_of(match)
     return np.asarray(camera[:, 2:] + away * np.tan(blob_directions(match)[1]))
 

@@ -48,11 +48,6 @@ def play_matches(batch: Batch, senses: str) -> np.ndarray:
     return counts
 
 
-def count_views(batch: Batch) -> Samples:
-    """Return the counts of `play_matches` with the robots' sensors, and with ideal senses."""
-    return {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}
-
-
 def shares_by_third(counts: np.ndarray) -> np.ndarray:
     """Return the shares [%] of views from the front (within 60 degrees), the sides, and the rear (beyond 120)."""
     total = counts.sum(axis=0).reshape(3, -1).sum(axis=1)
@@ -92,7 +87,7 @@ S69 = Claim(
         reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),
     rules=PLAYED,
-    measure=count_views,
+    measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")},
     seconds=4.0,
     figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),

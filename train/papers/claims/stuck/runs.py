@@ -1,10 +1,9 @@
 """Runs of a robot that goes for a ball and is stopped on the way, for the claims on collisions.  [Sacks 2001, 3]
 
 A walking robot slides past another sooner or later, and moves a standing robot by millimetres. Claims about a stuck
-robot therefore hold it (`immobilise_robots`: its legs slip), or fix the robot in its way (`make_immovable`).
+robot therefore hold it (`immobilise_robots`: its legs slip), or fix the robot in its way (`set_up_blocked_path`).
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -44,11 +43,6 @@ def immobilise_robots(match: Match) -> None:
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
     match.rebuild()
-
-
-def make_immovable(match: Match, rows: Sequence[int]) -> None:
-    """Make the robots `rows` so heavy that no robot can move them."""
-    set_mass(match, rows, HEAVY, HEAVY)
 
 
 def set_up_walk(batch: Batch, matches: int, nearest: float, farthest: float, **settings: Any) -> Match:
@@ -99,7 +93,7 @@ def set_up_blocked_path(batch: Batch, matches: int, **settings: Any) -> Match:
     put(match, 1, post_x, post_y, way + np.pi + rng.uniform(-0.3, 0.3, matches))
     put_ball(match, *point_ahead(match, 0, ahead + rng.uniform(*BEYOND, matches), 0.0))
     begin_scene(match, placed=True)
-    make_immovable(match, (1,))
+    set_mass(match, (1,), HEAVY, HEAVY)
     return match
 
 
