@@ -55,7 +55,8 @@ def stage_rule(
     for row, place in enumerate(places):
         speed = ahead.get(row, 0.0) * league.drive.forward if running else 0.0
         staging.put(match, row, *robots.get(row, place), forward=speed)
-    staging.put_ball(match, *ball)
+    x, y, vx, vy = (*ball, 0.0, 0.0)[:4]
+    staging.put_ball(match, x, y, vx, vy)
     for name, value in records.items():
         match.matches[name] = value
     for name, value in (red_2 or {}).items():
