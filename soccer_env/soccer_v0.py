@@ -219,8 +219,7 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
 
     def state(self, side: str | None = None) -> np.ndarray:
         """Return the whole truth as one vector in [-1, 1], from the view of a side, see `Match.state`."""
-        state: np.ndarray = self.match.state(side)[0]
-        return state
+        return np.asarray(self.match.state(side)[0])
 
     @property
     def state_names(self) -> list[str]:

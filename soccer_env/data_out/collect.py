@@ -68,8 +68,7 @@ class MatchRecording:
     @property
     def in_play(self) -> np.ndarray:
         """Return whether the ball is in play in each frame (T,)."""
-        in_play: np.ndarray = (self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0)
-        return in_play
+        return np.asarray((self.match["phase"] == Phase.PLAY) & (self.match["placing"] == 0))
 
     def owners(self) -> np.ndarray:
         """Return the only team that has the ball in each frame (T,): HOME, AWAY, or -1 for neither or both."""

@@ -60,8 +60,7 @@ def frames_of_period(recording: MatchRecording, period: int) -> np.ndarray:
         return inside
     rate = recording.league.control_rate
     count = (len(inside) - 1) * RATE // rate + 1
-    shown: np.ndarray = np.rint(np.arange(count) * rate / RATE).astype(np.int64).clip(0, len(inside) - 1) + inside[0]
-    return shown
+    return np.asarray(np.rint(np.arange(count) * rate / RATE).astype(np.int64).clip(0, len(inside) - 1) + inside[0])
 
 
 def opening_tag(name: str, closed: bool = True, **attributes: object) -> str:

@@ -58,8 +58,7 @@ class NoteReader:
 
     def thinks(self, row: np.ndarray) -> np.ndarray:
         """Return flags (R,): 1 for each robot that has beliefs in a note (R, C)."""
-        found: np.ndarray = (row[:, TABLE.index("sees")] & SEES["thinks"]) != 0
-        return found
+        return np.asarray((row[:, TABLE.index("sees")] & SEES["thinks"]) != 0)
 
     def memory(self, row: np.ndarray, r: int) -> tuple[tuple[str, ...], dict[str, float]]:
         """Return words for robot r's activity and the other numbers of its memory, from a note (R, C)."""
@@ -116,8 +115,7 @@ def note_at(notes: Notes, step: int) -> np.ndarray | None:
     if at < 0:
         return None
     if at + 1 == len(notes.steps) or notes.steps[at] == step:
-        row: np.ndarray = notes.numbers[at]
-        return row
+        return np.asarray(notes.numbers[at])
     share = float(step - notes.steps[at]) / float(notes.steps[at + 1] - notes.steps[at])
     return interpolate_notes(notes.numbers[at], notes.numbers[at + 1], share, notes.slots)
 

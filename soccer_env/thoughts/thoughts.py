@@ -204,8 +204,7 @@ def to_field_frame(
 
 def round_to_int16(numbers: np.ndarray) -> np.ndarray:
     """Round numbers to int16, clipped to the range from -MOST to MOST."""
-    found: np.ndarray = np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16)
-    return found
+    return np.asarray(np.rint(np.nan_to_num(np.clip(numbers, -MOST, MOST))).astype(np.int16))
 
 
 def sighting_columns(match: Match) -> list[np.ndarray]:

@@ -11,7 +11,7 @@ from soccer_env import Lineup, Match, make_team, soccer_v0, team_of_function
 from soccer_env.replay import Recorder
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from tests.agents.staged_policies import random_policy, team_from_disk
-from tests.scenes.staged_envs import play, standing_actions
+from tests.scenes.staged_envs import play, still_actions
 from tests.scenes.staging import refused
 
 NESTED: dict[str, Any] = {"infos": "nested"}
@@ -154,7 +154,7 @@ def test_the_number_in_flat_infos_is_the_place_of_the_name_in_nested_ones() -> N
             met.add(told[1]["opponent"])
             if not flat.agents:
                 break
-            told = [env.step(standing_actions(env))[4]["home_0"] for env in (flat, nested)]
+            told = [env.step(still_actions(env))[4]["home_0"] for env in (flat, nested)]
     assert met == {"still", "chaser@0.5", "random"}
 
 

@@ -9,7 +9,7 @@ import pytest
 from gymnasium.utils.env_checker import data_equivalence
 
 from soccer_env import soccer_v0
-from tests.scenes.staged_envs import play, standing_actions
+from tests.scenes.staged_envs import play, still_actions
 from tests.scenes.staging import refused
 
 NAN, GOOD = float("nan"), np.zeros(4, np.float32)
@@ -45,7 +45,7 @@ def test_bad_actions_are_refused_and_change_nothing(spoil, complaint):
     for _ in zip(play(env, 5), play(witness, 5), strict=True):
         pass
     with refused(env.unwrapped.match, complaint):
-        env.step(spoil(standing_actions(env)))
+        env.step(spoil(still_actions(env)))
     for (_, mine), (_, theirs) in zip(play(env, 5), play(witness, 5), strict=True):
         assert data_equivalence(mine, theirs, exact=True)
 
@@ -82,10 +82,10 @@ def test_bad_discrete_actions_are_refused(action, complaint):
 def test_bad_resets_are_refused_and_the_episode_goes_on(arguments, complaint):
     env = soccer_v0.parallel_env(home=1, away=1)
     env.reset(seed=1)
-    env.step(standing_actions(env))
+    env.step(still_actions(env))
     with refused(env.unwrapped.match, complaint):
         env.reset(**arguments)
-    env.step(standing_actions(env))
+    env.step(still_actions(env))
 
 
 @pytest.mark.parametrize(
@@ -128,7 +128,7 @@ def test_calls_in_the_wrong_order_say_that_reset_is_due():
         with refused(env.unwrapped.match, complaint, RuntimeError):
             call()
     env.reset(seed=0)
-    env.step(standing_actions(env))
+    env.step(still_actions(env))
     for actions in ({}, good):
         with refused(env.unwrapped.match, "step after the end of the episode", RuntimeError):
             env.step(actions)

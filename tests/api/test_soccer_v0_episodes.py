@@ -5,21 +5,21 @@ import pytest
 
 from soccer_env import Rewards, Scene, soccer_v0
 from soccer_env.rewards import NAMES
-from tests.scenes.staged_envs import env_about_to_score, play, put_ball, standing_actions
+from tests.scenes.staged_envs import env_about_to_score, play, put_ball, still_actions
 from tests.scenes.staging import LEAGUES
 
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_infos_tell_of_a_goal_in_words(league):
     env = env_about_to_score(league=league, infos="nested")
-    _, rewards, _, _, infos = env.step(standing_actions(env))
+    _, rewards, _, _, infos = env.step(still_actions(env))
     assert infos["home_0"]["events"]["goal"] == infos["away_1"]["events"]["goal"] == "home"
     assert (infos["home_0"]["events"]["restart"], infos["home_0"]["events"]["restart_team"]) == ("kick-off", "away")
     assert infos["home_1"]["score"] == (1, 0) and infos["away_1"]["score"] == (0, 1)
     assert infos["home_1"]["rewards"]["goal"] == 1.0 and infos["away_0"]["rewards"]["goal"] == -1.0
     assert infos["home_0"]["phase"] == "kick-off"
     assert rewards["home_0"] == pytest.approx(sum(infos["home_0"]["rewards"].values()), abs=1e-12)
-    _, _, _, _, infos = env.step(standing_actions(env))
+    _, _, _, _, infos = env.step(still_actions(env))
     assert infos["home_0"]["events"] == {} and infos["home_0"]["rewards"]["goal"] == 0.0
     assert env.reset()[1]["home_0"] == {
         "active": True, "events": {}, "rewards": dict.fromkeys(NAMES, 0.0), "score": (0, 0), "phase": "kick-off",
@@ -58,8 +58,8 @@ def test_repeated_actions_add_up_rewards_and_events(league, after):
     rewards = Rewards(gamma=1.0)  # shaping discounts once an action; tests/rewards/test_rewards.py has that
     once = env_about_to_score(after, league=league, rewards=rewards, infos="nested")
     thrice = env_about_to_score(after, league=league, rewards=rewards, action_repeat=3, infos="nested")
-    parts = [once.step(standing_actions(once)) for _ in range(3)]
-    observations, rewards, _, _, infos = thrice.step(standing_actions(thrice))
+    parts = [once.step(still_actions(once)) for _ in range(3)]
+    observations, rewards, _, _, infos = thrice.step(still_actions(thrice))
     assert np.array_equal(observations["home_1"], parts[2][0]["home_1"])
     assert rewards["away_0"] == pytest.approx(sum(part[1]["away_0"] for part in parts), abs=1e-12)
     assert infos["away_0"]["events"]["goal"] == "home" and infos["away_0"]["score"] == (0, 1)
@@ -73,7 +73,7 @@ def test_repeated_actions_add_up_rewards_and_events(league, after):
 def test_the_goal_that_ends_an_episode_terminates_all_agents_together(league, repeat):
     rewards = Rewards(extra={"one": lambda match: np.ones(match.rewards.shape)})
     env = env_about_to_score(league=league, episode="goal", action_repeat=repeat, rewards=rewards, infos="nested")
-    _, rewards, terminated, truncated, infos = env.step(standing_actions(env))
+    _, rewards, terminated, truncated, infos = env.step(still_actions(env))
     assert terminated == dict.fromkeys(env.possible_agents, True)
     assert truncated == dict.fromkeys(env.possible_agents, False)
     assert env.agents == [] and infos["home_0"]["events"]["goal"] == "home" and infos["home_0"]["phase"] == "over"
@@ -91,7 +91,7 @@ def test_the_time_limit_of_a_drill_truncates(repeat):
     env.reset(seed=0)
     steps = 0
     while env.agents:
-        _, _, terminated, truncated, _ = env.step(standing_actions(env))
+        _, _, terminated, truncated, _ = env.step(still_actions(env))
         steps += 1
     assert steps == -(-16 // repeat) and all(truncated.values()) and not any(terminated.values())
 

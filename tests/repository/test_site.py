@@ -28,7 +28,7 @@ from soccer_env.statistics.figures import FIGURES
 from soccer_env.teams import NAMES as TEAMS
 from soccer_env.train.command.command_line import COMMANDS, kinds_of_settings
 from soccer_env.train.command.parsing import flags_of
-from soccer_env.train.papers.stored import FOLDERS, read_stored
+from soccer_env.train.papers.results import FOLDERS, read_stored
 
 for package in ("mkdocs", "material", "mkdocstrings"):
     pytest.importorskip(package)

@@ -40,7 +40,7 @@ def put_ball(env: Any, x: float, y: float = 0.0, vx: float = 0.0, vy: float = 0.
     match.rebuild()
 
 
-def standing_actions(env: Any) -> dict[str, np.ndarray]:
+def still_actions(env: Any) -> dict[str, np.ndarray]:
     """Return the actions of agents that all stand still."""
     return {agent: np.zeros(env.action_space(agent).shape, np.float32) for agent in env.agents}
 

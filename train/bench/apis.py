@@ -15,7 +15,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.physics.engine.space import build_space
-from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP
+from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP, senses_for
 
 START_TIMES = {  # name of the row: the Python program to time
     "import soccer_env": "import soccer_env",
@@ -99,10 +99,9 @@ def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> flo
 
     Senses are ideal without `pose`; with it all robots have sensors and beliefs, and localise by `pose`.
     """
-    senses: dict[str, Any] = (
-        {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
+    match = Match(
+        league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"}, **senses_for(pose)
     )
-    match = Match(league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, controllers={"home": "chaser"}, **senses)
     return sum(array.nbytes for array in held_arrays(match)) / matches
 
 

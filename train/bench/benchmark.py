@@ -25,15 +25,7 @@ from soccer_env.train.bench.apis import (
     record_bytes,
     wrapper_bytes,
 )
-from soccer_env.train.bench.loads import (
-    CoreLoad,
-    Load,
-    OwnPhysicsLoad,
-    ParticlesLoad,
-    PictureLoad,
-    ReferencePhysicsLoad,
-    SensesLoad,
-)
+from soccer_env.train.bench.loads import CoreLoad, Load, OwnPhysicsLoad, PictureLoad, ReferencePhysicsLoad
 from soccer_env.train.bench.plans import PlanLoad, TeamLoad
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
@@ -125,8 +117,8 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
         "random floor": OwnPhysicsLoad(league, None, matches, 1, seed),
         "random": CoreLoad(league, None, matches, 1, seed),
         "random, 2 threads": CoreLoad(league, None, matches, 2, seed),
-        "senses": SensesLoad(league, None, matches, 1, seed),
-        "particles": ParticlesLoad(league, None, matches, 1, seed),
+        "senses": CoreLoad(league, None, matches, 1, seed, "percept"),
+        "particles": CoreLoad(league, None, matches, 1, seed, "particles"),
         "chaser floor": OwnPhysicsLoad(league, "chaser", matches, 1, seed),
         "chaser": CoreLoad(league, "chaser", matches, 1, seed),
         "chaser, 2 threads": CoreLoad(league, "chaser", matches, 2, seed),

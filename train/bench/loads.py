@@ -4,9 +4,7 @@ Every load is live play: finished matches restart, their clocks are spread over 
 seconds before the first timing.
 """
 
-from collections.abc import Mapping
 from time import perf_counter, process_time
-from types import MappingProxyType
 from typing import Any, Protocol
 
 import numpy as np
@@ -35,6 +33,11 @@ DRAWS = 32  # sets of random actions, used in turn
 REFERENCE_STEPS = 25  # control steps until the bodies of the reference get new velocities, untimed
 
 
+def senses_for(pose: str | None) -> dict[str, Any]:
+    """Return the settings of a Match with ideal senses, or with sensors, beliefs and the kind of own pose."""
+    return {"senses": "ideal"} if pose is None else {"senses": "sensors", "observe": "belief", "pose": pose}
+
+
 class Load(Protocol):
     """A load that can be timed."""
 
@@ -44,18 +47,22 @@ class Load(Protocol):
 
 
 class CoreLoad:
-    """The batched core: random actions of learners, or one team against itself, with ideal senses."""
+    """The batched core: random actions of learners, or one team against itself; `pose`: None for ideal senses.
+
+    With a pose, as "percept", all robots have sensors and beliefs.
+    """
 
     kind: type[Match] = Match
-    senses: Mapping[str, Any] = {"senses": "ideal"}
 
-    def __init__(self, league: str, team: str | None, matches: int, threads: int, seed: int) -> None:
+    def __init__(
+        self, league: str, team: str | None, matches: int, threads: int, seed: int, pose: str | None = None
+    ) -> None:
         self.rng = np.random.default_rng(seed)
         settings = find_league(league)
         self.match = self.kind(
             league, home=PLAYERS, away=PLAYERS, matches=matches, threads=threads, seed=seed, autoreset="same_step",
             controllers=None if team is None else {"home": team, "away": team}, minutes=settings.evaluation_minutes,
-            **self.senses,
+            **senses_for(pose),
         )  # fmt: skip
         rows = 2 * PLAYERS
         self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, rows, 4))
@@ -75,18 +82,6 @@ class CoreLoad:
         start = perf_counter()
         self.run(steps)
         return (perf_counter() - start) / (steps * self.match.count)
-
-
-class SensesLoad(CoreLoad):
-    """The core under random actions, all robots with sensors, beliefs and a given noisy pose."""
-
-    senses = MappingProxyType({"senses": "sensors", "observe": "belief", "pose": "percept"})
-
-
-class ParticlesLoad(CoreLoad):
-    """The core under random actions, all robots with sensors, beliefs and a particle filter."""
-
-    senses = MappingProxyType({"senses": "sensors", "observe": "belief", "pose": "particles"})
 
 
 class BareMatch(Match):

@@ -173,7 +173,7 @@ def print_written_files(folder: Path | None, *names: str) -> None:
 def print_kept_replays(folder: Path | None) -> None:
     """Print the number and size of the replays that a folder keeps."""
     from soccer_env.train.evaluate.replays import kept_in
-    from soccer_env.train.evaluate.replays.page_section import summary
+    from soccer_env.train.evaluate.replays.keep import summary
 
     kept = kept_in(folder) if folder is not None else []
     if folder is not None and kept:

@@ -6,7 +6,6 @@ evaluation.py      `evaluate`: play the matches that a folder lacks, return the 
 contest.py         the matches: pairs from the same seeds with sides swapped, many at once
 results.py         one line for each match; the result of all lines        line_checks.py   check the lines
 statistics.py      statistics of play: of a line, totals with intervals, tables
-map_tables.py      tables of a report: shots, thirds of the pitch, passes
 report.py          the result in Markdown and on the screen
 page.py            the result as a page for the browser, with pictures
 recording.py       record a match into a replay file, and check a replay file
@@ -14,7 +13,7 @@ exporting.py       a replay as a film, a page, data or a picture
 drills.py          `run_drill`: how often a team succeeds in a drill
 rechecking.py      `recheck`: play a sample again and compare every line bit for bit
 same_contest.py    read a folder of results, and rebuild its contest
-map_pictures.py    heat maps, pass networks and shot maps as a picture
+map_pictures.py    heat maps, pass networks and shot maps as a picture, and as tables of a report
 replays/           replays of matches worth keeping
 """
 

@@ -2,17 +2,10 @@
 
 from collections.abc import Callable, Iterator, Sequence
 
-from soccer_env.train.evaluate.map_pictures import check_maps
-from soccer_env.train.evaluate.map_tables import map_rows, pass_rows
+from soccer_env.train.evaluate.map_pictures import check_maps, map_rows, pass_rows
 from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.evaluate.replays.page_section import add_replays
-from soccer_env.train.evaluate.report import (
-    PAIRS_SHOWN,
-    conditions_rows,
-    needed_matches_sentence,
-    rows,
-    verdict_sentence,
-)
+from soccer_env.train.evaluate.replays.keep import add_replays
+from soccer_env.train.evaluate.report import conditions_rows, needed_matches_sentence, pair_rows, rows, verdict_sentence
 from soccer_env.train.evaluate.results import EvaluationResult, pair_means
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_bars, draw_curves
@@ -83,16 +76,11 @@ def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, s
 def add_matches(page: ReportPage, result: EvaluationResult) -> None:
     """Add the table of match pairs to the page, folded."""
     page.section("Matches")
-    both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
-    page.fold(f"scores of {len(both)} pairs, {result.conditions.home} first")
-    cells = [
-        (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
-        for first, second in both[:PAIRS_SHOWN]
-    ]
-    page.table(("pair", "seed", "as home", "as away"), cells, sorts=True)
+    page.fold(f"scores of {len(result.lines) // 2} pairs, {result.conditions.home} first")
+    head, pairs, rest = pair_rows(result)
+    page.table(head, pairs, sorts=True)
     page.unfold()
-    if len(both) > PAIRS_SHOWN:
-        page.say(f"{len(both) - PAIRS_SHOWN} more pairs stand in matches.jsonl.")
+    page.say(rest)
 
 
 def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.train.evaluate.map_tables import map_rows, player_rows
+from soccer_env.train.evaluate.map_pictures import map_rows, player_rows
 from soccer_env.train.evaluate.results import HALF_WIDTH, EvaluationResult
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.statistics import interquartile_mean, wilson_interval
@@ -67,6 +67,7 @@ def percent(share: float) -> str:
 def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     """Return the report in Markdown; `about`: command, date and commit of the evaluation."""
     home, away = escape_text(result.conditions.home), escape_text(result.conditions.away)
+    head, pairs, rest = pair_rows(result)
     lines = [
         f"# {home} against {away}",
         f"{verdict_sentence(result, escape_text)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
@@ -79,7 +80,8 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         code_block(about.get("command", "")),
         "## Matches",
         f"Score of {home} first, as home and as away.",
-        *pairs_table(result),
+        table(head, pairs),
+        rest,
     ]
     return "\n\n".join(line for line in lines if line) + "\n"
 
@@ -139,18 +141,15 @@ def map_tables_markdown(result: EvaluationResult, head: tuple[str, ...]) -> list
     ]
 
 
-def pairs_table(result: EvaluationResult) -> list[str]:
-    """Return the table of the first PAIRS_SHOWN pairs in Markdown, with the number of pairs left out."""
+def pair_rows(result: EvaluationResult) -> tuple[tuple[str, ...], list[tuple[str, ...]], str]:
+    """Return the head of the table of pairs, a row for each of the first PAIRS_SHOWN, a sentence on those left out."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
         (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
         for first, second in both[:PAIRS_SHOWN]
     ]
     rest = len(both) - len(cells)
-    return [
-        table(("pair", "seed", "as home", "as away"), cells),
-        f"{rest} more pairs stand in matches.jsonl." if rest else "",
-    ]
+    return ("pair", "seed", "as home", "as away"), cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
 
 
 def escape_text(text: str) -> str:

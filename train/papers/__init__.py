@@ -6,13 +6,11 @@ examination.py    measure one claim batch by batch for each seed, until its inte
 workers.py        processes that measure claims
 claim.py          a claim, and the samples and figures of its measurement
 verdicts.py       criteria, and their verdicts from intervals
-results.py        the result of a claim, and the folder of a run
-stored.py         the last results of all claims, as the pages of the teams show them
-page.py           the report as a page for the browser
-report.py         the report in Markdown and on the screen
+results.py        the result of a claim, the folder of a run, and the last results of all claims
+report.py         the report in Markdown, on the screen and as a page for the browser
 staging.py        stage many matches at once, with robots and ball at given places
 true_sight.py     the true direction of legged robots' cameras, for all robots of many matches at once
-dribble_runs.py   robots that dribble, and the fate of the ball          drill_runs.py   runs of the dribbling drills
+dribble_runs.py   robots that dribble, and the fate of the ball; runs of the dribbling drills
 values.py         statistics of samples in which NaN means "no value"
 claims/           the claims by theme, with the guide to adding one
 """

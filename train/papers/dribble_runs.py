@@ -1,6 +1,8 @@
 """Runs of a robot that dribbles with the ball between its paws, and the fate of the ball.  [Sacks 2001, 4.3]
 
-All are staged: the referee calls goals alone (PATIENT), nobody is whistled for holding a ball or pulled apart.
+All are staged: the referee calls goals alone (PATIENT), nobody is whistled for holding a ball or pulled apart, and no
+stuck ball is called. Only runs of a drill with opponents that play for the ball until a goal (S31) use the rules of
+play.
 """
 
 from dataclasses import dataclass
@@ -9,13 +11,17 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
+from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.match.arguments import Senses
 from soccer_env.match.staging import memory_of
+from soccer_env.scenes import Scene, find_scene, judging
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage
+from soccer_env.train.papers.staging import LEGGED, begin_scene, make_matches, put, put_ball, stage, wrap_angle
 from soccer_env.train.papers.verdicts import Samples
+from soccer_env.types import HOME
 
 NO_SHOTS = {"shoots": False}  # a team that keeps dribbling instead of shooting
 # Distances to other players from middle to middle, equal right ahead to those of the team's first version here
@@ -62,12 +68,6 @@ def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0
     put_ball(match, x + reach * np.cos(heading), y + reach * np.sin(heading))
 
 
-def begin_dribbling(match: Match) -> None:
-    """Begin the scene: the robots know their places, and robot 0's player already dribbles."""
-    begin_scene(match, placed=True)
-    start_dribbling(match)
-
-
 def start_dribbling(match: Match) -> None:
     """Set the memory of a sacks team's first player as if it had just felt the ball and begun to dribble."""
     if not match.learns[0]:
@@ -79,7 +79,8 @@ def start_dribbling(match: Match) -> None:
 
 def record_dribble(match: Match, seconds: float, actions: np.ndarray | None = None, moved: Any = None) -> DribbleRecord:
     """Play for `seconds` and record robot 0's path; `moved(step)` may move other robots before each step."""
-    begin_dribbling(match)
+    begin_scene(match, placed=True)
+    start_dribbling(match)
     rows: list[tuple[np.ndarray, ...]] = []
     for step in range(round(seconds * match.league.control_rate)):
         if moved is not None:
@@ -121,3 +122,121 @@ def losses(way: DribbleRecord) -> Samples:
         holding &= ~gone
     early = kept_until < COUNTED
     return {"metres": metres, "lost": lost, "tried": early | (metres >= COUNTED), "kept": ~early & (metres >= COUNTED)}
+
+
+# Runs of the dribbling drills
+
+STEP = SacksSettings().step_length  # [m] of a dribbler
+TOP = 0.12  # [m/s] of a walker at strength 1: the top speed ahead of the legged league
+PAPER = 0.06  # [m/s] of movers in the drills
+LONGEST = 40.0  # [s] of a run
+HELD = 0.5  # [1] of a full step: a robot that moves less during a contact is stopped by it, assumed
+TURNED = 0.09  # [rad] least turn of another robot by a contact: 5 degrees, more than by its gait, assumed
+
+
+def start_drill(
+    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float,
+    senses: Senses = "sensors", opponents: str | None = None, rules: str | None = None,
+) -> Match:  # fmt: skip
+    """Return matches at the start of a drill's scene, never ended by the drill's test; movers walk at `mover` [m/s].
+
+    `opponents`: a team that replaces the drill's opponents; `rules`: a rule set that replaces the drill's rules.
+    """
+    named = find_scene(scene)
+    sides: dict[str, Any] = {"home": make_team("sacks-2001", **settings)}
+    for row, name in enumerate(named.opponents):
+        sides[f"away_{row}"] = "still" if name == "still" else f"walker@{mover / TOP:g}"
+    if opponents is not None:
+        sides = {"home": sides["home"], "away": opponents}
+    match = make_matches(
+        batch, LEGGED, rules or named.rules, matches=matches, home=1, away=len(named.opponents), scene=named,
+        senses=senses, controllers=sides,
+    )  # fmt: skip
+    start_dribbling(match)
+    return match
+
+
+def gap_to_others(match: Match) -> np.ndarray:
+    """Return the distance (M,) [m] from robot 0 to the nearest other robot, between the middles of their bodies."""
+    robot, others = match.robots[:, :1], match.robots[:, 1:]
+    return np.asarray(np.hypot(others["x"] - robot["x"], others["y"] - robot["y"]).min(axis=1))
+
+
+@dataclass
+class Contacts:
+    """Record of the dribbler's contacts in the runs of a drill, and of their effects; arrays (M, ...)."""
+
+    step: int  # [control steps] of a gait step
+    headings: np.ndarray  # [rad] of the others at the start: only the dribbler turns by itself
+    trail: list[tuple[np.ndarray, ...]]  # x, y [m] of robot 0 and whether it touches, over the last gait step
+    touched: np.ndarray  # bool: it touched somebody
+    hindered: np.ndarray  # bool: a contact stopped it for a gait step, or turned another
+
+    def note(self, match: Match, running: np.ndarray) -> None:
+        """Update the record after a control step, for the runs that still go on."""
+        robot, others = match.robots[:, 0], match.robots[:, 1:]
+        touches = match.robot_events["collision"][:, 0] == 1
+        self.touched |= running & touches
+        self.trail = [*self.trail[-self.step :], (robot["x"].copy(), robot["y"].copy(), touches)]
+        x, y, _ = self.trail[0]
+        touching = np.array([touch for _, _, touch in self.trail]).any(axis=0)
+        full = len(self.trail) > self.step
+        made = np.hypot(robot["x"] - x, robot["y"] - y) if full else np.inf
+        turned = np.abs(wrap_angle(others["heading"] - self.headings)).max(axis=1) > TURNED
+        self.hindered |= running & touching & (turned | (made < HELD * STEP))
+
+
+def contacts_of(match: Match) -> Contacts:
+    """Return an empty record of contacts."""
+    none = np.zeros((2, match.count), bool)
+    return Contacts(int(match.league.drive.gait_steps), match.robots["heading"][:, 1:].copy(), [], *none)
+
+
+@dataclass
+class RunEnds:
+    """How the runs of a drill end; arrays (M,)."""
+
+    past: np.ndarray  # bool: beyond everybody with the ball, or in the goal
+    lost: np.ndarray  # bool: the ball was far for a while
+    away: np.ndarray  # [s] for which it has been far
+    seconds: np.ndarray  # [s] until the end
+    nearest: np.ndarray  # [m] least distance between the middles of bodies
+
+    def note(self, match: Match, running: np.ndarray) -> None:
+        """Update the ends after a control step, for the runs that still go on."""
+        robot, ball = match.robots[:, 0], match.balls
+        beyond = ball["x"] > match.robots["x"][:, 1:].max(axis=1) + judging.PAST
+        self.past |= running & ((beyond & (robot["has_ball"] == 1)) | (match.events["goal"] == HOME))
+        near = np.hypot(ball["x"] - robot["x"], ball["y"] - robot["y"]) <= judging.LOST
+        self.away = np.where(near, 0.0, self.away + match.league.dt)
+        self.lost |= running & ~self.past & (self.away > judging.LOST_TIME)
+        self.seconds += running * match.league.dt
+        self.nearest = np.where(running, np.minimum(self.nearest, gap_to_others(match)), self.nearest)
+
+
+def play_drill(
+    batch: Batch, scene: str | Scene, settings: dict[str, Any], matches: int, mover: float = PAPER,
+    senses: Senses = "sensors",
+) -> Samples:  # fmt: skip
+    """Let sacks-2001, with `settings` and without shots, play a drill's scene; return results (M,).
+
+    Judged like the drill, but a touch ends nothing: "past", "lost", "seconds" and "nearest" as in Ends; "clean": past
+    without a touch; "touched": touch before the end; "free": past, and no contact stopped it or turned another robot.
+    """
+    match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
+    (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))
+    ends = RunEnds(past, lost, away, seconds, nearest=np.full(matches, np.inf))
+    contacts = contacts_of(match)
+    for _ in range(round(LONGEST * match.league.control_rate)):
+        running = ~(ends.past | ends.lost)
+        if not running.any():
+            break
+        match.step()
+        contacts.note(match, running)
+        ends.note(match, running)
+    match.close()
+    samples = {
+        "past": ends.past, "clean": ends.past & ~contacts.touched, "free": ends.past & ~contacts.hindered,
+        "touched": contacts.touched, "lost": ends.lost, "seconds": ends.seconds, "nearest": ends.nearest,
+    }  # fmt: skip
+    return {name: values.astype(float) for name, values in samples.items()}

@@ -1,15 +1,19 @@
-"""The report of a reproduction run in Markdown, and its table on the screen, made from the results alone."""
+"""The report of a reproduction run in Markdown, on the screen and as a page, made from the results alone."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from soccer_env.match.staging import PATIENT
 from soccer_env.train.evaluate.report import plain_number, table
 from soccer_env.train.papers.results import ClaimResult, rules_in_words
 from soccer_env.train.papers.verdicts import CONTEXT, UNDECIDED, VERDICTS
+from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_intervals
+from soccer_env.train.report.charts import Row
 from soccer_env.train.results_folder import ResultsFolder
 from soccer_env.train.written_settings import POSES
 
@@ -19,6 +23,9 @@ if TYPE_CHECKING:
 
 COLUMNS = ("id", "claim", "rules", "verdict", "seeds", "estimate (95 % interval)", "n")
 DIGITS = 3  # significant digits of a number
+FINDINGS = ("criterion", "asked", "estimate (95 % interval)", "n", "verdict")
+BOUND = re.compile(r"(above|at least|below|at most) (-?[\d.]+(?:e[-+]?\d+)?)")
+ROWS = 24  # of a picture of paper against measured
 EXPLANATION = f"""\
 * `reproduced`: the whole 95 % interval satisfies the criterion. `not`: the whole interval violates it. `undecided`: \
 neither, at the cap on samples.
@@ -34,28 +41,34 @@ whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
 
 def markdown(results: Sequence[ClaimResult], folder: ResultsFolder, plots: dict[str, list[str]], trouble: str) -> str:
     """Return the report as Markdown; `plots`: files of each claim's figures, `trouble`: the reason if it is empty."""
-    about = folder.about
-    facts = [
-        ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
-        ("settings hash", folder.settings),
-        *((name.replace("_", " "), value) for name, value in folder.made_with.items()),
-    ]
-    counts = Counter(result.verdict for result in results)
-    total = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict])
     quick = ' Few samples were taken: verdicts are marked "(quick)".' if any(result.quick for result in results) else ""
     lines = [
         "# Claims of the papers, measured",
-        f"{len(results)} claims: {total}.{quick} {poses_sentence(results)}",
+        f"{verdicts_sentence(results)}{quick} {poses_sentence(results)}",
         table(COLUMNS, [row(result) for result in results]),
         EXPLANATION,
         trouble and trouble[0].upper() + trouble[1:] + ". The same data stand here as tables.",
         *(section(result, plots.get(result.id, [])) for result in results),
         "## Conditions",
-        table(("", ""), facts),
+        table(("", ""), conditions_rows(folder)),
         "This command measures what is missing and writes this report again:",
-        f"```bash\n{about.get('command', '')}\n```",
+        f"```bash\n{folder.about.get('command', '')}\n```",
     ]
     return "\n\n".join(line for line in lines if line) + "\n"
+
+
+def verdicts_sentence(results: Sequence[ClaimResult]) -> str:
+    """Return the number of claims with each verdict."""
+    counts = Counter(result.verdict for result in results)
+    total = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict])
+    return f"{len(results)} claims: {total}."
+
+
+def conditions_rows(folder: ResultsFolder) -> list[tuple[str, str]]:
+    """Return rows (name, value) with the start of a run, its settings and its versions."""
+    begun = f"{folder.about.get('date', '')}, {folder.about.get('commit') or 'none'}"
+    made = [(name.replace("_", " "), value) for name, value in folder.made_with.items()]
+    return [("begun, commit", begun), ("settings hash", folder.settings), *made]
 
 
 def poses_sentence(results: Sequence[ClaimResult]) -> str:
@@ -121,7 +134,7 @@ def claim_result_markdown(result: ClaimResult) -> str:
 def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
     """Return the criteria of a claim with their findings as a table; "" without findings."""
     cells = finding_rows(findings, units)
-    return table(("criterion", "asked", "estimate (95 % interval)", "n", "verdict"), cells) if cells else ""
+    return table(FINDINGS, cells) if cells else ""
 
 
 def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[str, ...]]:
@@ -180,3 +193,71 @@ def screen_table(results: Sequence[ClaimResult]) -> Table:
     for result in results:
         drawn.add_row(*row(result))
     return drawn
+
+
+def page_of(results: Sequence[ClaimResult], folder: ResultsFolder) -> str:
+    """Return the HTML page that reports a run."""
+    page = ReportPage("Claims of the papers, measured", "soccer reproduce")
+    page.say(verdicts_sentence(results), strong=True)
+    quick = any(result.quick for result in results)
+    page.say(f"{'Few samples were taken: verdicts are marked (quick). ' if quick else ''}{poses_sentence(results)}")
+    page.section("Verdicts")
+    page.table(COLUMNS, [row(result) for result in results], sorts=True)
+    for line in EXPLANATION.splitlines():
+        page.say(line.removeprefix("* "))
+    add_comparison(page, results)
+    page.section("Claims")
+    for result in results:
+        add_claim(page, result)
+    page.section("Conditions")
+    page.say("This command measures what is missing and writes this report again:")
+    page.command(str(folder.about.get("command", "")))
+    page.table(("", ""), conditions_rows(folder))
+    return page.html()
+
+
+def add_comparison(page: ReportPage, results: Sequence[ClaimResult]) -> None:
+    """Add figures that compare the papers' bounds with the measured intervals, criterion by criterion."""
+    rows = list(rows_of(results))
+    if not rows:
+        return
+    page.section("Paper against measured")
+    if not can_draw():
+        page.say(MISSING[0].upper() + MISSING[1:])
+        return
+    for first in range(0, len(rows), ROWS):
+        svg = draw_intervals("Paper against measured", rows[first : first + ROWS], "the paper's claim", form="svg")
+        page.figure(svg, "Each criterion on a scale of its own: where the claim has it, and the 95 % interval found.")
+
+
+def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
+    """Yield a row of the comparison for each criterion with a bound and an estimate."""
+    for result in results:
+        for finding in result.findings:
+            bounds = dict(BOUND.findall(finding["asked"]))
+            least = [float(bounds[word]) for word in ("above", "at least") if word in bounds]
+            most = [float(bounds[word]) for word in ("below", "at most") if word in bounds]
+            if (least or most) and finding["estimate"] is not None:
+                low, high = finding["low"], finding["high"]  # None: open
+                yield Row(
+                    f"{result.id} {finding['criterion']}", estimate_with_interval(finding), finding["estimate"],
+                    -inf if low is None else low, inf if high is None else high, *(least or [-inf]), *(most or [inf]),
+                )  # fmt: skip
+
+
+def add_claim(page: ReportPage, result: ClaimResult) -> None:
+    """Add the section of one claim's result to the page."""
+    page.heading(f"{result.id}: {result.marked_verdict}")
+    page.say(f"{result.statement} [{result.paper}{', ' if result.section else ''}{result.section}]")
+    page.say(f"Measured: {result.method} n = {result.n}. Own pose: {result.pose}. {rules_sentence(result)}")
+    if result.findings:
+        page.table(FINDINGS, finding_rows(result.findings, result.n))
+    if result.ingredients:
+        page.say(f"Rests on: {'; '.join(result.ingredients)}.")
+    if result.without:
+        page.say(f"With the ingredient off ({result.without}):")
+        page.table(FINDINGS, finding_rows(result.without_findings, result.n))
+    page.say(result.note)
+    for figure in result.figures if can_draw() else ():
+        page.figure(draw_curves(figure, form="svg"), figure["title"])
+    page.command(result.command)

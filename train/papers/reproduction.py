@@ -12,11 +12,9 @@ from collections.abc import Mapping, Sequence
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims, find_claims
 from soccer_env.train.papers.examination import examine
-from soccer_env.train.papers.page import page_of
-from soccer_env.train.papers.report import markdown
-from soccer_env.train.papers.results import CLAIMS, REPRODUCTION, ClaimResult, plot_name
+from soccer_env.train.papers.report import markdown, page_of
+from soccer_env.train.papers.results import CLAIMS, REPRODUCTION, ClaimResult, plot_name, stored_results
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
-from soccer_env.train.papers.stored import stored_results
 from soccer_env.train.papers.workers import examine_in_processes
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, digest, module_hash, version_of

@@ -55,6 +55,22 @@ def stage(
     return match
 
 
+def stage_ball(
+    batch: Batch, x: Any, y: Any, heading: Any, distance: np.ndarray, bearing: Any, *, forward: Any = 0.0,
+    league: str | League = LEGGED, **settings: Any,
+) -> Match:  # fmt: skip
+    """Return matches with a robot at a pose [m, rad] and a still ball at a distance [m] and bearing [rad] from it.
+
+    Nothing else is orange; the robot walks `forward` [m/s], and its head obeys actions.
+    """
+    settings["sensors"] = {"patches": 0.0, **settings.get("sensors", {})}
+    match = stage(batch, league, matches=len(distance), actions="full", **settings)
+    put(match, 0, x, y, heading, forward)
+    put_ball(match, *point_ahead(match, 0, distance, bearing))
+    begin_scene(match)
+    return match
+
+
 def kick_off(
     batch: Batch, *, matches: int = 32, team: str = "chaser", rules: str | None = None, **settings: Any
 ) -> Match:
@@ -74,24 +90,24 @@ def stage_drill(batch: Batch, scene: str, team: Any, *, matches: int) -> Match:
     )  # fmt: skip
 
 
-def hide_ball(match: Match, rows: Any = slice(None)) -> None:
-    """Put the ball out of sight in some matches (rows or a mask): far behind the boards, at rest."""
-    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
-        match.balls[name][rows] = value
-
-
 def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Iterator[int]:
     """Step all matches for `seconds`, and yield 0, 1, ... after each control step; robots stand without `actions`.
 
     Actions (M, R, 4 or 7) may be changed between steps.
     """
-    numbers = standing_actions(match) if actions is None and match.learns.any() else actions
+    numbers = still_actions(match) if actions is None and match.learns.any() else actions
     for step in range(round(seconds * match.league.control_rate)):
         match.step(numbers)
         yield step
 
 
-def standing_actions(match: Match) -> np.ndarray:
+def stacked(match: Match, rows: dict[str, list[np.ndarray]]) -> dict[str, np.ndarray]:
+    """Close the matches; return the values (M,) of each frame, by name, as arrays (M, T)."""
+    match.close()
+    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+
+
+def still_actions(match: Match) -> np.ndarray:
     """Return actions by which robots stand and heads move by themselves: (M, R, 4), with actions="full" (M, R, 7)."""
     actions = np.zeros((match.count, match.robots.shape[1], match.settings.actions.size))
     actions[..., 4:5] = -1.0
@@ -119,8 +135,7 @@ def distance_to_point(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray,
 
 def wrap_angle(angle: np.ndarray) -> np.ndarray:
     """Wrap angles [rad] to [-pi, pi)."""
-    turned: np.ndarray = (angle + np.pi) % (2.0 * np.pi) - np.pi
-    return turned
+    return (angle + np.pi) % (2.0 * np.pi) - np.pi
 
 
 def watch(match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0) -> Iterable[int]:

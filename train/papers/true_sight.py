@@ -1,5 +1,6 @@
 """The true camera, ranger beam and ball of legged robots, for all matches at once."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -7,7 +8,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import sensors_of
 from soccer_env.optics.head_camera import share_of_tilt
-from soccer_env.train.papers.staging import distance_to_point, play, standing_actions
+from soccer_env.train.papers.staging import distance_to_point, play, still_actions
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
@@ -37,8 +38,7 @@ def ball_in_sight(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
 
 def ball_angle(match: Match, distance: np.ndarray) -> np.ndarray:
     """Return the angle [rad] that the ball's radius spans at a distance (M,)."""
-    angle: np.ndarray = np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0))
-    return angle
+    return np.asarray(np.arcsin(np.minimum(match.league.ball.radius / np.maximum(distance, 1e-9), 1.0)))
 
 
 def stare_at_ball(match: Match, actions: np.ndarray, r: int = 0) -> None:
@@ -66,9 +66,18 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
     actions[:, r, 6] = np.clip(share_of_tilt(tilt, head.tilt_low, head.tilt_high), -1.0, 1.0)
 
 
+def stare_for(match: Match, settle: float, seconds: float) -> Iterator[int]:
+    """Let robot 0 stand and stare at the true ball; yield each step of `seconds`, after `settle` [s] before them."""
+    actions = still_actions(match)
+    for step in play(match, settle + seconds, actions):
+        stare_at_ball(match, actions)
+        if step >= settle * match.league.control_rate:
+            yield step
+
+
 def look_first(match: Match, seconds: float, r: int = 0) -> None:
     """Let robot r stand and stare at the true ball for `seconds`, so that it sees the ball; needs actions="full"."""
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for _ in play(match, seconds, actions):
         stare_at_ball(match, actions, r)
 

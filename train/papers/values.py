@@ -1,6 +1,6 @@
 """Statistics of samples in which NaN means "no value": without warnings for empty ones, unlike numpy's."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import nan, sqrt
 from typing import Any
 
@@ -10,8 +10,7 @@ import numpy as np
 def known(values: Any) -> np.ndarray:
     """Return the finite values as a flat array."""
     array = np.asarray(values, float)
-    finite: np.ndarray = array[np.isfinite(array)]
-    return finite
+    return np.asarray(array[np.isfinite(array)])
 
 
 def median(values: Any) -> float:
@@ -44,10 +43,15 @@ def quantile(values: Any, share: float) -> float:
     return float(np.quantile(numbers, share)) if len(numbers) else nan
 
 
-def percent(hits: str, trials: str, samples: Mapping[str, np.ndarray]) -> float:
+def percent(samples: Mapping[str, np.ndarray], hits: str, trials: str) -> float:
     """Return the sum of the counts `hits` over the sum of the counts `trials` [%], NaN without a trial."""
     total = samples[trials].sum()
     return 100.0 * float(samples[hits].sum() / total) if total else nan
+
+
+def ratio(samples: Mapping[str, np.ndarray], above: str, below: str, of: Callable[[Any], float] = mean) -> float:
+    """Return a statistic of the samples `above` divided by that of the samples `below`."""
+    return of(samples[above]) / max(of(samples[below]), 1e-12)
 
 
 def least_rise(values: Any) -> float:
@@ -69,5 +73,4 @@ def subtract_row_mean(values: np.ndarray) -> np.ndarray:
     """Return values (M, T) minus the mean of the finite values in each row."""
     there = np.isfinite(values)
     total = np.where(there, values, 0.0).sum(axis=1) / np.maximum(there.sum(axis=1), 1)
-    about: np.ndarray = values - total[:, None]
-    return about
+    return np.asarray(values - total[:, None])

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.train.papers.values import mean
 from soccer_env.train.statistics import CONFIDENCE, Interval, clustered_share, unit_bootstrap
 
 REPRODUCED = "reproduced"
@@ -26,6 +27,9 @@ BY_CONSTRUCTION, CONTEXT = "by construction", "context"
 VERDICTS = (REPRODUCED, NOT, UNDECIDED, BY_CONSTRUCTION, CONTEXT)
 
 Samples = dict[str, np.ndarray]  # arrays by name; first axis: independent units; NaN: no value
+Value = str | Callable[..., float]  # samples by name, or a function of all samples
+Statistic = Callable[[Any], float]  # of an array
+PER_SI = {"%": 100.0, "pp": 100.0, "cm": 100.0, "cm/s": 100.0}  # a number in SI times this is one in the unit
 
 
 @dataclass(frozen=True)
@@ -64,9 +68,12 @@ class Finding:
     asked: str = ""  # its bounds in words
 
 
-def measured(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
-    """Return a criterion on any quantity of the samples; its interval is a bootstrap over units."""
-    return Criterion(text, unit, bootstrap_of(value), used_units_counter(value), **_bound_fields(bounds))
+def measured(
+    text: str, value: Value, *arguments: Any, unit: str = "", of: Statistic = mean, **bounds: float
+) -> Criterion:
+    """Return a criterion on a quantity of the samples (`quantity_of`); its interval is a bootstrap over units."""
+    quantity = quantity_of(value, arguments, unit, of)
+    return Criterion(text, unit, bootstrap_of(quantity), used_units_counter(quantity), **_bound_fields(bounds))
 
 
 def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
@@ -79,19 +86,32 @@ def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
     return Criterion(text, "%", interval, lambda samples: int((samples[trials] > 0).sum()), **_bound_fields(bounds))
 
 
-def exact(text: str, value: Callable[[Samples], float], *, unit: str = "", **bounds: float) -> Criterion:
+def exact(text: str, value: Value, *arguments: Any, unit: str = "", of: Statistic = mean, **bounds: float) -> Criterion:
     """Return a criterion on a number without scatter, such as arithmetic or a property of a table."""
+    quantity = quantity_of(value, arguments, unit, of)
 
     def interval(samples: Samples, level: float) -> Interval:
-        number = float(value(samples))
+        number = float(quantity(samples))
         return number, number, number
 
-    return Criterion(text, unit, interval, used_units_counter(value), **_bound_fields(bounds))
+    return Criterion(text, unit, interval, used_units_counter(quantity), **_bound_fields(bounds))
 
 
-def reported(text: str, value: Callable[[Samples], float], *, unit: str = "") -> Criterion:
+def reported(text: str, value: Value, *arguments: Any, unit: str = "", of: Statistic = mean) -> Criterion:
     """Return a criterion for a number that is reported beside the others and decides nothing."""
-    return Criterion(text, unit, bootstrap_of(value), used_units_counter(value), decides=False)
+    quantity = quantity_of(value, arguments, unit, of)
+    return Criterion(text, unit, bootstrap_of(quantity), used_units_counter(quantity), decides=False)
+
+
+def quantity_of(value: Value, arguments: Sequence[Any], unit: str, of: Statistic) -> Callable[[Samples], float]:
+    """Return a quantity as a function of the samples.
+
+    `value`: a function of samples and `arguments`; or the name of samples in SI, whose statistic `of` is converted to
+    the unit.
+    """
+    if isinstance(value, str):
+        return lambda samples: PER_SI.get(unit, 1.0) * of(samples[value])
+    return lambda samples: value(samples, *arguments)
 
 
 def bootstrap_of(value: Callable[[Samples], float]) -> Callable[[Samples, float], Interval]:

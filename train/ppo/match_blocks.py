@@ -117,8 +117,7 @@ def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarra
         row = int(wrong[0])
         whose = [f"{agent} of match {m}" for block in matches for m, agent in learners_of(block)][row]
         raise ValueError(f"action of row {row}, {whose} of its block, is not finite: {numbers[row].tolist()}")
-    within: np.ndarray = np.clip(numbers, -1.0, 1.0)
-    return within
+    return np.asarray(np.clip(numbers, -1.0, 1.0))
 
 
 def learners_of(match: Match) -> list[tuple[int, str]]:

@@ -31,6 +31,7 @@ NOTED = {  # a statistic of an update in stable-baselines3, and its name in our 
     "train/std": "noise",
     "train/learning_rate": "learning_rate",
 }
+EVALUATIONS = ("decisions", "against", "points", "goal difference a match (95 % interval)")
 STAGES = ("rollout", "update", "checkpoint", "evaluation")  # whose times the log has
 UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
 EVALUATION_SEED = 1_000_003  # added to the run's seed: evaluations play other matches than training
@@ -130,24 +131,22 @@ def policy_contest(policy: Policy, opponent: str, settings: TrainSettings) -> Co
     return contest_of(conditions_of(asked, league), league, {"policy": team_from_policy(policy)})
 
 
+def play_evaluation(contest: Contest, threads: int) -> list[MatchLine]:
+    """Play all matches of a contest and return their lines."""
+    lines: list[MatchLine] = []
+    play_matches(contest, set(), "", threads, lines.extend, lambda steps: None)
+    return lines
+
+
 def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
     """Evaluate a policy against each opponent; return a row of results with 95 % intervals for each opponent."""
     rows = []
     for opponent in settings.judges:
         contest = policy_contest(policy, opponent, settings)
-        lines: list[MatchLine] = []
-        play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
-        result = summarise(contest.conditions, {}, lines)
-        difference = result.goal_difference
-        rows.append(
-            {
-                "opponent": opponent,
-                "goal_difference": difference.mean,
-                "low": difference.low,
-                "high": difference.high,
-                "points": result.points.mean,
-            }
-        )
+        result = summarise(contest.conditions, {}, play_evaluation(contest, settings.threads))
+        mean, low, high = (getattr(result.goal_difference, name) for name in ("mean", "low", "high"))
+        points = result.points.mean
+        rows.append({"opponent": opponent, "goal_difference": mean, "low": low, "high": high, "points": points})
     return rows
 
 
@@ -191,17 +190,23 @@ def step_unit(steps: int) -> tuple[float, str]:
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
 
 
+def evaluation_rows(evaluations: Sequence[dict[str, Any]]) -> Iterator[tuple[str, ...]]:
+    """Yield the rows of the table of evaluations, below the head EVALUATIONS."""
+    for decisions, one in zip(decisions_of(evaluations), evaluations, strict=True):
+        for row in one["rows"]:
+            difference = f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})"
+            yield f"{decisions:,}", row["opponent"], f"{100 * row['points']:.0f} %", difference
+
+
 def screen_table(result: Any) -> Any:
     """Return the evaluations of a run (`training.TrainResult`) as a table for the screen."""
     from rich.table import Table
 
     table = Table(title=f"{result.policy.name}: {result.steps:,} steps, {result.seconds:.0f} s")
-    for column in ("decisions", "against", "points", "goal difference a match (95 % interval)"):
+    for column in EVALUATIONS:
         table.add_column(column, justify="left" if column == "against" else "right")
-    for decisions, one in zip(decisions_of(result.evaluations), result.evaluations, strict=True):
-        for row in one["rows"]:
-            difference = f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})"
-            table.add_row(f"{decisions:,}", row["opponent"], f"{100 * row['points']:.0f} %", difference)
+    for row in evaluation_rows(result.evaluations):
+        table.add_row(*row)
     return table
 
 
@@ -223,8 +228,7 @@ def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
     policy, kept = load(path), []
     for number, opponent in enumerate(settings.judges, 1):
         contest = policy_contest(policy, opponent, settings)
-        lines: list[MatchLine] = []
-        play_matches(contest, set(), "", settings.threads, lines.extend, lambda steps: None)
+        lines = play_evaluation(contest, settings.threads)
         before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"
         kept += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)
     return kept

@@ -26,8 +26,7 @@ from soccer_env.train.ppo.reporting.page import page_of
 from soccer_env.train.ppo.reports import ProgressBoard, evaluate_policy, keep_best, learning_curve
 from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, REPORT, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
-from soccer_env.train.ppo.teaching.lessons import Lessons
+from soccer_env.train.ppo.teaching.lessons import KeptRounds, Lessons
 from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 

@@ -7,6 +7,7 @@ from importlib.resources import files
 from urllib.parse import quote
 
 from soccer_env.shows import browser
+from soccer_env.shows.browser.page import fill_template
 from soccer_env.train.report.style import COLOURS, adapt_svg
 
 DARK_COLOURS = ("#86b4ff", "#ff9d5c", "#46c878", "#d590ea", "#d6bf4a", "#ff8a94")  # of curves, in the order of COLOURS
@@ -89,10 +90,7 @@ class ReportPage:
             "BODY": "\n".join(self._parts),
             "SCRIPT": read_part("report.js"),
         }
-        pieces = read_part("report.html").split(
-            "%%"
-        )  # text, name, text, ..., text: what is filled in is not looked at again
-        return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
+        return fill_template(read_part("report.html"), filled)
 
 
 def to_html(text: str) -> str:

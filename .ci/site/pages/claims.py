@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from soccer_env.train.papers.report import EXPLANATION, claim_result_markdown
-from soccer_env.train.papers.stored import FOLDERS, read_stored, stored_results
+from soccer_env.train.papers.results import FOLDERS, read_stored, stored_results
 
 
 def pages() -> dict[str, str]:

@@ -41,14 +41,12 @@ def forces_at(
     sign = 1.0 if home_ahead == (int(shot.robots["team"][row]) == 0) else -1.0
     assert part.explanation is not None and part.explanation.forces is not None and part.settings is not None
     mind = rebuild_inputs(thought, sign, cast.constants, part.settings)
-    vectors: np.ndarray = sign * part.explanation.forces(mind, sign * target, sign * points)
-    return vectors
+    return sign * part.explanation.forces(mind, sign * target, sign * points)
 
 
 def relative_strengths(size: np.ndarray) -> np.ndarray:
     """Return the relative strength of forces (P,), from 0 to 1: one half for the median."""
-    shares: np.ndarray = size / (size + np.median(size) + 1e-12)
-    return shares
+    return np.asarray(size / (size + np.median(size) + 1e-12))
 
 
 def has_forces(part: TeamPart | None) -> bool:
@@ -61,8 +59,7 @@ def force_target(part: TeamPart, thought: Thought) -> np.ndarray | None:
     """Return the target of the forces (2,) [m]: the end of the plan; None if there is no plan but forces need one."""
     plan = planned_path(thought)
     if len(plan):
-        end: np.ndarray = plan[-1]
-        return end
+        return np.asarray(plan[-1])
     return None if part.explanation is not None and part.explanation.needs_target else np.zeros(2)
 
 

@@ -20,8 +20,7 @@ from soccer_env.render.overlays.cast import camera_of, count_line_directions
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.robots import robot_pieces
 from soccer_env.shows.browser.events import EventCollector
-from soccer_env.shows.browser.fields import ForceFrames
-from soccer_env.shows.browser.packing import pack_table
+from soccer_env.shows.browser.fields import ForceFrames, pack_table
 from soccer_env.thoughts.thoughts import SEES, TABLE, TRACK, Notes, round_to_int16
 from soccer_env.types import Phase
 

@@ -5,6 +5,8 @@ A frame has a byte for each point of the grid: 0 for no force, else the code of 
 
 from __future__ import annotations
 
+import base64
+import zlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +15,6 @@ from soccer_env.match import Match
 from soccer_env.render.overlays.cast import cast_of_replay, take_snapshot
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.forces import ACROSS, force_target, forces_at, grid, has_forces, relative_strengths
-from soccer_env.shows.browser.packing import pack_bytes
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.thoughts.thoughts import Notes
 
@@ -87,3 +88,16 @@ def encode_forces(vectors: np.ndarray) -> np.ndarray:
     direction = np.rint(DIRECTIONS * turns).astype(int) % DIRECTIONS
     level = np.clip(np.floor(LEVELS * relative_strengths(size)).astype(int), 0, LEVELS - 1)
     return np.where(acts, 1 + LEVELS * direction + level, 0).astype(np.uint8)
+
+
+def pack_table(table: np.ndarray) -> str:
+    """Pack a table (T, C) int16 as text; differences between rows wrap round."""
+    changes = np.diff(table, axis=0, prepend=np.int16(0)).T  # (C, T): a column's changes lie together
+    folded = ((changes.astype(np.int32) << 1) ^ (changes.astype(np.int32) >> 15)).astype("<u2")  # 0, -1, 1, -2, ...
+    planes = np.concatenate([(folded & 255).astype(np.uint8).ravel(), (folded >> 8).astype(np.uint8).ravel()])
+    return pack_bytes(planes.tobytes())
+
+
+def pack_bytes(content: bytes) -> str:
+    """Deflate bytes and return them as base64 text."""
+    return base64.b64encode(zlib.compress(content, 9)).decode()

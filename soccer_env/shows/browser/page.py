@@ -45,8 +45,12 @@ def make_page(contents: dict[str, Any]) -> str:
         "DATA": script_json(contents),
         "SCRIPT": f'"use strict";\n(() => {{\n{scripts}\n}})();',
     }
-    page = read_part("page.html")
-    pieces = page.split("%%")  # text, name, text, name, ..., text: filled-in text is not scanned again
+    return fill_template(read_part("page.html"), filled)
+
+
+def fill_template(template: str, filled: dict[str, str]) -> str:
+    """Replace each %%NAME%% of a template by its text, which is not looked at again."""
+    pieces = template.split("%%")  # text, name, text, name, ..., text
     return "".join(filled[piece] if at % 2 else piece for at, piece in enumerate(pieces))
 
 

@@ -92,5 +92,4 @@ def squad_observations(match: Match, squad: Squad, due: np.ndarray) -> np.ndarra
             what = f"observe of team {team.name!r}"
             raise ValueError(f"{what} must return finite numbers of shape {seen.shape}, got {got}")
         seen[...] = own
-    rows: np.ndarray = seen[np.ix_(due, squad.players)]
-    return rows
+    return np.asarray(seen[np.ix_(due, squad.players)])

@@ -76,8 +76,7 @@ class FunctionTeam:
                 f"team {self.name!r} plays inside a match only: give it as controllers, opponents or teammates"
             )
         memory["wait"] = np.maximum(memory["wait"] - 1, 0)
-        commands: np.ndarray = memory["action"].copy()
-        return commands
+        return memory["action"].copy()
 
     def decide(self, observations: np.ndarray, memory: np.ndarray, who: Who) -> np.ndarray:
         """Ask the function for actions (D, P, 7), given observations (D, P, n); changes memory (D, P).

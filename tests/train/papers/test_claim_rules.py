@@ -16,12 +16,11 @@ from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, S
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.dribble import or_shoot
 from soccer_env.train.papers.claims.stuck import branches
-from soccer_env.train.papers.claims.stuck.alarms_in_play import Approaches
 from soccer_env.train.papers.claims.stuck.branches import FREE_TIME, Fate, follow_moments
-from soccer_env.train.papers.claims.stuck.collisions import count_near_ball
+from soccer_env.train.papers.claims.stuck.collisions import count_near_ball, ended_by_referee
+from soccer_env.train.papers.claims.stuck.false_alarms import Approaches
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, stack_moments
-from soccer_env.train.papers.claims.stuck.stealing import ended_by_referee
-from soccer_env.train.papers.drill_runs import PAPER, start_drill
+from soccer_env.train.papers.dribble_runs import PAPER, start_drill
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.staging import begin_scene, kick_off, play, put, put_ball, stage, stage_drill

@@ -62,7 +62,7 @@ def test_a_staring_head_has_the_ball_on_its_axis() -> None:
     staging.put(match, 0, 0.0, 0.0, np.linspace(-2.0, 2.0, 6))
     staging.put_ball(match, *staging.point_ahead(match, 0, np.linspace(0.25, 0.8, 6), np.linspace(-1.0, 1.0, 6)))
     staging.begin_scene(match)
-    actions = staging.standing_actions(match)
+    actions = staging.still_actions(match)
     for _ in staging.play(match, 1.0, actions):
         stare_at_ball(match, actions)
     distance, angle = true_sight.ball_in_sight(match)
@@ -113,7 +113,7 @@ def test_who_follows_the_true_ball_reaches_it_or_keeps_away() -> None:
     match = staging.stage(BATCH, matches=8)
     staging.put(match, 0, -0.5, 0.0, np.linspace(-3.0, 3.0, 8))
     staging.begin_scene(match)
-    actions = staging.standing_actions(match)
+    actions = staging.still_actions(match)
     for _ in staging.play(match, 12.0, actions):
         actions[:, 0, :3] = follow_ball(match)
     assert (match.matches["last_touch_robot"] == 0).all()

@@ -9,10 +9,10 @@ from soccer_env.match.staging import memory_of
 from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
-from soccer_env.train.papers.claims.dribble import classes, dribbling, replanning
+from soccer_env.train.papers.claims.dribble import classes, dribbling, past
 from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
-from soccer_env.train.papers.drill_runs import contacts_of, play_drill
-from soccer_env.train.papers.staging import LEGGED, put, put_ball, stage
+from soccer_env.train.papers.dribble_runs import contacts_of, play_drill
+from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
 
 BATCH = Batch("test", 0, 0)
 
@@ -40,7 +40,8 @@ def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
 def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
     match = dribble_runs.set_up_dribblers(BATCH, find_league(LEGGED), 8, 1, dribble_runs.NO_SHOTS)
     dribble_runs.place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
-    dribble_runs.begin_dribbling(match)
+    begin_scene(match, placed=True)
+    dribble_runs.start_dribbling(match)
     own = match.beliefs["own"][:, 0]
     assert (np.hypot(own["x"] - dribble_runs.START, own["y"]) < 0.15).all()
     for _ in range(32):
@@ -68,10 +69,10 @@ def test_robots_that_walk_against_another_touch_it() -> None:
 
 def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
     """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
-    shares = 0.8 - 0.08 * np.log2(np.array(replanning.REPLANS) / 0.5) ** 2
+    shares = 0.8 - 0.08 * np.log2(np.array(past.REPLANS) / 0.5) ** 2
     samples = {"clean": np.tile(shares, (3, 1))}
-    assert replanning.half_second_gain(samples) == pytest.approx(8.0)
-    assert replanning.fast_decisions_gain(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
+    assert past.half_second_gain(samples) == pytest.approx(8.0)
+    assert past.fast_decisions_gain(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
 
 
 def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
@@ -79,7 +80,8 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
     put(match, 0, -0.3, 0.0, 0.0)
     put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)
     put_ball(match, -1.0, 0.8)
-    dribble_runs.begin_dribbling(match)
+    begin_scene(match, placed=True)
+    dribble_runs.start_dribbling(match)
     contacts, actions = contacts_of(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
     actions[2] = 0.0
     for _ in range(64):

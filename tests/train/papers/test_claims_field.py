@@ -8,10 +8,10 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import limited
 from soccer_env.train.papers.claim import Batch, as_plain
 from soccer_env.train.papers.claims.field import constants as field_constants
-from soccer_env.train.papers.claims.field import cost as field_cost
 from soccer_env.train.papers.claims.field import forces as field_forces
 from soccer_env.train.papers.claims.field import minima as field_minima
 from soccer_env.train.papers.claims.field import movers as field_movers
+from soccer_env.train.papers.claims.field import numbers as field_numbers
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
 from soccer_env.train.papers.claims.field.robots import RobotRuns, pad_with_nan, run_robots
@@ -86,8 +86,8 @@ def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
 
 def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
     samples = {"time": np.full(10, 2.0), "frame": np.full(10, 10.0)}
-    assert field_cost.planning_time_share(samples) == pytest.approx(2.5)
-    assert field_cost.planning_time_share(samples, 80.0) == pytest.approx(200.0)
+    assert field_numbers.planning_time_share(samples) == pytest.approx(2.5)
+    assert field_numbers.planning_time_share(samples, 80.0) == pytest.approx(200.0)
 
 
 def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:

@@ -7,7 +7,7 @@ from soccer_env.baselines.weigel_2001.planner import Planner
 from soccer_env.train.papers.claim import STAGED, Batch
 from soccer_env.train.papers.claims import middle_size, own_pose
 from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots
-from soccer_env.train.papers.claims.planning import crossings, plans, runs, scenes, timing
+from soccer_env.train.papers.claims.planning import crossings, plans, runs, timing
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, stage
 
 BATCH = Batch("test", 0, 0, rules=STAGED)
@@ -91,26 +91,26 @@ def test_a_crossing_meets_the_straight_way_when_the_robot_would_be_there_or_near
     for scene in runs.scenes_of(BATCH, runs.CROSSING, 50):
         (x, y, vx, vy), robot = scene.obstacles[0], np.array(scene.robot)
         way = np.array(scene.target) - robot
-        assert np.hypot(*way) == pytest.approx(scenes.WAY)
-        assert scenes.CROSSERS[0] <= np.hypot(vx, vy) <= scenes.CROSSERS[1]
+        assert np.hypot(*way) == pytest.approx(runs.WAY)
+        assert runs.CROSSERS[0] <= np.hypot(vx, vy) <= runs.CROSSERS[1]
         t = np.linspace(0.0, 2.5, 2501)
         gap = np.hypot(*(np.array([[x], [y]]) + np.outer([vx, vy], t) - robot[:, None]
-                         - np.outer(way / scenes.WAY, np.minimum(t * runs.SPEED, scenes.WAY))))  # fmt: skip
-        assert gap.min() < scenes.LATE * scenes.CROSSERS[1] + 0.01
+                         - np.outer(way / runs.WAY, np.minimum(t * runs.SPEED, runs.WAY))))  # fmt: skip
+        assert gap.min() < runs.LATE * runs.CROSSERS[1] + 0.01
 
 
 def test_slow_traffic_leaves_robot_and_target_free() -> None:
-    for scene in runs.scenes_of(BATCH, scenes.slow_traffic, 30):
-        assert len(scene.obstacles) == scenes.SLOW_OBSTACLES
+    for scene in runs.scenes_of(BATCH, runs.slow_traffic, 30):
+        assert len(scene.obstacles) == runs.SLOW_OBSTACLES
         for x, y, vx, vy in scene.obstacles:
-            assert np.hypot(vx, vy) <= scenes.SLOW
+            assert np.hypot(vx, vy) <= runs.SLOW
             assert np.hypot(x - scene.robot[0], y - scene.robot[1]) > 0.75
             for t in (0.0, 1.0, 2.0, 4.0):
                 assert np.hypot(x + t * vx - scene.target[0], y + t * vy - scene.target[1]) > 0.75
 
 
 def test_a_wall_stands_across_the_way() -> None:
-    for scene in runs.scenes_of(BATCH, scenes.robot_row_or_cup, 20):
+    for scene in runs.scenes_of(BATCH, runs.robot_row_or_cup, 20):
         assert len(scene.obstacles) in (2, 3, 9)
         assert runs.plan(scene).arrived
         straight = np.linspace(scene.robot, scene.target, 200)
@@ -137,7 +137,7 @@ def test_the_canonical_crossings_show_what_the_paper_shows() -> None:
 
 
 def test_first_heading_and_sharpest_turn_of_a_straight_way_are_none() -> None:
-    scene = scenes.Scene((-2.0, 0.5), (2.0, 0.5), [])
+    scene = runs.Scene((-2.0, 0.5), (2.0, 0.5), [])
     plan = runs.plan(scene)
     assert plans.first_heading(plan, scene) == pytest.approx(0.0, abs=1e-6)
     assert plans.sharpest_turn(plan) == pytest.approx(0.0, abs=1e-6)
@@ -168,9 +168,11 @@ def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
 def test_goals_and_benefits_are_counted() -> None:
     speed = np.array([5.0, 5.0, 9.0, 9.0])
     samples = {"speed": speed, "passive": np.array([1.0, 1, 1, 1]), "active": np.array([0.0, 0, 1, 0])}
-    assert saves.conceded_share(samples, "active") == 25.0 and saves.conceded_share_slow(samples, "passive") == 100.0
-    assert saves.conceded_ratio(samples, saves.conceded_share) == 0.25
-    assert saves.conceded_ratio(samples, saves.conceded_share_slow) == 0.0
+    assert (
+        saves.conceded_share(samples, "active") == 25.0
+        and saves.conceded_share(samples, "passive", saves.SLOWER) == 100.0
+    )
+    assert saves.conceded_ratio(samples) == 0.25 and saves.conceded_ratio(samples, saves.SLOWER) == 0.0
     noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
     assert saves.prevented_goals(noisy, "fit", "own") == 75.0
 

@@ -22,12 +22,12 @@ from soccer_env.train.papers.claims.players.seen import (
     nearest_seen,
     places_of,
     put_facing,
-    set_up_watchers,
     slot_bearings,
     slots_of,
+    stage_watchers,
     view_of,
 )
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 
 BATCH = Batch("test", 0, 0)
@@ -35,10 +35,10 @@ BATCH = Batch("test", 0, 0)
 
 def looking(matches: int = 6, distance: float = 0.8, **settings: object):
     """Return matches in which robot 0 has looked at an opponent, seen head-on, for a second."""
-    match = set_up_watchers(BATCH, matches, **settings)
+    match = stage_watchers(BATCH, matches, **settings)
     put_facing(match, 1, distance, np.linspace(-0.5, 0.5, matches), 0.0)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for _ in play(match, 1.0, actions):
         look_at(match, actions)
     return match
@@ -46,7 +46,7 @@ def looking(matches: int = 6, distance: float = 0.8, **settings: object):
 
 def test_a_player_stands_where_it_is_put_and_is_seen_as_said() -> None:
     views_asked = np.array([0.0, 1.0, -2.0, 3.0])
-    match = set_up_watchers(BATCH, 4)
+    match = stage_watchers(BATCH, 4)
     put_facing(match, 1, 0.7, 0.3, views_asked)
     distance, bearing = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
     assert distance == pytest.approx(0.7) and bearing == pytest.approx(0.3)
@@ -66,9 +66,9 @@ def test_a_head_that_looks_at_a_player_has_it_on_its_axis() -> None:
 
 
 def test_the_head_turns_where_it_is_asked_to() -> None:
-    match = set_up_watchers(BATCH, 2)
+    match = stage_watchers(BATCH, 2)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, np.array([0.8, -0.8]), -0.4)
     list(play(match, 1.0, actions))
     assert match.robots["pan"][:, 0] == pytest.approx([0.8, -0.8])
@@ -104,7 +104,7 @@ def test_a_player_in_view_is_found_in_a_slot() -> None:
 
 
 def test_places_of_players_are_in_the_robots_own_axes() -> None:
-    match = set_up_watchers(BATCH, 3)
+    match = stage_watchers(BATCH, 3)
     put(match, 0, 0.5, -0.2, np.pi / 2)
     put(match, 1, 0.5, 0.4, 0.0)
     x, y = places_of(match, [1])
@@ -118,11 +118,11 @@ def test_each_slot_stands_for_one_player_the_closest_pair_first() -> None:
 
 
 def test_blobs_belong_to_who_stands_there() -> None:
-    match = set_up_watchers(BATCH, 4, away=2)
+    match = stage_watchers(BATCH, 4, away=2)
     put_facing(match, 1, 0.7, 0.3, 0.0)
     put_facing(match, 2, 1.2, -0.3, 1.0)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, -0.1)
     list(play(match, 1.0, actions))
     mine, (bearing, _) = blob_owners(match, [1, 2]), blob_directions(match)
@@ -140,7 +140,7 @@ def test_what_is_too_many_is_a_ghost_and_what_lacks_is_missed() -> None:
 
 
 def test_two_in_view_do_not_touch() -> None:
-    match = set_up_watchers(BATCH, 200, away=2)
+    match = stage_watchers(BATCH, 200, away=2)
     players_grouping.put_two_in_view(match, BATCH.rng())
     x, y = places_of(match, [1, 2])
     assert np.hypot(x[:, 0] - x[:, 1], y[:, 0] - y[:, 1]).min() > players_grouping.APART
@@ -150,12 +150,12 @@ def test_two_in_view_do_not_touch() -> None:
 def test_the_memory_reads_the_settings_that_a_claim_changes() -> None:
     match = looking(matches=4)
     memory_settings_of(match)["ghost_time"] = 0.0
-    match.step(standing_actions(match))
+    match.step(still_actions(match))
     assert (slots_of(match)["age"] == 0.0).all()
 
 
 def test_views_are_counted_from_head_on_and_only_within_the_picture() -> None:
-    match = set_up_watchers(BATCH, 2)
+    match = stage_watchers(BATCH, 2)
     put(match, 0, 0.0, 0.0, 0.0)
     put(match, 1, np.array([1.0, -1.0]), 0.0, np.array([np.pi, np.pi / 2]))
     match.robots["pan"] = 0.0

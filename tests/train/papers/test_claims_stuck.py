@@ -6,7 +6,7 @@ import pytest
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.stuck import alarms_in_play, false_alarms, runs, stealing, wall
+from soccer_env.train.papers.claims.stuck import collisions, false_alarms, runs, worth
 from soccer_env.train.papers.claims.stuck import detection as stuck_detection
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, distance_from_camera, sample_moments
@@ -118,9 +118,9 @@ def test_moments_without_the_flags_that_are_asked_for_do_not_count() -> None:
 
 
 def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_likes() -> None:
-    got, tries = wall.face_wall(BATCH, seen=True)
+    got, tries = worth.face_wall(BATCH, seen=True)
     assert 0.5 < got.mean() <= 1.0
-    _, with_sidesteps = wall.face_wall(BATCH, seen=True, rotate_beyond=np.pi)
+    _, with_sidesteps = worth.face_wall(BATCH, seen=True, rotate_beyond=np.pi)
     assert 0.1 < (tries > 0).mean() < 0.9
     np.testing.assert_array_equal(tries > 0, with_sidesteps > 0)  # the rule matters after the first way back alone
 
@@ -129,7 +129,7 @@ def test_the_cause_of_a_false_alarm_is_the_first_that_holds() -> None:
     signs = [
         (0.05, 1.0, 0.0, 0.2), (0.0, 1.0, 0.0, 0.2), (0.0, 0.0, 0.5, 0.5), (-0.1, 0.0, 0.0, 0.2), (0.0, 0.1, 0.1, 0.6),
     ]  # fmt: skip
-    found = [alarms_in_play.CAUSES[alarms_in_play.cause_of(np.array(one))] for one in signs]
+    found = [false_alarms.CAUSES[false_alarms.cause_of(np.array(one))] for one in signs]
     assert found == ["receding", "turning", "turning", "near", "other"]
 
 
@@ -147,6 +147,6 @@ def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
 
 
 def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:
-    won, by_contact, called = stealing.steal(BATCH, avoid=False)
+    won, by_contact, called = collisions.steal(BATCH, avoid=False)
     assert 0.2 < won.mean() <= 1.0 and (by_contact <= won).all() and by_contact.mean() < won.mean()
     assert (won + called <= 1.0).all(), "who has won has done so before the referee ends the scene"

@@ -14,8 +14,8 @@ from soccer_env.train.papers.claims import all_claims, find_claims
 from soccer_env.train.papers.examination import examination_points
 from soccer_env.train.papers.report import row, section
 from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.results import FOLDERS, read_stored
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
-from soccer_env.train.papers.stored import FOLDERS, read_stored
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 from tests.train.papers.staged_claims import CALLS, KNOWN, POSES, claim, draw, run
 

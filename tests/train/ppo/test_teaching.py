@@ -21,7 +21,7 @@ from soccer_env.train.ppo.reports import best_evaluation_sentence, decisions_of
 from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.ppo.teaching.advice import BEND, KICK_WEIGHT, KNOWN, WALK_WEIGHT, Adviser, advice_error, advised
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, record
-from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
+from soccer_env.train.ppo.teaching.lessons import KeptRounds
 from soccer_env.train.ppo.training import Training
 from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
 

@@ -17,7 +17,7 @@ import pytest
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.evaluate.page import page_of
 from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.evaluate.replays.page_section import add_replays
+from soccer_env.train.evaluate.replays.keep import add_replays
 from soccer_env.train.report import (
     MISSING,
     ReportPage,

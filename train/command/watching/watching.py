@@ -14,9 +14,8 @@ from soccer_env.render.overlays.panels import HelpPanel
 from soccer_env.render.overlays.paths import TRAVELLED
 from soccer_env.replay import Replay, Thoughts
 from soccer_env.thoughts.thought import NoteReader
-from soccer_env.train.command.watching.deck import HELP, PlaybackControls
+from soccer_env.train.command.watching.deck import HELP, KEPT, PlaybackControls, Tape, play_live
 from soccer_env.train.command.watching.settings import WatchSettings
-from soccer_env.train.command.watching.tape import KEPT, Tape, play_live
 from soccer_env.train.evaluate.recording import start_match
 
 

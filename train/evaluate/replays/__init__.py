@@ -7,8 +7,8 @@ Evaluations record nothing: a match follows from its seed, so the few matches wo
 must end in the state of its line, and its file proves every control step.
 
 choice.py        choose the matches to keep
-keep.py          `keep_replays`: play a match once more, with its goals as clips; kept.json lists the files
-page_section.py  the section of replays in a report's page
+keep.py          `keep_replays`: play a match once more, with its goals as clips; kept.json lists the files, and a
+                 section of a report's page
 """
 
 from typing import TYPE_CHECKING

@@ -22,6 +22,7 @@ from soccer_env.train.evaluate.replays.choice import GOALS, KINDS, Keep
 from soccer_env.train.evaluate.results import KEPT, REPLAYS, MatchLine
 from soccer_env.train.files import LARGEST
 from soccer_env.train.progress import Progress
+from soccer_env.train.report.page import ReportPage
 from soccer_env.types import NO_TEAM
 
 BEFORE, AFTER = 8.0, 1.5  # [s] that a clip shows before (at least) and after a goal
@@ -215,3 +216,40 @@ def play_match_again(contest: Contest, line: MatchLine, goals: bool, advance: Ca
     finally:
         match.close()
     return ReplayedMatch(whole, clips.cut(whole))
+
+
+HEAD = ("", "match", "score", "home, away", "from", "length", "a minute", "files")
+WORDS = {"best": "best match", "worst": "worst match", "goals": "goal {}"}
+VERIFIED = (
+    "`soccer replay FILE --verify` plays a replay again and proves every step; `soccer watch FILE` shows it, and "
+    "`soccer export FILE --out match.html` makes a page of it. Scores are the first team's first."
+)
+
+
+def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
+    """Add the section of replays, with links to files beside the page; nothing without replays."""
+    if not kept:
+        return
+    page.section("Replays")
+    page.links(HEAD, [(row_of(one), links_of(one)) for one in kept])
+    page.say(f"{summary(kept)} {VERIFIED}")
+
+
+def row_of(kept: Kept) -> list[str]:
+    """Return the texts of a replay's row in the table."""
+    what, score = WORDS.get(kept.kind, kept.kind).format(kept.number), f"{kept.goals_for} : {kept.goals_against}"
+    minutes, seconds = divmod(round(kept.start), 60)
+    times = [f"{minutes}:{seconds:02d}", f"{kept.seconds:.0f} s", f"{kept.rate / 1e3:.0f} kB"]
+    return [what, f"{kept.match}", score, f"{kept.home}, {kept.away}", *times]
+
+
+def links_of(kept: Kept) -> list[tuple[str, str]]:
+    """Return the links to a replay's files."""
+    return [("watch", kept.page), ("file", kept.file)] if kept.page else [("file", kept.file)]
+
+
+def summary(kept: Sequence[Kept]) -> str:
+    """Return the number, total length and total size of replays in words."""
+    size, minutes = sum(one.bytes for one in kept), sum(one.seconds for one in kept) / 60.0
+    rate = size / 1e3 / max(minutes, 1e-9)
+    return f"{len(kept)} replays, {minutes:.1f} minutes of play, {size / 1e6:.2f} MB: {rate:.0f} kB a minute."

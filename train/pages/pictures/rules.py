@@ -36,26 +36,31 @@ class Ruling(NamedTuple):
 def stage_rule(
     league: League,
     places: Sequence[Pose],
-    ball: tuple[float, float],
+    ball: tuple[float, ...],
     robots: Mapping[int, Pose],
     ahead: Mapping[int, float],
     running: bool = False,
     rules: str = "league",
+    red_2: Mapping[str, float] | None = None,
     **records: float,
 ) -> Staged:
     """Return a match in play, half of its robots in each team, and the actions to step it with.
 
-    `ball` [m, m]; `robots`: pose by row, the others at their `places`; `ahead`: forward action in -1 to 1 by row,
-    `running`: robots with an action start at that speed; `records`: values of fields of the match record.
+    `ball`: place [m, m] and, if it rolls, velocity [m/s, m/s]; `robots`: pose by row, the others at their `places`;
+    `ahead`: forward action in -1 to 1 by row, `running`: robots with an action start at that speed; `records`: values
+    of fields of the match record, `red_2`: of the record of the robot in row 2.
     """
     match = Match(league, home=len(places) // 2, away=len(places) // 2, seed=1, rules=rules)
     staging.set_phase(match, Phase.PLAY)
     for row, place in enumerate(places):
         speed = ahead.get(row, 0.0) * league.drive.forward if running else 0.0
         staging.put(match, row, *robots.get(row, place), forward=speed)
-    staging.put_ball(match, *ball)
+    x, y, vx, vy = (*ball, 0.0, 0.0)[:4]
+    staging.put_ball(match, x, y, vx, vy)
     for name, value in records.items():
         match.matches[name] = value
+    for name, value in (red_2 or {}).items():
+        match.robots[name][0, 2] = value
     staging.begin_scene(match)
     actions = np.zeros((1, len(places), 4))
     for row, share in ahead.items():

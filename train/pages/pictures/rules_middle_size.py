@@ -9,7 +9,7 @@ from math import pi
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.match import Match, staging
+from soccer_env.match import Match
 from soccer_env.train.pages.pictures.rules import Ruling, Staged, stage_rule
 from soccer_env.types import AWAY, HOME, Foul, Phase
 
@@ -33,19 +33,6 @@ def stage_second_touch() -> Staged:
     return match, actions
 
 
-def stage_direct_goal() -> Staged:
-    """Stage a ball that rolls into the goal straight from a corner kick."""
-    match, actions = staged((5.7, 0.6), {1: (5.0, 2.5, -1.0), 3: (5.5, -0.6, pi)}, {}, taker=1, indirect=1)
-    staging.put_ball(match, 5.7, 0.6, 3.0)
-    staging.begin_scene(match)
-    return match, actions
-
-
-def stage_too_near() -> Staged:
-    """Stage an opponent that stays too near to a free kick."""
-    return stage_restart(Phase.FREE_KICK, 0.0, 0.0, {2: (-0.4, 0.0, 0.0), 4: (0.6, 0.0, pi)})
-
-
 def stage_too_early() -> Staged:
     """Stage an opponent that touches the ball before it is in play."""
     match, actions = stage_restart(Phase.FREE_KICK, 0.0, 0.0, {2: (-0.6, 0.0, 0.0), 4: (0.5, 0.0, pi)})
@@ -58,51 +45,10 @@ def stage_charging() -> Staged:
     return staged((-1.0, -2.0), {2: (0.0, 1.0, 0.0), 4: (BEHIND, 1.0, 0.0)}, {2: 0.2})
 
 
-def stage_hard_charge(y: float = 1.0, rules: str = "league") -> Staged:
-    """Stage a robot that runs into a standing opponent, away from the ball."""
-    return staged((-1.0, -2.0), {2: (-0.6, y, 0.0), 4: (BEHIND, y, 0.0)}, {2: 1.0}, rules=rules)
-
-
-def stage_keeper_charge() -> Staged:
-    """Stage an attacker that drives into the goalkeeper in its goal area."""
-    return staged((5.4, 0.6), {2: (5.6 - BEHIND - 0.1, 0.0, 0.0), 3: (5.6, 0.0, 0.0)}, {2: 0.4})
-
-
-def stage_handling() -> Staged:
-    """Stage a robot that drives backwards with the ball."""
-    match, actions = staged((FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: -0.2})
-    match.robots["backed"][0, 2] = 0.499
-    match.robots["has_ball"][0, 2] = 1
-    return match, actions
-
-
-def stage_own_goal_area() -> Staged:
-    """Stage a field player that stays in its own goal area."""
-    return staged((0.0, 0.0), {2: (-5.75, 1.0, 0.0)}, {})
-
-
-def stage_attacker_in_area() -> Staged:
-    """Stage an attacker that stays in the opponents' goal area."""
-    return staged((0.0, 0.0), {2: (5.75, -1.0, 0.0)}, {})
-
-
-def stage_two_in_area() -> Staged:
-    """Stage two field players in their own penalty area."""
-    return staged((-3.0, 0.0), {1: (-4.9, 0.5, 0.0), 2: (-5.1, -1.2, 0.0)}, {})
-
-
-def stage_dribbling() -> Staged:
-    """Stage a robot that has dribbled the ball nearly 3 m, under the rule of later years."""
-    match, actions = staged((FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: 0.5}, rules="league:dribble_limit=True")
-    match.robots["dribbled"][0, 2] = 2.9
-    return match, actions
-
-
-def stage_second_card() -> Staged:
-    """Stage a robot with a yellow card that runs into another."""
-    match, actions = stage_hard_charge()
-    match.robots["yellow"][0, 2] = 1
-    return match, actions
+def stage_hard_charge(y: float = 1.0, yellow: int = 0, rules: str = "league") -> Staged:
+    """Stage a robot with a number of yellow cards that runs into a standing opponent, away from the ball."""
+    robots = {2: (-0.6, y, 0.0), 4: (BEHIND, y, 0.0)}
+    return staged((-1.0, -2.0), robots, {2: 1.0}, rules=rules, red_2={"yellow": yellow})
 
 
 def stage_shoot_out() -> Staged:
@@ -114,73 +60,54 @@ def stage_shoot_out() -> Staged:
 
 def stage_ball_over_line(x: float, y: float, vx: float, vy: float, team: int) -> Staged:
     """Stage a ball that rolls over a line, touched last by a team."""
-    match, actions = staged((x, y), {}, {}, last_touch_team=team)
-    staging.put_ball(match, x, y, vx, vy)
-    staging.begin_scene(match)
-    return match, actions
-
-
-def stage_stuck_ball() -> Staged:
-    """Stage two robots that keep the ball between them."""
-    match, actions = staged((0.5, 1.0), {2: (0.5 - FRONT, 1.0, 0.0), 4: (0.5 + FRONT, 1.0, pi)}, {})
-    match.matches["still_clock"] = 9.0
-    return match, actions
-
-
-def stage_direct_own_goal() -> Staged:
-    """Stage a ball that rolls into the taker's own goal straight from a goal kick."""
-    match, actions = staged((-5.7, -0.7), {0: (-5.3, 0.6, 0.0)}, {}, taker=0, indirect=1)
-    staging.put_ball(match, -5.7, -0.7, -3.0)
-    staging.begin_scene(match)
-    return match, actions
-
-
-def stage_timed_card() -> Staged:
-    """Stage a second card under the rule that two yellow cards cost 90 s."""
-    match, actions = stage_hard_charge(-1.0, "league:timed_cards=True")
-    match.robots["yellow"][0, 2] = 1
-    return match, actions
+    return staged((x, y, vx, vy), {}, {}, last_touch_team=team)
 
 
 DIRECT = tuple(f"direct_{name}" for name in ("kick_off", "throw_in", "goal_kick", "corner_kick", "free_kick"))
 RULINGS = (
-    Ruling("throw-in", ("out_of_play",), "it came off red: blue takes it", partial(stage_ball_over_line, 1.0, 3.9,
-        0.5, 1.0, HOME),
-           event="out"),
+    Ruling("throw-in", ("out_of_play",), "it came off red: blue takes it",
+           partial(stage_ball_over_line, 1.0, 3.9, 0.5, 1.0, HOME), event="out"),
     Ruling("goal kick", ("out_of_play",), "it came off red: blue takes it",
            partial(stage_ball_over_line, 5.9, 2.0, 1.0, 0.2, HOME), event="out"),
     Ruling("corner kick", ("out_of_play",), "it came off blue: red takes it",
            partial(stage_ball_over_line, 5.9, 2.0, 1.0, 0.2, AWAY), event="out"),
-    Ruling("dropped ball", ("dropped_ball",), "10 s within 30 cm: dropped there", stage_stuck_ball, event="restart",
-           after=True),
+    Ruling("dropped ball", ("dropped_ball",), "10 s within 30 cm: dropped there",
+           partial(staged, (0.5, 1.0), {2: (0.5 - FRONT, 1.0, 0.0), 4: (0.5 + FRONT, 1.0, pi)}, {}, still_clock=9.0),
+           event="restart", after=True),
     Ruling("second touch", ("second_touch",), "red 2 took the throw-in and keeps the ball: free kick",
-        stage_second_touch, 2,
-           Foul.SECOND_TOUCH),
-    Ruling("indirect restart", DIRECT, "straight from a corner kick: no goal, goal kick", stage_direct_goal),
-    Ruling("indirect restart", DIRECT, "the own goal, from a goal kick: corner kick", stage_direct_own_goal),
-    Ruling("distance", ("distances",), "blue 1 stays within 1 m of a free kick: put back", stage_too_near, 4,
-        Foul.DISTANCE),
+           stage_second_touch, 2, Foul.SECOND_TOUCH),
+    Ruling("indirect restart", DIRECT, "straight from a corner kick: no goal, goal kick",
+           partial(staged, (5.7, 0.6, 3.0), {1: (5.0, 2.5, -1.0), 3: (5.5, -0.6, pi)}, {}, taker=1, indirect=1)),
+    Ruling("indirect restart", DIRECT, "the own goal, from a goal kick: corner kick",
+           partial(staged, (-5.7, -0.7, -3.0), {0: (-5.3, 0.6, 0.0)}, {}, taker=0, indirect=1)),
+    Ruling("distance", ("distances",), "blue 1 stays within 1 m of a free kick: put back",
+           partial(stage_restart, Phase.FREE_KICK, 0.0, 0.0, {2: (-0.4, 0.0, 0.0), 4: (0.6, 0.0, pi)}), 4,
+           Foul.DISTANCE),
     Ruling("distance", ("distances",), "blue 1 touches the ball too early: taken again", stage_too_early, 4,
-        Foul.DISTANCE),
+           Foul.DISTANCE),
     Ruling("charging", ("charging",), "red 2 drives into blue 1 for 2 s, off the ball", stage_charging, 2,
-        Foul.CHARGING),
+           Foul.CHARGING),
     Ruling("charging, hard", ("charging",), "red 2 runs into blue 1: yellow card", stage_hard_charge, 2, Foul.CHARGING),
-    Ruling("keeper charge", ("keeper_charge",), "red 2 drives into the goalkeeper", stage_keeper_charge, 2,
+    Ruling("keeper charge", ("keeper_charge",), "red 2 drives into the goalkeeper",
+           partial(staged, (5.4, 0.6), {2: (5.6 - BEHIND - 0.1, 0.0, 0.0), 3: (5.6, 0.0, 0.0)}, {2: 0.4}), 2,
            Foul.KEEPER_CHARGE),
-    Ruling("ball handling", ("handling",), "red 2 has gone back 0.5 m with the ball", stage_handling, 2, Foul.HANDLING),
-    Ruling("dribbling (later years)", ("dribble_limit",), "red 2 has dribbled the ball for 3 m", stage_dribbling, 2,
-           Foul.DRIBBLE),
-    Ruling("own goal area", ("goal_area",), "red 2 has stayed in it for 10 s", stage_own_goal_area, 2, Foul.GOAL_AREA),
-    Ruling("opponents' goal area", ("goal_area",), "red 2 has stayed in it for 10 s", stage_attacker_in_area, 2,
-           Foul.GOAL_AREA),
+    Ruling("ball handling", ("handling",), "red 2 has gone back 0.5 m with the ball",
+           partial(staged, (FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: -0.2}, red_2={"backed": 0.499, "has_ball": 1}), 2,
+           Foul.HANDLING),
+    Ruling("dribbling (later years)", ("dribble_limit",), "red 2 has dribbled the ball for 3 m",
+           partial(staged, (FRONT, 0.0), {2: (0.0, 0.0, 0.0)}, {2: 0.5}, rules="league:dribble_limit=True",
+                   red_2={"dribbled": 2.9}), 2, Foul.DRIBBLE),
+    Ruling("own goal area", ("goal_area",), "red 2 has stayed in it for 10 s",
+           partial(staged, (0.0, 0.0), {2: (-5.75, 1.0, 0.0)}, {}), 2, Foul.GOAL_AREA),
+    Ruling("opponents' goal area", ("goal_area",), "red 2 has stayed in it for 10 s",
+           partial(staged, (0.0, 0.0), {2: (5.75, -1.0, 0.0)}, {}), 2, Foul.GOAL_AREA),
     Ruling("penalty area", ("penalty_area",), "red 2 is in it for 10 s, red 1 is nearer to the ball",
-        stage_two_in_area, 2,
-           Foul.PENALTY_AREA),
+           partial(staged, (-3.0, 0.0), {1: (-4.9, 0.5, 0.0), 2: (-5.1, -1.2, 0.0)}, {}), 2, Foul.PENALTY_AREA),
     Ruling("free kick", ("charging",), "blue's, 1 m from everybody else", stage_charging, 2, Foul.CHARGING, after=True),
-    Ruling("two yellow cards", ("charging", "cards"), "red 2 is out for the rest of the match", stage_second_card, 2,
-           Foul.CHARGING, after=True),
-    Ruling("timed cards (off)", ("timed_cards",), "two yellow cards are 90 s out: red 2 is back", stage_timed_card, 2,
-           after=True, longest=100.0),
+    Ruling("two yellow cards", ("charging", "cards"), "red 2 is out for the rest of the match",
+           partial(stage_hard_charge, yellow=1), 2, Foul.CHARGING, after=True),
+    Ruling("timed cards (off)", ("timed_cards",), "two yellow cards are 90 s out: red 2 is back",
+           partial(stage_hard_charge, -1.0, 1, "league:timed_cards=True"), 2, after=True, longest=100.0),
     Ruling("penalty shoot-out", ("shoot_out",), "after a draw, if it is switched on", stage_shoot_out, event="restart",
            after=True),
 )  # fmt: skip

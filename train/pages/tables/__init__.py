@@ -9,10 +9,8 @@ python -m soccer_env.train.pages.tables.heinemann every claim of Heinemann et al
 pages.py     measure the tables, and write them into the pages
 drills.py    teams in drills
 teams.py     teams against teams      learned.py   the learned team, and the time of its training
-crosstable.py     a row for each setting, a column for each opponent
 headlines.py the few figures of the main README, taken from the other tables
 plausibility.py   statistics of play beside published figures of real matches
-claims.py    measurements by `soccer reproduce`
 paper_page.py     the page of a team that was built from a paper
 sacks.py          the page of sacks-2001
 heinemann.py      the page of heinemann-2006 and weigel-2001

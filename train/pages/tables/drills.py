@@ -6,7 +6,7 @@ from typing import Any
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES, Scene
 from soccer_env.train.evaluate.drills import SEED, run_drill
-from soccer_env.train.pages.tables.crosstable import crosstable
+from soccer_env.train.pages.tables.teams import crosstable
 from soccer_env.train.statistics import wilson_interval
 
 RUNS = 400  # the interval of a share of 50 % is then +-5 %

@@ -12,23 +12,18 @@ from typing import Any
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.pages.tables.paper_page import SHOWN, PaperPage
 from soccer_env.train.papers.claim import HEINEMANN
-from soccer_env.train.papers.reproduction import reproduce
-from soccer_env.train.papers.settings import ReproduceSettings
-from soccer_env.train.papers.stored import FOLDERS
+from soccer_env.train.papers.results import FOLDERS
 from soccer_env.train.report.style import canvas, picture_maker
 
-RUN = Path("runs/claims-heinemann")  # folder of the run, which can be stopped and resumed
 PATHS = "heinemann-paths.png"
 
 
-def measure_paper_claims() -> Path:
-    """Measure every claim of the paper; return the folder of the run."""
-    reproduce(ReproduceSettings(claims=PAGE.claims, threads=2, out=RUN))
-    return RUN
-
-
 PAGE = PaperPage(
-    folder=FOLDERS[HEINEMANN], paper=HEINEMANN, pictures={"H10": 1, "H20": 1}, measure=measure_paper_claims, tables={}
+    folder=FOLDERS[HEINEMANN],
+    paper=HEINEMANN,
+    pictures={"H10": 1, "H20": 1},
+    run=Path("runs/claims-heinemann"),
+    tables={},
 )
 
 
@@ -37,8 +32,7 @@ def draw_paths() -> Any:
     """Return the paper's figure as a PNG: both planners in crossing a after 1, 30 and 60 cycles.  MH18"""
     from soccer_env.baselines.weigel_2001.planner.drawing import draw_travel
     from soccer_env.train.papers.claims.planning.crossings import CYCLES
-    from soccer_env.train.papers.claims.planning.runs import PLANNERS, travel
-    from soccer_env.train.papers.claims.planning.scenes import CANONICAL
+    from soccer_env.train.papers.claims.planning.runs import CANONICAL, PLANNERS, travel
 
     drawn, rows = canvas(5.2, 10.0, 2, len(CYCLES), sharex=True, sharey=True)
     for row, (name, changes) in zip(rows, PLANNERS.items(), strict=True):

@@ -11,8 +11,7 @@ import numpy as np
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.files import read_lines
-from soccer_env.train.pages.tables.crosstable import crosstable, goals_of
-from soccer_env.train.pages.tables.teams import row_of, row_settings
+from soccer_env.train.pages.tables.teams import crosstable, goals_of, row_of, row_settings
 
 TEAM = "learned"
 MATCHES = 200

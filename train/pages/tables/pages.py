@@ -24,7 +24,6 @@ from typing import Any
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.bench.benchmark import run_benchmark as run_bench
 from soccer_env.train.bench.settings import BenchSettings
-from soccer_env.train.pages.tables.claims import measure_sensors, sensors_table
 from soccer_env.train.pages.tables.drills import drills_table, measure_drills
 from soccer_env.train.pages.tables.headlines import headlines_table
 from soccer_env.train.pages.tables.learned import (
@@ -47,6 +46,8 @@ from soccer_env.train.pages.tables.teams import (
     scripted_rows,
     scripted_table,
 )
+from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.provenance import commit, version_of
 
 DATA = Path(__file__).with_name("tables.json")
@@ -66,6 +67,13 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
 PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
+
+
+def measure_sensors() -> dict[str, Any]:
+    """Measure the errors of all sensors and estimates over the range."""
+    settings = ReproduceSettings(claims=("sensors",), seeds=(1,), threads=2)
+    (result,) = reproduce(settings)
+    return {"command": command_of(settings), "n": result.n, "note": result.note}
 
 
 def measure_speed(quick: bool = False) -> dict[str, Any]:
@@ -111,6 +119,11 @@ def about() -> dict[str, str]:
 def machine() -> str:
     """Return the kind of machine, because the last bits of play depend on it."""
     return f"{platform.system()} {platform.machine()}"
+
+
+def sensors_table(table: dict[str, Any]) -> str:
+    """Return the table of the sensors' errors in Markdown."""
+    return f"{table['note'].strip()}\n\nCommand: `{table['command']}`, n = {table['n']}."
 
 
 def speed_table(table: dict[str, Any]) -> str:

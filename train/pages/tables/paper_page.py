@@ -20,8 +20,9 @@ from soccer_env.train.files import read_lines
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.report import estimate_with_interval
-from soccer_env.train.papers.results import ClaimResult, plot_name
-from soccer_env.train.papers.stored import FILE, KEPT, Measured, read_stored, restore_result
+from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.results import FILE, KEPT, ClaimResult, Measured, plot_name, read_stored, restore_result
+from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
 from soccer_env.train.results_folder import SETTINGS, read_settings
 
@@ -37,8 +38,9 @@ class PaperPage:
     folder: Path
     paper: str
     pictures: Mapping[str, int]  # on the page: a claim's id, and the number of its figure
-    measure: Callable[[], Path]  # measures every claim and returns the folder of the run
+    run: Path  # the folder of a run of all claims, which can be stopped and resumed
     tables: Mapping[str, Callable[[], str]]  # besides the table of claims
+    both_papers: bool = False  # whether that run measures the claims of the other paper, too
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -48,6 +50,12 @@ class PaperPage:
     def stored(self) -> dict[str, dict[str, Any]]:
         """Return the contents of claims.json."""
         return read_stored(self.folder)
+
+    def measure(self) -> Path:
+        """Measure every claim, resuming an earlier call; return the folder of the run."""
+        claims = () if self.both_papers else self.claims
+        reproduce(ReproduceSettings(claims=claims, all=self.both_papers, threads=2, out=self.run))
+        return self.run
 
     def take(self, run: Path) -> dict[str, dict[str, Any]]:
         """Take over the paper's claims from the folder of a run of `soccer reproduce`; ValueError if it holds none.

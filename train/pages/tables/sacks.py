@@ -11,18 +11,11 @@ from typing import Any
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.evaluate.report import plain_number
-from soccer_env.train.pages.tables.claims import RUN, measure_all
 from soccer_env.train.pages.tables.paper_page import PaperPage
 from soccer_env.train.papers.claim import SACKS
-from soccer_env.train.papers.stored import FOLDERS
+from soccer_env.train.papers.results import FOLDERS
 
 WIDTH = 118  # of a line of text
-
-
-def measure_both_papers() -> Path:
-    """Measure every claim of both papers; return the folder of the run."""
-    measure_all()
-    return RUN
 
 
 def constants_text() -> str:
@@ -64,8 +57,9 @@ PAGE = PaperPage(
     folder=FOLDERS[SACKS],
     paper=SACKS,
     pictures={"S06": 1, "S29": 1, "S35": 1, "S47": 1, "S63": 1},
-    measure=measure_both_papers,
+    run=Path("runs/claims"),
     tables={"constants": constants_text},
+    both_papers=True,
 )
 
 

@@ -1,6 +1,6 @@
 """The tables of teams against teams: their evaluations, and the replay of a row."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, replace
 from threading import Event
 from typing import Any
@@ -11,7 +11,6 @@ from soccer_env.train.evaluate.contest import contest_of, play
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
-from soccer_env.train.pages.tables.crosstable import crosstable, goals_of
 
 SEED, PLAYERS = 1, 3
 MATCHES = {"ideal": 200, "sensors": 100}
@@ -165,3 +164,22 @@ def measured_cells(row: dict[str, Any]) -> str:
     """Return the two last cells of a row: share of points and goal difference, with intervals."""
     points = row["points"]
     return f"{100 * points['mean']:.1f} % ({100 * points['low']:.1f} to {100 * points['high']:.1f}) | {goals_of(row)}"
+
+
+Cells = Mapping[tuple[str, str], str]  # by the names of row and column
+
+
+def crosstable(corner: str, cells: Cells) -> str:
+    """Return the table of `cells`, by (row, column): both in order of first appearance, with "-" for missing cells."""
+    rows = dict.fromkeys(row for row, _ in cells)
+    columns = dict.fromkeys(column for _, column in cells)
+    lines = [f"| {corner} | {' | '.join(columns)} |", "|" + "---|" * (len(columns) + 1)]
+    for row in rows:
+        lines.append(f"| {row} | {' | '.join(cells.get((row, column), '-') for column in columns)} |")
+    return "\n".join(lines)
+
+
+def goals_of(row: Mapping[str, Any]) -> str:
+    """Return the goal difference a match of an evaluation, with its interval, in words."""
+    goals = row["goal_difference"]
+    return f"{goals['mean']:+.2f} ({goals['low']:+.2f} to {goals['high']:+.2f})"

@@ -2,10 +2,10 @@
 
 To add a claim:
 
-1. Write a module in the folder of its theme (or extend one) with `CLAIMS = (Claim(...), ...)`; a module without CLAIMS
-   holds helpers of its folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
-2. `rules` names the rule sets of its matches: PLAYED (`kick_off`), STAGED (`stage`, `drill`), both, or NO_MATCH; a
-   match under other rules is refused. Measurements skip robots that are sent off (`active`).
+1. Write a module in the folder of its theme (or extend one) with `S99 = Claim(...)`; other modules hold helpers of
+   their folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
+2. `rules` names the rule sets of its matches: STAGED (`stage`, `drill`; the default), PLAYED (`kick_off`), both, or
+   NO_MATCH; a match under other rules is refused. Measurements skip robots that are sent off (`active`).
 3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
    returns arrays whose first axis is independent units (normally the matches); NaN stands for "no value". All
    randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
@@ -39,7 +39,7 @@ from soccer_env.train.papers.claim import Claim
 def all_claims() -> dict[str, Claim]:
     """Return the claims of every module in this folder, by id; studies come last."""
     modules = [import_module(found.name) for found in walk_packages(__path__, f"{__name__}.")]
-    claims = [claim for module in modules for claim in getattr(module, "CLAIMS", ())]
+    claims = [value for module in modules for value in vars(module).values() if isinstance(value, Claim)]
     return {claim.id: claim for claim in sorted(claims, key=lambda claim: (claim.study, claim.id))}
 
 

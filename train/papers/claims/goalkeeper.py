@@ -11,10 +11,10 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Figure, curves_by_bin
 from soccer_env.train.papers.claims.resolution import LAYERS
 from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
-from soccer_env.train.papers.values import bin_masks, mean, middles_of
+from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 SHOTS = 32
@@ -88,14 +88,14 @@ def compare_angular_velocity(batch: Batch) -> Samples:
     return {name: values.astype(float) for name, values in samples.items()}
 
 
-def saved_share(samples: Samples, name: str) -> float:
-    """Return the share of shots saved [%]."""
-    return 100.0 * float(1.0 - samples[name].mean())
+def saved(goals: np.ndarray) -> float:
+    """Return the share of shots saved [1]."""
+    return 1.0 - mean(goals)
 
 
-def saved_share_by_speed(samples: Samples, name: str) -> list[float]:
-    """Return the share of shots saved [%] in each bin of the speed at the kick."""
-    return [100.0 * (1.0 - mean(samples[name][there])) for there in bin_masks(samples["speed"], BINS)]
+def saved_more(samples: Samples, name: str, other: str) -> float:
+    """Return the share of shots saved minus the share that another goalkeeper saves [%]."""
+    return 100.0 * saved(samples[name]) - 100.0 * saved(samples[other])
 
 
 def angular_figure(samples: Samples) -> Sequence[Figure]:
@@ -107,7 +107,7 @@ def angular_figure(samples: Samples) -> Sequence[Figure]:
         "step off": "by the bearing, no block",
         "step guards": "guards the line, no reaction",
     }
-    curves = tuple(Curve(text, middles_of(BINS), saved_share_by_speed(samples, name)) for name, text in names.items())
+    curves = curves_by_bin(samples, names, samples["speed"], BINS, saved, place_scale=1.0)
     return (Figure("Shots saved by the goalkeeper", "speed at the kick [m/s]", "saved [%]", curves),)
 
 
@@ -124,24 +124,21 @@ S67 = Claim(
     method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
     "within their reach, in time. Share of the same shots saved, with angular_keeper on and off.",
     criteria=(
-        measured("saved with the angular velocity less saved without", lambda s: saved_share(s,
-            "on") - saved_share(s, "off"),
-                 unit="%", above=0.0),
-        reported("saved with the angular velocity", lambda s: saved_share(s, "on"), unit="%"),
-        reported("saved by the bearing alone", lambda s: saved_share(s, "off"), unit="%"),
-        reported("far off the line: with less without", lambda s: saved_share(s, "far on") - saved_share(s,
-            "far off"), unit="%"),
-        reported("far off the line: by the bearing alone", lambda s: saved_share(s, "far off"), unit="%"),
-        reported("far off, ideal senses: with less without", lambda s: saved_share(s, "ideal on") - saved_share(s,
-            "ideal off"),
+        measured("saved with the angular velocity less saved without",
+                 saved_more, "on", "off", unit="%", above=0.0),
+        reported("saved with the angular velocity", "on", of=saved, unit="%"),
+        reported("saved by the bearing alone", "off", of=saved, unit="%"),
+        reported("far off the line: with less without", saved_more, "far on", "far off",
                  unit="%"),
-        reported("no block: with less without", lambda s: saved_share(s, "step on") - saved_share(s, "step off"),
-            unit="%"),
-        reported("no block: with the angular velocity", lambda s: saved_share(s, "step on"), unit="%"),
-        reported("no block: by the bearing alone", lambda s: saved_share(s, "step off"), unit="%"),
-        reported("no block: guarding the line, no reaction", lambda s: saved_share(s, "step guards"), unit="%"),
+        reported("far off the line: by the bearing alone", "far off", of=saved, unit="%"),
+        reported("far off, ideal senses: with less without",
+                 saved_more, "ideal on", "ideal off", unit="%"),
+        reported("no block: with less without", saved_more, "step on", "step off",
+                 unit="%"),
+        reported("no block: with the angular velocity", "step on", of=saved, unit="%"),
+        reported("no block: by the bearing alone", "step off", of=saved, unit="%"),
+        reported("no block: guarding the line, no reaction", "step guards", of=saved, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_angular_velocity,
     figures=angular_figure,
     ingredients=(
@@ -175,14 +172,14 @@ def compare_resolutions(batch: Batch) -> Samples:
 
 def reaction_gain(samples: Samples, layer: str) -> float:
     """Return the share of shots saved with reactions by speed minus the share without such reactions [%]."""
-    return saved_share(samples, f"on {layer}") - saved_share(samples, f"off {layer}")
+    return saved_more(samples, f"on {layer}", f"off {layer}")
 
 
 def layer_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of shots saved against the speed of the shot, for both resolutions and settings."""
     names = {f"{name} {layer}": f"{layer}, {text}" for layer in LAYERS
              for name, text in (("on", "by speed"), ("off", "one reaction"))}  # fmt: skip
-    curves = tuple(Curve(text, middles_of(BINS), saved_share_by_speed(samples, name)) for name, text in names.items())
+    curves = curves_by_bin(samples, names, samples["speed"], BINS, saved, place_scale=1.0)
     return (Figure("Shots saved, by resolution", "speed at the kick [m/s]", "saved [%]", curves),)
 
 
@@ -194,15 +191,13 @@ S71 = Claim(
     "it does so by the time in which the ball will arrive, and steps aside faster for a fast ball; without, all balls "
     "count as fast. What that gains in saves at 88x72 and at 176x144 pixels.",
     criteria=(
-        measured("gain at 176x144 less gain at 88x72", lambda s: reaction_gain(s, LAYERS[1]) - reaction_gain(s,
-            LAYERS[0]), unit="%",
-                 above=0.0),
-        measured("gain at 176x144", lambda s: reaction_gain(s, LAYERS[1]), unit="%", above=0.0),
-        reported("gain at 88x72", lambda s: reaction_gain(s, LAYERS[0]), unit="%"),
-        reported("saved at 88x72, one reaction", lambda s: saved_share(s, "off 88x72"), unit="%"),
-        reported("saved at 176x144, one reaction", lambda s: saved_share(s, "off 176x144"), unit="%"),
+        measured("gain at 176x144 less gain at 88x72",
+                 lambda s: reaction_gain(s, LAYERS[1]) - reaction_gain(s, LAYERS[0]), unit="%", above=0.0),
+        measured("gain at 176x144", reaction_gain, LAYERS[1], unit="%", above=0.0),
+        reported("gain at 88x72", reaction_gain, LAYERS[0], unit="%"),
+        reported("saved at 88x72, one reaction", "off 88x72", of=saved, unit="%"),
+        reported("saved at 176x144, one reaction", "off 176x144", of=saved, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_resolutions,
     figures=layer_figure,
     ingredients=(
@@ -214,5 +209,3 @@ S71 = Claim(
     least=4,
     batches=30,
 )  # fmt: skip
-
-CLAIMS = (S67, S71)

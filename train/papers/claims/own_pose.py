@@ -5,17 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import (
-    MIDDLE,
-    begin_scene,
-    play,
-    put,
-    put_ball,
-    stage,
-    standing_actions,
-    wrap_angle,
-)
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, put_ball, stage, still_actions, wrap_angle
 from soccer_env.train.papers.values import median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -42,7 +33,7 @@ class RandomDrivers:
         self.match, self.rng = match, rng
         self.x, self.y = self.targets()
         self.turn = rng.uniform(-0.3, 0.3, match.robots.shape)  # [1] of the top turn rate
-        self.actions = standing_actions(match)
+        self.actions = still_actions(match)
 
     def targets(self) -> tuple[np.ndarray, np.ndarray]:
         """Return random target places within the field (M, R) [m]."""
@@ -147,14 +138,13 @@ H27 = Claim(
     f"of the own pose from {SETTLE:g} s on for {SECONDS:g} s. Then each is carried {CARRIED:g} m or more and told "
     f"nothing: recovered if within {LONGEST:g} s it is right to {LOST:g} m and 20 degrees for {HELD:g} s.",
     criteria=(
-        measured("median error of the place", lambda s: 100 * median(s["place"]), unit="cm", below=100 * COUNTED_ON),
+        measured("median error of the place", "place", of=median, unit="cm", below=100 * COUNTED_ON),
         measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
                  unit="cm", below=100 * NEAR),
         counted("recovered after being carried", "recovered", "one", at_least=95.0),
-        reported("median error of the heading", lambda samples: median(samples["heading"]), unit="deg"),
-        reported("median time to recover", lambda samples: median(samples["time"]), unit="s"),
+        reported("median error of the heading", "heading", of=median, unit="deg"),
+        reported("median time to recover", "time", of=median, unit="s"),
     ),
-    rules=STAGED,
     measure=drive_and_carry,
     batches=12,
     seconds=2.7,
@@ -162,5 +152,3 @@ H27 = Claim(
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
     pose="particles",
 )  # fmt: skip
-
-CLAIMS = (H27,)

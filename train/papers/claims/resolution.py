@@ -1,15 +1,17 @@
 """The gain of the camera's finer layer: steadier ranges and velocities.  [Sacks 2001, 5]"""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.seen import set_up_watchers
-from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, point_ahead, put_ball, standing_actions
-from soccer_env.train.papers.true_sight import stare_at_ball
-from soccer_env.train.papers.values import bin_masks, middles_of, rms, subtract_row_mean
+from soccer_env.leagues import find_league
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claims.players.seen import stage_watchers
+from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball
+from soccer_env.train.papers.true_sight import stare_for
+from soccer_env.train.papers.values import ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 64
@@ -25,16 +27,12 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
     """
     rng = batch.rng()
     settings = {"resolution": layer, "patches": 0.0, **sensors}
-    match = set_up_watchers(batch, MATCHES, sensors=settings, memory={"infrared_override": override})
+    match = stage_watchers(batch, MATCHES, sensors=settings, memory={"infrared_override": override})
     put_ball(match, *point_ahead(match, 0, rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
     begin_scene(match)
-    actions = standing_actions(match)
     true, _ = distance_to_ball(match)
     frames = []
-    for step in play(match, SETTLE + SECONDS, actions):
-        stare_at_ball(match, actions)
-        if step < SETTLE * match.league.control_rate:
-            continue
+    for _ in stare_for(match, SETTLE, SECONDS):
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
         frames.append([np.where(seen, value, np.nan) for value in (ball["distance"], ball["radial"])])
@@ -53,30 +51,14 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
     return samples | {"true": runs["true"]}
 
 
-def compare_with_equal_flicker(batch: Batch) -> Samples:
-    """Return `compare_layers` with a flicker of equal angle in both layers: of twice as many pixels in the finer."""
-    from soccer_env.leagues import find_league
-    from soccer_env.train.papers.staging import LEGGED
-
-    return compare_layers(batch, dither=2.0 * find_league(LEGGED).sensors.dither)
-
-
-def scatter_ratio(samples: Samples, name: str, rules: str = "") -> float:
-    """Return the rms scatter of the finer layer divided by the rms scatter of the coarser layer."""
-    return rms(samples[f"{name} {LAYERS[1]}{rules}"]) / max(rms(samples[f"{name} {LAYERS[0]}{rules}"]), 1e-12)
-
-
 def layer_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the scatter of the range and of the velocity against the distance, for both layers."""
-    edges = np.linspace(NEAR, FAR, 8)
-    inside = bin_masks(samples["true"], edges)
-    middles = middles_of(edges, 100)
-    return tuple(
-        Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", tuple(
-            Curve(layer, middles, [100 * rms(samples[f"{name} {layer}"][i]) for i in inside]) for layer in LAYERS
-        ))
-        for name, unit in (("range", "cm"), ("velocity", "cm/s"))
-    )  # fmt: skip
+    figures = []
+    for name, unit in (("range", "cm"), ("velocity", "cm/s")):
+        names = {f"{name} {layer}": layer for layer in LAYERS}
+        curves = curves_by_bin(samples, names, samples["true"], np.linspace(NEAR, FAR, 8), rms)
+        figures.append(Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", curves))
+    return figures
 
 
 S66 = Claim(
@@ -88,28 +70,24 @@ S66 = Claim(
     "radial velocity from zero, frames that show the ball, same seeds; ranges by size, the ranger's rule off, because "
     "no camera mends what the ranger does. About half: 0.4 to 0.6.",
     criteria=(
-        measured("deviation of the range at 176x144 over that at 88x72", lambda samples: scatter_ratio(samples,
-            "range"),
+        measured("deviation of the range at 176x144 over that at 88x72", ratio, "range 176x144", "range 88x72", rms,
                  at_least=0.4, at_most=0.6),
-        measured("deviation of the velocity, the same", lambda s: scatter_ratio(s, "velocity"), at_least=0.4,
-            at_most=0.6),
-        reported("range, ranger included", lambda samples: scatter_ratio(samples, "range", " rules")),
-        reported("velocity, ranger included", lambda samples: scatter_ratio(samples, "velocity", " rules")),
-        reported("range at 88x72", lambda samples: 100 * rms(samples["range 88x72"]), unit="cm"),
-        reported("range at 176x144", lambda samples: 100 * rms(samples["range 176x144"]), unit="cm"),
-        reported("velocity at 88x72", lambda samples: 100 * rms(samples["velocity 88x72"]), unit="cm/s"),
-        reported("velocity at 176x144", lambda samples: 100 * rms(samples["velocity 176x144"]), unit="cm/s"),
+        measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms,
+                 at_least=0.4, at_most=0.6),
+        reported("range, ranger included", ratio, "range 176x144 rules", "range 88x72 rules", rms),
+        reported("velocity, ranger included", ratio, "velocity 176x144 rules", "velocity 88x72 rules", rms),
+        reported("range at 88x72", "range 88x72", of=rms, unit="cm"),
+        reported("range at 176x144", "range 176x144", of=rms, unit="cm"),
+        reported("velocity at 88x72", "velocity 88x72", of=rms, unit="cm/s"),
+        reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
     ),
-    rules=STAGED,
     measure=compare_layers,
     seconds=1.5,
     batches=32,
     without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",
-        compare_with_equal_flicker),
+                     partial(compare_layers, dither=2.0 * find_league(LEGGED).sensors.dither)),
     figures=layer_figures,
     ingredients=("sensors.dither", "pixels of half the size"),
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
     "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",
 )  # fmt: skip
-
-CLAIMS = (S66,)

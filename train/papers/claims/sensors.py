@@ -8,7 +8,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.evaluate.report import plain_number, table
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import (
     LEGGED,
     MIDDLE,
@@ -17,8 +17,9 @@ from soccer_env.train.papers.staging import (
     point_ahead,
     put,
     put_ball,
+    stacked,
     stage,
-    standing_actions,
+    still_actions,
     watch,
     wrap_angle,
 )
@@ -115,8 +116,7 @@ def watch_ball(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray
             "ball, velocity along": ball["radial"],
         }
         append_frame(rows, errors, seen, "ball, seen")
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarray) -> Samples:
@@ -126,7 +126,7 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
     put(match, 1, *point_ahead(match, 0, place, bearing), batch.rng(4).uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
     true, off = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-    actions, head = standing_actions(match), match.league.head
+    actions, head = still_actions(match), match.league.head
     if head.pan_limit > 0.0:
         actions[..., 4], actions[..., 5] = 1.0, 0.0  # both: a lowered head would hide the other's jersey
         actions[..., 6] = (2.0 * LEVEL - head.tilt_high - head.tilt_low) / (head.tilt_high - head.tilt_low)
@@ -139,8 +139,7 @@ def watch_player(batch: Batch, league: str, place: np.ndarray, bearing: np.ndarr
         seen = usable[np.arange(MATCHES), slot] & (track["age"] < newest_picture_age(match))
         errors = {"player, range": track["distance"] - true, "player, bearing": wrap_angle(track["bearing"] - off)}
         append_frame(rows, errors, seen, "player, seen")
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def newest_picture_age(match: Match) -> float:
@@ -190,20 +189,17 @@ def sensor_tables(samples: Samples) -> str:
     return "\n\n".join(["Rms errors in frames that show the thing, and the share of frames that do:", *parts])
 
 
-CLAIMS = (
-    Claim(
-        id="sensors",
-        section="",
-        statement="Error against range for every sensor and estimate.",
-        method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
-        criteria=(),
-        rules=STAGED,
-        measure=look_at_things,
-        batches=4,
-        seconds=4.0,
-        figures=sensor_figures,
-        note=sensor_tables,
-        study=True,
-        ingredients=("all settings of leagues/legged_sensors.py and leagues/omni_sensors.py",),
-    ),
+SENSORS = Claim(
+    id="sensors",
+    section="",
+    statement="Error against range for every sensor and estimate.",
+    method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
+    criteria=(),
+    measure=look_at_things,
+    batches=4,
+    seconds=4.0,
+    figures=sensor_figures,
+    note=sensor_tables,
+    study=True,
+    ingredients=("all settings of leagues/legged_sensors.py and leagues/omni_sensors.py",),
 )

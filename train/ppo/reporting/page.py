@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.evaluate.replays.page_section import add_replays
-from soccer_env.train.ppo.reports import curve_of, decisions_of, step_unit
+from soccer_env.train.evaluate.replays.keep import add_replays
+from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, decisions_of, evaluation_rows, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, version_of
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_heat_table
@@ -57,13 +57,7 @@ def add_evaluations(page: ReportPage, settings: TrainSettings, evaluations: Line
         page.figure(opponents_table(evaluations), "Goals - goals against, a match: blue above 0, hatched below.")
     else:
         page.say(MISSING[0].upper() + MISSING[1:])
-    rows = [
-        (f"{decisions:,}", row["opponent"], f"{100 * row['points']:.0f} %",
-         f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})")
-        for decisions, one in zip(decisions_of(evaluations), evaluations, strict=True)
-        for row in one["rows"]
-    ]  # fmt: skip
-    page.table(("decisions", "against", "points", "goal difference a match (95 % interval)"), rows, sorts=True)
+    page.table(EVALUATIONS, evaluation_rows(evaluations), sorts=True)
 
 
 def opponents_table(evaluations: Lines) -> bytes:

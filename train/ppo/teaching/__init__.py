@@ -2,6 +2,5 @@
 
 imitation.py     a teacher that plays: its decisions, the fit to them, and a loss that keeps them later
 advice.py        a teacher that watches the actor play, knows the truth, and labels each decision
-kept_rounds.py   the rounds of advice so far on the disk, for resuming
-lessons.py       the lessons of a run, in all its match settings
+lessons.py       the lessons of a run, in all its match settings; the rounds so far on the disk, for resuming
 """

@@ -1,15 +1,21 @@
 """The lessons that a scripted teacher gives a run's actor, in every match setting of the run."""
 
+import io
+import shutil
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+import torch
 
 from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy_file import load
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.observations.entry import Entry
 from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_policy
+from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.advice import advice_error, advised
 from soccer_env.train.ppo.teaching.imitation import (
@@ -20,7 +26,6 @@ from soccer_env.train.ppo.teaching.imitation import (
     permute_own_commands,
     record,
 )
-from soccer_env.train.ppo.teaching.kept_rounds import KeptRounds
 from soccer_env.train.progress import Progress
 
 TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
@@ -156,3 +161,46 @@ class Lessons:
         settings, strength = self.settings, imitation_weight(self.settings, step)
         if rollout >= settings.critic_first and strength > 0.0:
             fit_a_little(self.network, self.rows, strength, settings.seed + rollout)
+
+
+ROWS = ("observations", "advice")
+NETWORK = "network/"
+
+
+class KeptRounds:
+    """The recorded rows of each round and the network after it, kept in a run's folder until the teaching is over."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / ROUNDS
+
+    def path(self, number: int) -> Path:
+        """Return the file of a round."""
+        return self.folder / f"round-{number:03d}.npz"
+
+    def keep(self, number: int, rows: Rows, network: torch.nn.Module) -> None:
+        """Write the rows of a round and the network after it, whole or not at all. OSError leaves earlier rounds."""
+        weights = {NETWORK + name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()}
+        buffer = io.BytesIO()
+        np.savez(buffer, **dict(zip(ROWS, rows, strict=True)), **weights)  # type: ignore[arg-type]  # of arrays by name
+        self.folder.mkdir(exist_ok=True)
+        write_atomically(self.path(number), buffer.getvalue())
+
+    def restore(self, network: torch.nn.Module) -> list[Rows]:
+        """Return the rows of all kept rounds; load the last round's weights into `network`; ValueError if damaged."""
+        kept: list[Rows] = []
+        weights: dict[str, Any] = {}
+        while (path := self.path(len(kept))).exists():
+            try:
+                with np.load(path) as file:
+                    kept.append((file[ROWS[0]], file[ROWS[1]]))
+                    weights = {name: file[name] for name in file.files if name.startswith(NETWORK)}
+            except Exception as error:  # a damaged archive may raise whatever its parts do
+                raise ValueError(f"{path} is damaged ({error}); --anew starts again") from error
+        if weights:
+            tensors = {name.removeprefix(NETWORK): torch.as_tensor(value) for name, value in weights.items()}
+            network.load_state_dict(tensors)
+        return kept
+
+    def forget(self) -> None:
+        """Remove all rounds."""
+        shutil.rmtree(self.folder, ignore_errors=True)

@@ -18,9 +18,8 @@ from soccer_env.render.overlays.cast import Cast, cast_of
 from soccer_env.replay import Recorder, Thoughts
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.command.command_line import main
-from soccer_env.train.command.watching import tape as tapes
-from soccer_env.train.command.watching.deck import HELP, OVERLAYS, PlaybackControls
-from soccer_env.train.command.watching.tape import Tape, play_live
+from soccer_env.train.command.watching import deck as decks
+from soccer_env.train.command.watching.deck import HELP, OVERLAYS, PlaybackControls, Tape, play_live
 from soccer_env.train.command.watching.watching import frame_of, show
 
 
@@ -46,7 +45,7 @@ def test_a_tape_goes_on_and_back_and_stops_at_both_ends() -> None:
 
 
 def test_a_tape_gives_up_its_oldest_shots(monkeypatch: MonkeyPatch) -> None:
-    monkeypatch.setattr(tapes, "KEPT", 8)
+    monkeypatch.setattr(decks, "KEPT", 8)
     tape = Tape(play_live(played()))
     for step in range(1, 31):
         tape.move_by(1)

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED, STAGED, Batch, Claim
-from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, standing_actions
+from soccer_env.train.papers.claim import PLAYED, Batch, Claim
+from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, still_actions
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -77,7 +77,7 @@ def count_jumps(batch: Batch, **memory: Any) -> JumpCounter:
     senses = {"home": "sensors", "away": "ideal"}
     match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
-    counter, actions = JumpCounter(match), standing_actions(match)
+    counter, actions = JumpCounter(match), still_actions(match)
     for step in play(match, SETTLE + TIME, actions):
         actions[:, 0, :3] = follow_ball(match, KEPT)
         if (step + 1) * match.league.dt > SETTLE:
@@ -131,22 +131,19 @@ S11 = Claim(
     "have, with orange patches round the field and on red stickers; jumps: over 50 cm farther in a frame, to a place "
     "more than 50 cm wrong; the same play with the two rules and without.",
     criteria=(
-        measured("fewer jumps with both rules", lambda s: fewer_jumps(s, "both"), unit="%", at_least=80.0),
+        measured("fewer jumps with both rules", fewer_jumps, "both", unit="%", at_least=80.0),
         measured(
             "frames with a right sighting lost by the rules",
             lambda samples: float(100 * (1.0 - samples["right both"].sum() / max(samples["right none"].sum(), 1.0))),
             unit="%",
             at_most=5.0,
         ),
-        reported("fewer jumps by the height test alone", lambda s: fewer_jumps(s, "horizon"), unit="%"),
-        reported("fewer jumps by the area thresholds alone", lambda s: fewer_jumps(s, "area"), unit="%"),
+        reported("fewer jumps by the height test alone", fewer_jumps, "horizon", unit="%"),
+        reported("fewer jumps by the area thresholds alone", fewer_jumps, "area", unit="%"),
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
-    rules=STAGED,
     measure=compare_sighting_rules,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
     seconds=4.0,
     batches=24,
 )
-
-CLAIMS = (S10, S11)

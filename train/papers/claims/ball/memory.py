@@ -6,20 +6,18 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.staging import (
-    begin_scene,
     distance_to_ball,
     play,
-    point_ahead,
-    put,
     put_ball,
-    stage,
-    standing_actions,
+    stacked,
+    stage_ball,
+    still_actions,
     wrap_angle,
 )
 from soccer_env.train.papers.true_sight import blind_cameras, look_first, stare_at_ball
-from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of
+from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of, ratio
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 96
@@ -41,18 +39,15 @@ def ball_place_error(match: Match) -> np.ndarray:
     ball = match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
     y = ball["distance"] * np.sin(ball["bearing"]) - true * np.sin(bearing)
-    gap: np.ndarray = np.hypot(x, y)
-    return gap
+    return np.asarray(np.hypot(x, y))
 
 
 def look_at_ball(batch: Batch, **memory: Any) -> Match:
     """Set up matches whose robots have watched a still ball beside their path for SEEN [s]."""
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
-    put(match, 0, rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES))
-    side = rng.choice([-1.0, 1.0], MATCHES)
-    put_ball(match, *point_ahead(match, 0, rng.uniform(0.5, 0.9, MATCHES), side * rng.uniform(0.6, 1.2, MATCHES)))
-    begin_scene(match)
+    pose = rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES)
+    side, distance = rng.choice([-1.0, 1.0], MATCHES), rng.uniform(0.5, 0.9, MATCHES)
+    match = stage_ball(batch, *pose, distance, side * rng.uniform(0.6, 1.2, MATCHES), memory=memory)
     look_first(match, SEEN)
     return match
 
@@ -62,7 +57,7 @@ def walk_blind(batch: Batch, odometry: str) -> Samples:
     match = look_at_ball(batch, odometry=odometry)
     blind_cameras(match)
     seconds = WAY / SPEED
-    actions = standing_actions(match)
+    actions = still_actions(match)
     away = -np.sign(distance_to_ball(match)[1])
     actions[:, 0, 0] = 1.0
     actions[:, 0, 2] = away * batch.rng(1).uniform(0.0, 0.5 * np.pi, MATCHES) / seconds / TURN
@@ -93,7 +88,7 @@ def roll_balls(batch: Batch, seen: bool) -> Samples:
     speed[: MATCHES // 6] = 0.0
     x, y = match.balls["x"].copy(), match.balls["y"].copy()
     put_ball(match, x, y, speed * np.cos(course), speed * np.sin(course))
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 0, 0] = 1.0
     rows: dict[str, list[np.ndarray]] = {"way": [], "error": []}
     before = 0.0
@@ -104,8 +99,7 @@ def roll_balls(batch: Batch, seen: bool) -> Samples:
         before = time
         rows["way"].append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
         rows["error"].append(ball_place_error(match))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def error_by_roll_distance(samples: Samples) -> list[float]:
@@ -116,14 +110,12 @@ def error_by_roll_distance(samples: Samples) -> list[float]:
 def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its remembered place (M,) [m]."""
     rng = batch.rng()
+    pose = rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES)
     memory = {"odometry_while_dribbling": update}
-    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0}, memory=memory)
-    put(match, 0, rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES))
-    put_ball(match, *point_ahead(match, 0, POCKET, 0.0))
-    begin_scene(match)
+    match = stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory=memory)
     look_first(match, SEEN)
     blind_cameras(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
     for _ in play(match, PUSHED, actions):
         pass
@@ -143,11 +135,6 @@ def roll_distance_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]", (curve,)),)
 
 
-def error_ratio(samples: Samples, above: str, below: str) -> float:
-    """Return the median of the error `above` divided by the median of the error `below`."""
-    return median(samples[above]) / max(median(samples[below]), 1e-9)
-
-
 S12 = Claim(
     id="S12",
     section="3.1.1",
@@ -155,16 +142,13 @@ S12 = Claim(
     method=f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
     f"{WAY:g} m on an arc of 0 to 90 degrees; error of the believed place at the end, same seeds for each memory.",
     criteria=(
-        measured("full update: median error of the place", lambda samples: 100 * median(samples["place full"]),
-                 unit="cm", at_most=15.0),
-        measured("full update: median error of the bearing", lambda samples: median(samples["bearing full"]),
-                 unit="deg", at_most=10.0),
-        measured("rotation only: error over that of the full update",
-                 lambda samples: error_ratio(samples, "place rotation", "place full"), at_least=3.0),
-        reported("no update: median error of the place", lambda s: 100 * median(s["place none"]), unit="cm"),
-        reported("rotation only: the same", lambda samples: 100 * median(samples["place rotation"]), unit="cm"),
+        measured("full update: median error of the place", "place full", of=median, unit="cm", at_most=15.0),
+        measured("full update: median error of the bearing", "bearing full", of=median, unit="deg", at_most=10.0),
+        measured("rotation only: error over that of the full update", ratio, "place rotation", "place full", median,
+                 at_least=3.0),
+        reported("no update: median error of the place", "place none", of=median, unit="cm"),
+        reported("rotation only: the same", "place rotation", of=median, unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_updates,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
     seconds=1.5,
@@ -180,7 +164,6 @@ S13 = Claim(
         measured("least rise of the median error with the ball's way",
                  lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
     ),
-    rules=STAGED,
     measure=lambda batch: roll_balls(batch, seen=False),
     without=Ablation("a memory that leaves an unseen ball where it was: here it stays in sight",
                     lambda batch: roll_balls(batch, seen=True)),
@@ -197,13 +180,10 @@ S14 = Claim(
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     criteria=(
-        measured(
-            "median error without the update over that with it", lambda s: error_ratio(s, "off", "on"), at_most=0.5
-        ),
-        reported("without the update", lambda samples: 100 * median(samples["off"]), unit="cm"),
-        reported("with the update", lambda samples: 100 * median(samples["on"]), unit="cm"),
+        measured("median error without the update over that with it", ratio, "off", "on", median, at_most=0.5),
+        reported("without the update", "off", of=median, unit="cm"),
+        reported("with the update", "on", of=median, unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_dribbling,
     without=Ablation(
         f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
@@ -212,5 +192,3 @@ S14 = Claim(
     ingredients=("memory.dribbling_distance", "contact of ball and paws"),
     seconds=0.8,
 )
-
-CLAIMS = (S12, S13, S14)

@@ -5,25 +5,14 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    point_ahead,
-    put,
-    put_ball,
-    stage,
-    wrap_angle,
-)
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, stacked, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, look_first
 from soccer_env.train.papers.values import bin_masks, median, middles_of, quantile, rms
 from soccer_env.train.papers.verdicts import Samples, exact, measured
@@ -56,12 +45,8 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     """
     rng = batch.rng()
     count = len(place)
-    distance = CAMERA_AHEAD + place
-    sensors = {"patches": 0.0, **settings.pop("sensors", {})}
-    match = stage(batch, matches=count, actions="full", sensors=sensors, **settings)
-    put(match, 0, rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count))
-    put_ball(match, *point_ahead(match, 0, distance, rng.uniform(-0.7, 0.7, count)))
-    begin_scene(match)
+    pose = rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count)
+    match = stage_ball(batch, *pose, CAMERA_AHEAD + place, rng.uniform(-0.7, 0.7, count), **settings)
     look_first(match, SETTLE)
     rows: dict[str, list[np.ndarray]] = {"true": [], "range": [], "distance": [], "bearing": []}
     for _ in play(match, seconds):
@@ -73,13 +58,7 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
         rows["true"].append(true)
         rows["distance"].append(np.where(seen, ball["distance"] - true, np.nan))
         rows["bearing"].append(np.where(seen, wrap_angle(ball["bearing"] - bearing), np.nan))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
-
-
-def watch_by_old_system(batch: Batch) -> Samples:
-    """Watch balls at random distances up to 60 cm, with the settings of the system that preceded Sacks's work."""
-    return watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD)
+    return stacked(match, rows)
 
 
 def range_figure(samples: Samples) -> Sequence[Figure]:
@@ -103,8 +82,7 @@ S05 = Claim(
                  lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]), unit="%", at_most=10.0),
         measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
-    rules=STAGED,
-    measure=watch_by_old_system,
+    measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD),
     figures=range_figure,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
     seconds=0.7,
@@ -189,7 +167,6 @@ S06 = Claim(
                  at_most=100 * CROSSING[1]),
         measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
-    rules=STAGED,
     measure=compare_size_and_infrared,
     figures=crossing_figure,
     without=Ablation("sensors.infrared_growth = 0: a ranger as good far away as near",
@@ -208,7 +185,7 @@ S15 = Claim(
     statement="A single pixel can change the ball's distance by 5 or 10 cm.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     criteria=tuple(
-        exact(f"range at which a pixel is worth {100 * step:.0f} cm", partial(range_at_step, step=step), unit="cm",
+        exact(f"range at which a pixel is worth {100 * step:.0f} cm", range_at_step, step, unit="cm",
               at_least=100 * low, at_most=100 * high)
         for step, low, high in STEPS
     ),
@@ -220,5 +197,3 @@ S15 = Claim(
     seconds=0.5,
     batches=1,
 )  # fmt: skip
-
-CLAIMS = (S05, S06, S15)

@@ -2,7 +2,6 @@
 
 dribbling.py     Keeping the ball between the paws: step length, angle off straight ahead, a robot in the way.
 or_shoot.py      Dribbling round blockers against the team's former play: orbit and shoot.
-past.py          Dribbling past standing players, and past a walking one.
+past.py          Dribbling past standing players, and past a walking one; how often a dribbler has to decide.
 classes.py       A mover among standing players, by class of situation.
-replanning.py    How often a dribbler has to decide.
 """

@@ -1,6 +1,5 @@
 """Dribbling past a mover among standing players, by class of situation.  [Sacks 2001, 4.2, 4.3.4]"""
 
-from functools import partial
 from math import pi
 from typing import Any
 
@@ -10,7 +9,7 @@ from soccer_env.leagues.league import League
 from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import legged_drill, put_at_distance, send_mover, start_dribble
 from soccer_env.scenes.scene import SceneRandom
-from soccer_env.train.papers.claim import STAGED, Batch, Claim
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.dribble.past import (
     BODIES,
     MATCHES,
@@ -20,7 +19,7 @@ from soccer_env.train.papers.claims.dribble.past import (
     outcome_share,
     play_two_distances,
 )
-from soccer_env.train.papers.drill_runs import PAPER
+from soccer_env.train.papers.dribble_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 
@@ -75,20 +74,18 @@ S64 = Claim(
         measured("clean past one still player, less the best other class", still_player_advantage, unit="%", above=0.0),
         measured("the least other class less mover and still on opposite sides", opposite_sides_disadvantage, unit="%",
                  above=0.0),
-        *(reported(f"clean, {name}", partial(outcome_share, name="clean", columns=i), unit="%")
+        *(reported(f"clean, {name}", outcome_share, "clean", i, unit="%") for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past without a contact that stopped it or turned somebody, {name}", outcome_share, "free", i,
+                   unit="%") for i, (name, _) in enumerate(CLASSES)),
+        *(reported(f"past, touched or not, {name}", outcome_share, "past", i, unit="%")
           for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"past without a contact that stopped it or turned somebody, {name}",
-                   partial(outcome_share, name="free", columns=i), unit="%") for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"past, touched or not, {name}", partial(outcome_share, name="past", columns=i), unit="%")
+        *(reported(f"from the middle: clean, {name}", outcome_share, "middle clean", i, unit="%")
           for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"from the middle: clean, {name}", partial(outcome_share, name="middle clean", columns=i), unit="%")
-          for i, (name, _) in enumerate(CLASSES)),
-        reported("from the middle: one still player less the best other class",
-                 partial(still_player_advantage, name="middle clean"), unit="%"),
-        reported("from the middle: the least other class less opposite sides",
-                 partial(opposite_sides_disadvantage, name="middle clean"), unit="%"),
+        reported("from the middle: one still player less the best other class", still_player_advantage, "middle clean",
+                 unit="%"),
+        reported("from the middle: the least other class less opposite sides", opposite_sides_disadvantage,
+                 "middle clean", unit="%"),
     ),
-    rules=STAGED,
     measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
     note=BODIES,
@@ -102,19 +99,16 @@ S43 = Claim(
     statement="The potential field handles moving obstacles about as well as stationary ones.",
     method=f"The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. {RULES}",
     criteria=(
-        *(reported(f"{where}touched, {text}", partial(outcome_share, name=f"{prefix}touched", columns=i), unit="%")
+        *(reported(f"{where}touched, {text}", outcome_share, f"{prefix}touched", i, unit="%")
           for prefix, where in (("", ""), ("middle ", "from the middle: "))
           for i, text in ((0, "one still player"), (1, "one mover"))),
         *(reported(f"{where}touched, mover less still",
-                   lambda s, name=f"{prefix}touched": outcome_share(s, name, 1) - outcome_share(s, name, 0), unit="%")  # type: ignore[misc]
+                   lambda s, name: outcome_share(s, name, 1) - outcome_share(s, name, 0), f"{prefix}touched", unit="%")
           for prefix, where in (("", ""), ("middle ", "from the middle: "))),
     ),
-    rules=STAGED,
     measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way",),
     note="A report, for the paper gives no measure; S62 to S64 judge. The field has positions alone, no velocities.",
     seconds=8.0,
     batches=2,
 )  # fmt: skip
-
-CLAIMS = (S43, S64)

@@ -10,7 +10,7 @@ from math import pi
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.dribble_runs import (
     COUNTED,
     LOST,
@@ -20,7 +20,8 @@ from soccer_env.train.papers.dribble_runs import (
     record_dribble,
     set_up_dribblers,
 )
-from soccer_env.train.papers.staging import LEGGED, put, stage, standing_actions
+from soccer_env.train.papers.staging import LEGGED, put, stage, still_actions
+from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 64
@@ -74,11 +75,6 @@ def loss_increase(samples: Samples, world: str = "") -> float:
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
-def percent_of_trials(samples: Samples, hits: str, trials: str) -> float:
-    """Return the sum of the samples `hits` divided by the sum of the samples `trials` [%]."""
-    return 100.0 * float(samples[hits].sum()) / max(float(samples[trials].sum()), 1.0)
-
-
 def step_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the balls lost per metre against the step length."""
     centimetres = [100 * step for step in STEPS]
@@ -101,13 +97,12 @@ S51 = Claim(
         measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
         reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
         reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
-        reported("body of one piece: kept over 1 m at 3.5 cm",
-                 lambda s: percent_of_trials(s, "smooth kept at 3.5", "smooth tried at 3.5"), unit="%"),
+        reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5",
+                 "smooth tried at 3.5", unit="%"),
         reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
         reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
-        reported("body of one piece: at 4 cm less twice those at 3.5 cm", lambda s: loss_increase(s, "smooth ")),
+        reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
     ),
-    rules=STAGED,
     measure=measure_in_both_worlds(dribble_steps),
     figures=step_figure,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
@@ -135,7 +130,7 @@ def push_at_angles(batch: Batch, world: str) -> Samples:
 
 def walking_actions(match: object, step: float, angle: np.ndarray) -> np.ndarray:
     """Return actions by which robot 0 walks with steps [m] at angles [degrees] off straight ahead."""
-    actions, drive = standing_actions(match), match.league.drive  # type: ignore[arg-type, attr-defined]
+    actions, drive = still_actions(match), match.league.drive  # type: ignore[arg-type, attr-defined]
     speed = step / (drive.gait_steps * match.league.dt)  # type: ignore[attr-defined]
     actions[:, 0, 0] = speed * np.cos(angle * pi / 180.0) / drive.forward
     actions[:, 0, 1] = speed * np.sin(angle * pi / 180.0) / drive.sideways
@@ -183,12 +178,11 @@ S59 = Claim(
     "reach half of their greatest share. Beside it the same with the body of one piece.",
     criteria=(
         measured("lost at 60 degrees and more, less lost at 45 and less", wide_angle_loss_difference, unit="%",
-            above=10.0),
+                 above=10.0),
         measured("knee", half_loss_angle, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
-        reported("body of one piece: the difference", lambda s: wide_angle_loss_difference(s, "smooth "), unit="%"),
-        reported("body of one piece: the knee", lambda s: half_loss_angle(s, "smooth "), unit="degrees"),
+        reported("body of one piece: the difference", wide_angle_loss_difference, "smooth ", unit="%"),
+        reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
     ),
-    rules=STAGED,
     measure=measure_in_both_worlds(push_at_angles),
     figures=angle_figure,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
@@ -228,14 +222,9 @@ def blocked_time_difference(samples: Samples, world: str = "") -> float:
     return 100.0 * float(by_limit[0] - by_limit[1])
 
 
-def blocked_time_share(samples: Samples, index: int, world: str = "") -> float:
-    """Return the share of time [%] for which the other robot blocks the walk at the angle LIMITS[index]."""
-    return 100.0 * float(samples[f"{world}caught"][:, index].mean())
-
-
-def mean_distance_walked(samples: Samples, index: int, world: str = "") -> float:
-    """Return the mean distance walked [cm] at the angle LIMITS[index]."""
-    return 100.0 * float(samples[f"{world}made"][:, index].mean())
+def mean_at_limit(samples: Samples, name: str, index: int) -> float:
+    """Return the mean of the samples `name` at the angle LIMITS[index], times 100: a share [%], or a distance [cm]."""
+    return 100.0 * float(samples[name][:, index].mean())
 
 
 S60 = Claim(
@@ -248,15 +237,14 @@ S60 = Claim(
     "Beside it the same with the body of one piece.",
     criteria=(
         measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
-        reported("caught at 45 degrees", lambda s: blocked_time_share(s, 0), unit="%"),
-        reported("caught at 55 degrees", lambda s: blocked_time_share(s, 1), unit="%"),
-        reported("distance made at 45 degrees", lambda s: mean_distance_walked(s, 0), unit="cm"),
-        reported("distance made at 55 degrees", lambda s: mean_distance_walked(s, 1), unit="cm"),
-        reported("body of one piece: caught at 45 degrees", lambda s: blocked_time_share(s, 0, "smooth "), unit="%"),
-        reported("body of one piece: caught at 55 degrees", lambda s: blocked_time_share(s, 1, "smooth "), unit="%"),
-        reported("body of one piece: the difference", lambda s: blocked_time_difference(s, "smooth "), unit="%"),
+        reported("caught at 45 degrees", mean_at_limit, "caught", 0, unit="%"),
+        reported("caught at 55 degrees", mean_at_limit, "caught", 1, unit="%"),
+        reported("distance made at 45 degrees", mean_at_limit, "made", 0, unit="cm"),
+        reported("distance made at 55 degrees", mean_at_limit, "made", 1, unit="cm"),
+        reported("body of one piece: caught at 45 degrees", mean_at_limit, "smooth caught", 0, unit="%"),
+        reported("body of one piece: caught at 55 degrees", mean_at_limit, "smooth caught", 1, unit="%"),
+        reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     ),
-    rules=STAGED,
     measure=measure_in_both_worlds(push_past_robot),
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
     note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "
@@ -264,5 +252,3 @@ S60 = Claim(
     seconds=2.0,
     batches=16,
 )  # fmt: skip
-
-CLAIMS = (S51, S59, S60)

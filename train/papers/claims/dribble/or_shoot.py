@@ -1,15 +1,13 @@
 """Dribbling round blockers against the team's former play: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import FROM_MIDDLE
-from soccer_env.train.papers.drill_runs import start_drill
+from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, start_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 
@@ -74,11 +72,6 @@ def dribbling_advantage(samples: Samples, quantity: str, where: str = "", factor
     return factor * float(new - old)
 
 
-def share_of_runs(samples: Samples, name: str, quantity: str = "goals") -> float:
-    """Return the share of runs [%] in which a strategy scores ("goals") or concedes ("against")."""
-    return 100.0 * float(samples[f"{quantity} {name}"].mean())
-
-
 def goal_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of runs with a goal against the time."""
     times = tuple(np.arange(0.0, SECONDS + 1.0, 5.0))
@@ -103,20 +96,17 @@ S31 = Claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody "
     "there.",
     criteria=(
-        measured("goals, dribbling less orbit and shoot, blockers after the ball",
-                 lambda s: dribbling_advantage(s, "goals"), unit="%", above=0.0),
-        *(reported(f"goals, {name}", partial(share_of_runs, name=name), unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", partial(share_of_runs, name=name, quantity="against"), unit="%")
+        measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
+                 unit="%", above=0.0),
+        *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
+        *(reported(f"goals against, {name}", f"against {name}", unit="%")
           for name in (*STRATEGIES, *MORE)),
-        reported("ball's progress, dribbling less orbit and shoot", lambda s: dribbling_advantage(s, "progress"),
-            unit="cm"),
-        reported("blockers stand: goals, dribbling less orbit and shoot", lambda s: dribbling_advantage(s, "goals",
-            " still"),
+        reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
+        reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still",
                  unit="%"),
-        reported("blockers stand: ball's progress, dribbling less orbit and shoot",
-                 lambda s: dribbling_advantage(s, "progress", " still"), unit="cm"),
-        reported("nobody in the way: goals, dribbling less orbit and shoot", lambda s: dribbling_advantage(s,
-            "goals", " alone"),
+        reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
+                 " still", unit="cm"),
+        reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
                  unit="%"),
     ),
     rules=PLAYED,
@@ -128,5 +118,3 @@ S31 = Claim(
     seconds=4.2,
     batches=14,
 )  # fmt: skip
-
-CLAIMS = (S31,)

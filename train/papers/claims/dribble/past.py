@@ -1,11 +1,10 @@
-"""Dribbling past standing players and past a walking one.  [Sacks 2001, 4.3.4]
+"""Dribbling past standing players and past a walking one, and how often to decide.  [Sacks 2001, 4.3.2, 4.3.4]
 
 Verdicts count a player's distance from the camera to its surface, as the sensors gave it (MS42). The runs are repeated
 with distances from middle to middle, which are 25 cm longer for a player straight ahead.
 """
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,11 +12,10 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import player_near_path, starts
 from soccer_env.train.papers.claims.field.robots import run_two_distances
-from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, WAYS
-from soccer_env.train.papers.drill_runs import LONGEST, PAPER, play_drill
+from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, LONGEST, PAPER, WAYS, play_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 Plan = Sequence[tuple[str | Scene, dict[str, Any], float]]  # scene, settings of the team, speed of movers [m/s]
@@ -96,28 +94,23 @@ S62 = Claim(
     method=f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
     criteria=(
         measured("clean, over one to three players", outcome_share, unit="%", at_least=95.0),
-        *(reported(f"clean, {i + 1}", partial(outcome_share, name="clean", columns=i), unit="%") for i in range(3)),
-        reported("past without a contact that stopped it or turned somebody", lambda s: outcome_share(s, "free"),
-            unit="%"),
-        reported("the same, one", lambda s: outcome_share(s, "free", 0), unit="%"),
-        reported("past with the ball, touched or not", lambda s: outcome_share(s, "past"), unit="%"),
-        reported("ball lost", lambda s: outcome_share(s, "lost"), unit="%"),
+        *(reported(f"clean, {i + 1}", outcome_share, "clean", i, unit="%") for i in range(3)),
+        reported("past without a contact that stopped it or turned somebody", outcome_share, "free", unit="%"),
+        reported("the same, one", outcome_share, "free", 0, unit="%"),
+        reported("past with the ball, touched or not", outcome_share, "past", unit="%"),
+        reported("ball lost", outcome_share, "lost", unit="%"),
         reported("one: median distance between middles of bodies at the nearest",
                  lambda s: 100.0 * float(np.median(s["nearest"][:, 0])), unit="cm"),
-        reported("one, ideal senses: clean", lambda s: 100.0 * float(s["clean ideal"].mean()), unit="%"),
-        reported("one, twice k2: clean", lambda s: 100.0 * float(s["clean strong"].mean()), unit="%"),
-        reported("one who stands 90 to 150 cm off at the start: clean", lambda s: 100.0 * float(s["clean afar"].mean()),
-                 unit="%"),
-        reported("from the middle, one who stands 90 to 150 cm off: clean",
-                 lambda s: 100.0 * float(s["middle clean afar"].mean()), unit="%"),
-        reported("from the middle: clean", lambda s: outcome_share(s, "middle clean"), unit="%"),
-        reported("from the middle: clean, one", lambda s: outcome_share(s, "middle clean", 0), unit="%"),
-        reported("from the middle: past without a contact that stopped it or turned somebody",
-                 lambda s: outcome_share(s, "middle free"), unit="%"),
-        reported("from the middle, ideal senses: clean, one",
-                 lambda s: 100.0 * float(s["clean middle ideal"].mean()), unit="%"),
+        reported("one, ideal senses: clean", "clean ideal", unit="%"),
+        reported("one, twice k2: clean", "clean strong", unit="%"),
+        reported("one who stands 90 to 150 cm off at the start: clean", "clean afar", unit="%"),
+        reported("from the middle, one who stands 90 to 150 cm off: clean", "middle clean afar", unit="%"),
+        reported("from the middle: clean", outcome_share, "middle clean", unit="%"),
+        reported("from the middle: clean, one", outcome_share, "middle clean", 0, unit="%"),
+        reported("from the middle: past without a contact that stopped it or turned somebody", outcome_share,
+                 "middle free", unit="%"),
+        reported("from the middle, ideal senses: clean, one", "clean middle ideal", unit="%"),
     ),
-    rules=STAGED,
     measure=dribble_past_still,
     figures=still_figure,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
@@ -171,20 +164,16 @@ S63 = Claim(
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
     criteria=(
-        measured("clean, at 3 and 6 cm/s", lambda s: outcome_share(s, "clean", speed_columns(0.03, 0.06)), unit="%",
-            at_least=80.0),
-        *(reported(f"clean, {100 * speed:.0f} cm/s", partial(outcome_share, name="clean",
-            columns=speed_columns(speed)), unit="%")
+        measured("clean, at 3 and 6 cm/s", outcome_share, "clean", speed_columns(0.03, 0.06), unit="%", at_least=80.0),
+        *(reported(f"clean, {100 * speed:.0f} cm/s", outcome_share, "clean", speed_columns(speed), unit="%")
           for speed in SPEEDS),
-        *(reported(f"clean at 3 and 6 cm/s, {text}", partial(outcome_share, name="clean", columns=drill_columns(i,
-            SLOW)), unit="%")
+        *(reported(f"clean at 3 and 6 cm/s, {text}", outcome_share, "clean", drill_columns(i, SLOW), unit="%")
           for i, text in enumerate(("near at the start", "far at the start", "head-on"))),
-        reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody",
-                 lambda s: outcome_share(s, "free", speed_columns(0.03, 0.06)), unit="%"),
-        reported("past with the ball, touched or not, all speeds", lambda s: outcome_share(s, "past"), unit="%"),
-        reported("from the middle: clean at 3 and 6 cm/s", lambda s: outcome_share(s, "middle clean"), unit="%"),
+        reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody", outcome_share, "free",
+                 speed_columns(0.03, 0.06), unit="%"),
+        reported("past with the ball, touched or not, all speeds", outcome_share, "past", unit="%"),
+        reported("from the middle: clean at 3 and 6 cm/s", outcome_share, "middle clean", unit="%"),
     ),
-    rules=STAGED,
     measure=dribble_past_mover,
     figures=mover_figure,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
@@ -194,4 +183,69 @@ S63 = Claim(
     batches=8,
 )  # fmt: skip
 
-CLAIMS = (S62, S63)
+# How often to decide
+
+REPLANS = (0.125, 0.25, 0.5, 1.0, 2.0)  # [s] between two decisions; the paper's is 0.5
+SCENES = ("dribble-past-two", "dribble-past-mover-far")
+DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a bend
+
+
+def compare_decision_times(batch: Batch) -> Samples:
+    """Dribble past two still players, and past a mover from afar; return means of both by decision time (M, times)."""
+    plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
+    runs, count = play_two_distances(batch, plan, FEWER), len(REPLANS)
+    return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in runs.items()}
+
+
+def fitted_clean_share(samples: Samples, *times: float, name: str = "clean") -> float:
+    """Return the mean clean share [%] at the given decision intervals, on the curve fitted over all intervals."""
+    curve = np.polyfit(np.log2(REPLANS), 100.0 * samples[name].mean(axis=0), DEGREE)
+    return float(np.polyval(curve, np.log2(times)).mean())
+
+
+def fast_decisions_gain(samples: Samples, name: str = "clean") -> float:
+    """Return the fitted share [%] at decision intervals of 1/8 and 1/4 s (mean) minus the fitted share at 1/2 s."""
+    return fitted_clean_share(samples, 0.125, 0.25, name=name) - fitted_clean_share(samples, 0.5, name=name)
+
+
+def half_second_gain(samples: Samples, name: str = "clean") -> float:
+    """Return the fitted share [%] at a decision interval of 1/2 s minus the fitted share at 1 s."""
+    return fitted_clean_share(samples, 0.5, name=name) - fitted_clean_share(samples, 1.0, name=name)
+
+
+def replan_figure(samples: Samples) -> Sequence[Figure]:
+    """Plot the shares of runs by outcome against the time between decisions, and the fitted curve."""
+    curves = [
+        Curve(text, REPLANS, list(100.0 * samples[name].mean(axis=0)))
+        for name, text in (("clean", "without a touch"), ("past", "past"), ("middle clean", "from the middle"))
+    ]
+    times = np.geomspace(REPLANS[0], REPLANS[-1], 33)
+    curves.append(Curve("without a touch, curve", list(times), [fitted_clean_share(samples, time) for time in times]))
+    return (Figure("Dribbling by the time between decisions", "time [s]", "runs [%]", tuple(curves)),)
+
+
+S52 = Claim(
+    id="S52",
+    section="4.3.2",
+    statement="Half a second between recalculations suits steps that take half a second.",
+    method=f"{FEWER} runs a batch past two still players and past a mover, with decisions every "
+    f"{', '.join(f'{time:g}' for time in REPLANS)} s; a curve of degree {DEGREE} in the logarithm of the time is "
+    f"fitted to the clean share. {RULES}",
+    criteria=(
+        measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", fast_decisions_gain, unit="%",
+                 at_most=5.0),
+        measured("curve at 0.5 s less at 1 s", half_second_gain, unit="%", above=0.0),
+        *(reported(f"clean at {time:g} s", outcome_share, "clean", REPLANS.index(time), unit="%")
+          for time in REPLANS),
+        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", fast_decisions_gain, "middle clean",
+                 unit="%"),
+        reported("from the middle: curve at 0.5 s less at 1 s", half_second_gain, "middle clean", unit="%"),
+    ),
+    measure=compare_decision_times,
+    figures=replan_figure,
+    ingredients=("gait steps of half a second: a decision takes effect when one begins",),
+    note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "
+    "A second is only two steps, 7 cm.",
+    seconds=8.0,
+    batches=7,
+)  # fmt: skip

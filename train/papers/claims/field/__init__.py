@@ -4,13 +4,11 @@ Points have neither camera nor surface: their distances count from middle to mid
 from camera to surface, as the sensors gave them (MS42), and for comparison from middle to middle.
 
 constants.py     The constants of the potential field, and the transfer of constants from points to robots.
-cost.py          The computing time of the field.
 forces.py        The forces of the potential field: exponents, the goal's pull, the cosine, walls.
 minima.py        Local minima and remaining indecision, in the point simulator and in the full one.
 movers.py        A stronger preference for the present side, with moving players.
-numbers.py       The numbers of the potential field: zero forces, unit forces, players and walls.
+numbers.py       The numbers of the potential field: zero forces, unit forces, players and walls; computing time.
 paths.py         Paths through the potential field: steadiness, retreat, indecision.
-point_runs.py    The results of runs of points: paths, changes of side, clearances, arrivals.
 point_world.py   The point-mass simulator that the author tried first, with the team's own forces and steering.
 points.py        Scenes of the point simulator: a dribbler on its way to the goal, and players in its way.
 robots.py        The scenes of the point simulator with robots, ball and sensors: the full simulator.

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.movers import SPEEDS, approaching_player
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, player_near_path, run_points, starts
 from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
@@ -22,16 +22,12 @@ NEARLY = 10.0  # [pp] below the best success: a constant suffices within this di
 FINE = 201  # points of a fitted curve
 KINDS = ("standing", "moving")
 AXES = {"k2": GAINS, "x0": RANGES}
+SETTINGS = {"k2": "player_gain", "x0": "player_range"}  # of the team
 
 
 def scenes(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Draw starts and two kinds of players: standing up to 25 cm beside the path, or coming straight at the start."""
     return starts(rng), {"standing": player_near_path(rng, 0.0, 0.25), "moving": approaching_player(rng)}
-
-
-def constant_setting(axis: str, value: float) -> dict[str, Any]:
-    """Return the team settings that set one constant, the gain ("k2") or the range, to a value."""
-    return {"player_gain" if axis == "k2" else "player_range": value}
 
 
 def vary_each_constant(batch: Batch) -> Samples:
@@ -42,11 +38,11 @@ def vary_each_constant(batch: Batch) -> Samples:
         at_paper = robots_succeed(batch, start, crowd, {}, FEW)
         for axis, values in AXES.items():
             for value in values:
-                play = constant_setting(axis, value)
+                play = {SETTINGS[axis]: value}
                 runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
                 samples[f"points {kind} {axis} {value:g}"] = is_clean(runs).astype(float)
             for value in TRIED[axis]:
-                play = constant_setting(axis, value)
+                play = {SETTINGS[axis]: value}
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
                 samples |= {f"{prefix}robots {kind} {axis} {value:g}": clean for prefix, clean in robots.items()}
     return samples
@@ -79,11 +75,6 @@ def moving_over_standing_value(samples: Samples, who: str, axis: str) -> float:
     return least_sufficient_value(samples, who, "moving", axis) / least_sufficient_value(samples, who, "standing", axis)
 
 
-def success_with_paper_constants(samples: Samples, who: str, kind: str) -> float:
-    """Return the share of clean runs [%] with the paper's constants."""
-    return 100 * mean(samples[f"{who} {kind} k2 {PAPER[0]:g}"])
-
-
 def line_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the share of clean runs against each constant, for points and for robots."""
     return [
@@ -113,32 +104,27 @@ S53 = Claim(
     f"{NEARLY:.0f} points of its best.",
     criteria=(
         *(
-            measured(f"{who}: least sufficient {axis}, moving over standing", partial(moving_over_standing_value,
-                who=who, axis=axis),
+            measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
                      above=1.0)
             for who in ("points", "robots")
             for axis in AXES
         ),
         *(
-            reported(f"{who}: least sufficient {axis}, {kind}",
-                     partial(least_sufficient_value, who=who, kind=kind, axis=axis), unit="m")
+            reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
             for who in ("points", "robots")
             for axis in AXES
             for kind in KINDS
         ),
         *(
-            reported(f"{who}, {kind}: success with the paper's", partial(success_with_paper_constants, who=who,
-                kind=kind), unit="%")
+            reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
             for who in ("points", "robots", "middle robots")
             for kind in KINDS
         ),
         *(
-            reported(f"robots, distances from the middle: {axis}", partial(moving_over_standing_value,
-                who="middle robots", axis=axis))
+            reported(f"robots, distances from the middle: {axis}", moving_over_standing_value, "middle robots", axis)
             for axis in AXES
         ),
     ),
-    rules=STAGED,
     measure=vary_each_constant,
     seconds=12.0,
     least=2,
@@ -198,30 +184,26 @@ S65 = Claim(
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
     criteria=(
-        reported("clean passes, points less robots, constants of the points", partial(success_drop, name="tuned"),
+        reported("clean passes, points less robots, constants of the points", success_drop, "tuned", unit="pp"),
+        reported("the same with the paper's constants", success_drop, "paper", unit="pp"),
+        reported("tuned past standing players alone: the same there",
+                 partial(success_drop, name="short", kinds=KINDS[:1]), unit="pp"),
+        reported("distances from the middle: constants of the points", success_drop, "tuned", "middle robots",
                  unit="pp"),
-        reported("the same with the paper's constants", partial(success_drop, name="paper"), unit="pp"),
-        reported("tuned past standing players alone: the same there", partial(success_drop, name="short",
-            kinds=KINDS[:1]),
-                 unit="pp"),
-        reported("distances from the middle: constants of the points",
-                 partial(success_drop, name="tuned", who="middle robots"), unit="pp"),
-        reported("distances from the middle: the paper's constants",
-                 partial(success_drop, name="paper", who="middle robots"), unit="pp"),
-        reported("distances from the middle: tuned past standing players alone",
-                 partial(success_drop, name="short", who="middle robots", kinds=KINDS[:1]), unit="pp"),
-        reported("k2 tuned past standing players alone", lambda s: mean(s["short gain"]), unit="m"),
-        reported("x0 tuned past standing players alone", lambda s: mean(s["short range"]), unit="m"),
-        reported("k2 tuned with points", lambda s: mean(s["gain"]), unit="m"),
-        reported("x0 tuned with points", lambda s: mean(s["range"]), unit="m"),
+        reported("distances from the middle: the paper's constants", success_drop, "paper", "middle robots", unit="pp"),
+        reported("distances from the middle: tuned past standing players alone", success_drop, "short", "middle robots",
+                 KINDS[:1], unit="pp"),
+        reported("k2 tuned past standing players alone", "short gain", unit="m"),
+        reported("x0 tuned past standing players alone", "short range", unit="m"),
+        reported("k2 tuned with points", "gain", unit="m"),
+        reported("x0 tuned with points", "range", unit="m"),
         *(
-            reported(f"{who}, {kind}, {title}", partial(clean_share, who=who, name=name, kinds=(kind,)), unit="%")
+            reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
             for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
             for who in ("points", "robots")
             for kind in KINDS
         ),
     ),
-    rules=STAGED,
     measure=compare_tuned_constants,
     seconds=8.0,
     least=3,
@@ -230,5 +212,3 @@ S65 = Claim(
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
     "than the paper's; tuned past standing players alone they get by with weak ones.",
 )  # fmt: skip
-
-CLAIMS = (S53, S65)

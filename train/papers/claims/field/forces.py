@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import (
     FIELD,
@@ -96,13 +96,11 @@ S44 = Claim(
                  lambda samples: float(np.diff(medians_by_exponent(samples, "peak", DEGREES)).min()), unit="deg",
                  above=0.0),
         *(
-            reported(f"exponent {n}: first reaction", partial(median_for_exponent, n=n, name="onset", scale=100.0),
-                unit="cm")
+            reported(f"exponent {n}: first reaction", median_for_exponent, n, "onset", 100.0, unit="cm")
             for n in EXPONENTS
         ),
         *(
-            reported(f"exponent {n}: greatest turn", partial(median_for_exponent, n=n, name="peak", scale=DEGREES),
-                unit="deg")
+            reported(f"exponent {n}: greatest turn", median_for_exponent, n, "peak", DEGREES, unit="deg")
             for n in EXPONENTS
         ),
     ),
@@ -130,8 +128,7 @@ def compare_reactions(batch: Batch, **play: Any) -> Samples:
 
 def reaction_difference(samples: Samples, kind: str) -> np.ndarray:
     """Return the absolute difference (M,) [degrees] between reactions near the goal and far from the goal."""
-    values: np.ndarray = np.abs(samples[f"{kind} near"] - samples[f"{kind} far"])
-    return values
+    return np.asarray(np.abs(samples[f"{kind} near"] - samples[f"{kind} far"]))
 
 
 S46 = Claim(
@@ -144,7 +141,7 @@ S46 = Claim(
         measured("unit force: greatest difference", lambda s: float(reaction_difference(s, "unit").max()), unit="deg",
                  at_most=1e-6),
         reported("proportional force: mean difference", lambda s: mean(reaction_difference(s, "proportional")),
-            unit="deg"),
+                 unit="deg"),
         reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
         reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
     ),
@@ -197,25 +194,22 @@ S47 = Claim(
     f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
     criteria=(
-        measured("deviation is less by (medians)", lambda s: cosine_reduction(s, "deviation"), unit="%", at_least=20.0),
+        measured("deviation is less by (medians)", cosine_reduction, "deviation", unit="%", at_least=20.0),
         measured("collisions with the factor less those without",
                  lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
-        reported("deviation with the factor", lambda s: 100 * median(s["deviation with"]), unit="cm"),
-        reported("deviation without", lambda s: 100 * median(s["deviation without"]), unit="cm"),
-        measured("robots: deviation is less by (medians)", lambda s: cosine_reduction(s, "robots deviation"), unit="%",
+        reported("deviation with the factor", "deviation with", of=median, unit="cm"),
+        reported("deviation without", "deviation without", of=median, unit="cm"),
+        measured("robots: deviation is less by (medians)", cosine_reduction, "robots deviation", unit="%",
                  at_least=20.0),
-        reported("robots: clean with the factor", lambda s: 100 * mean(s["robots clean with"]), unit="%"),
-        reported("robots: clean without", lambda s: 100 * mean(s["robots clean without"]), unit="%"),
-        reported("robots, distances from the middle: deviation is less by",
-                 lambda s: cosine_reduction(s, "middle robots deviation"), unit="%"),
+        reported("robots: clean with the factor", "robots clean with", unit="%"),
+        reported("robots: clean without", "robots clean without", unit="%"),
+        reported("robots, distances from the middle: deviation is less by", cosine_reduction, "middle robots deviation",
+                 unit="%"),
         reported("extra length of the path is less by",
                  lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_cosine_factor,
     seconds=4.0,
     batches=6,
     figures=cosine_figures,
 )  # fmt: skip
-
-CLAIMS = (S44, S46, S47)

@@ -1,12 +1,11 @@
 """Local minima and remaining indecision, in the point simulator and in the full one.  [Sacks 2001, 4.3.3, 5]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, gap_with_third_player, side_change_share
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
@@ -52,8 +51,7 @@ def compare_angle_limits(batch: Batch) -> Samples:
 def has_trouble(samples: Samples, who: str, scene: str, limit: str) -> np.ndarray:
     """Return for each run (M,) 1 if it stalls or retreats, 0 if not, and NaN if it is not played."""
     stalls, retreats = (samples[f"{who} {scene}, limit {limit}: {kind}"] for kind in ("stalls", "retreats"))
-    worse: np.ndarray = np.maximum(stalls, retreats)
-    return worse
+    return np.maximum(stalls, retreats)
 
 
 def trouble_share(samples: Samples, who: str, limit: str, scenes: Sequence[str] = ("head-on", "gap")) -> float:
@@ -86,30 +84,23 @@ S54 = Claim(
     f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
     f"{SECONDS:.0f} s (robots).",
     criteria=(
-        measured("points without limits that stall or retreat", partial(trouble_share, who="points", limit="off"),
-            unit="%",
+        measured("points without limits that stall or retreat", trouble_share, "points", "off", unit="%",
                  above=SOMETIMES),
-        measured("robots that do so: without limits less with them", partial(trouble_without_limits, who="robots"),
-            unit="pp",
+        measured("robots that do so: without limits less with them", trouble_without_limits, "robots", unit="pp",
                  above=SOMETIMES),
-        reported("points with the limits", partial(trouble_share, who="points", limit="on"), unit="%"),
+        reported("points with the limits", trouble_share, "points", "on", unit="%"),
         *(
-            reported(f"{who} without limits, {scene}", partial(trouble_share, who=who, limit="off", scenes=(scene,)),
-                unit="%")
+            reported(f"{who} without limits, {scene}", trouble_share, who, "off", (scene,), unit="%")
             for who in ("points", "robots")
             for scene in ("head-on", "gap")
         ),
         *(
-            reported(f"robots with the limits, {scene}", partial(trouble_share, who="robots", limit="on",
-                scenes=(scene,)),
-                     unit="%")
+            reported(f"robots with the limits, {scene}", trouble_share, "robots", "on", (scene,), unit="%")
             for scene in ("head-on", "gap")
         ),
-        reported("robots, distances from the middle: the same difference", partial(trouble_without_limits,
-            who="middle robots"),
+        reported("robots, distances from the middle: the same difference", trouble_without_limits, "middle robots",
                  unit="pp"),
     ),
-    rules=STAGED,
     measure=compare_angle_limits,
     seconds=9.0,
     batches=6,
@@ -151,23 +142,19 @@ S68 = Claim(
     f"gap of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near it, all of the paper's "
     "rules on; changes between more than 20 degrees left of the goal and as much right of it.",
     criteria=(
-        measured("points: runs with a change of side", partial(side_change_share, name="points all rules"), unit="%",
-            above=LEFT),
-        measured("robots: runs with a change of side", partial(side_change_share, name="robots all rules"), unit="%",
-            above=LEFT),
-        reported("points: changes of side in a run (mean)", lambda s: mean(s["points all rules"])),
-        reported("robots: changes of side in a run (mean)", lambda s: mean(s["robots all rules"])),
-        reported("points that are decisive (mean)", lambda s: mean(s["points decisive"])),
-        reported("robots that are decisive (mean)", lambda s: mean(s["robots decisive"])),
-        reported("robots that see all (ideal senses) (mean)", lambda s: mean(s["robots that see all"])),
-        reported("robots that pass and touch nobody", lambda s: 100 * mean(s["clean all rules"]), unit="%"),
-        reported("the same of decisive ones", lambda s: 100 * mean(s["clean decisive"]), unit="%"),
-        reported("robots, distances from the middle: runs with a change of side",
-                 partial(side_change_share, name="middle robots all rules"), unit="%"),
-        reported("robots, distances from the middle: that pass and touch nobody",
-                 lambda s: 100 * mean(s["middle clean all rules"]), unit="%"),
+        measured("points: runs with a change of side", side_change_share, "points all rules", unit="%", above=LEFT),
+        measured("robots: runs with a change of side", side_change_share, "robots all rules", unit="%", above=LEFT),
+        reported("points: changes of side in a run (mean)", "points all rules"),
+        reported("robots: changes of side in a run (mean)", "robots all rules"),
+        reported("points that are decisive (mean)", "points decisive"),
+        reported("robots that are decisive (mean)", "robots decisive"),
+        reported("robots that see all (ideal senses) (mean)", "robots that see all"),
+        reported("robots that pass and touch nobody", "clean all rules", unit="%"),
+        reported("the same of decisive ones", "clean decisive", unit="%"),
+        reported("robots, distances from the middle: runs with a change of side", side_change_share,
+                 "middle robots all rules", unit="%"),
+        reported("robots, distances from the middle: that pass and touch nobody", "middle clean all rules", unit="%"),
     ),
-    rules=STAGED,
     measure=count_side_changes,
     seconds=7.0,
     batches=6,
@@ -176,6 +163,3 @@ S68 = Claim(
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",
 )  # fmt: skip
-
-
-CLAIMS = (S54, S68)

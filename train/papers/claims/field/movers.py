@@ -1,7 +1,6 @@
 """A stronger preference for the present side, with moving players.  [Sacks 2001, 4.3.3]"""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -63,26 +62,17 @@ def crossing_player(rng: np.random.Generator) -> np.ndarray:
 def velocities_towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """Return velocities (M, 2) from places towards goals, with random speeds within SPEEDS."""
     way = goal - place
-    velocity: np.ndarray = way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1))
-    return velocity
+    return np.asarray(way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1)))
 
 
-def collisions_by_value(
-    samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS
-) -> list[float]:
-    """Return the share of runs with a collision [%] at each value of the setting `name`, over classes of scenes."""
-    return [100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes]) for value in values]
-
-
-def collisions_at_patience(samples: Samples, n: int) -> float:
-    """Return the share of runs with a collision [%] at a patience of `n` decisions."""
-    return collisions_by_value(samples, "patience", (n,))[0]
+def collision_share(samples: Samples, name: str, value: float, scenes: Sequence[str] = PAPERS) -> float:
+    """Return the share of runs with a collision [%] at a value of the setting `name`, over classes of scenes."""
+    return 100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes])
 
 
 def collision_increase(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
     """Return the share of runs with a collision [pp] at the last value minus the share at the first value."""
-    shares = collisions_by_value(samples, name, values, scenes)
-    return shares[-1] - shares[0]
+    return collision_share(samples, name, values[-1], scenes) - collision_share(samples, name, values[0], scenes)
 
 
 def collision_figures(samples: Samples) -> Sequence[Figure]:
@@ -93,7 +83,7 @@ def collision_figures(samples: Samples) -> Sequence[Figure]:
         ("keep_side_angle", ANGLES, "angle beyond which the side is kept [degrees]"),
     ):
         curves = [
-            Curve(title, list(values), collisions_by_value(samples, name, values, (key,)))
+            Curve(title, list(values), [collision_share(samples, name, value, (key,)) for value in values])
             for key, title in MOVERS.items()
         ]
         figures.append(Figure("Collisions with movers", label, "runs with a collision [%]", tuple(curves)))
@@ -110,17 +100,14 @@ S58 = Claim(
     f"last for {', '.join(map(str, PATIENCE))} decisions before it is made; beside it the side is kept beyond smaller "
     "angles than 135 degrees.",
     criteria=(
-        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", lambda s: collision_increase(s,
-            "patience", PATIENCE),
+        measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
                  unit="pp", above=0.0),
-        *(reported(f"collisions at {n} decisions", partial(collisions_at_patience, n=n), unit="%") for n in PATIENCE),
+        *(reported(f"collisions at {n} decisions", collision_share, "patience", n, unit="%") for n in PATIENCE),
         *(
-            reported(f"{title}: rise", partial(collision_increase, name="patience", values=PATIENCE, scenes=(key,)),
-                unit="pp")
+            reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
             for key, title in MOVERS.items()
         ),
-        reported("side kept beyond 0 degrees less beyond 135", partial(collision_increase, name="keep_side_angle",
-            values=ANGLES),
+        reported("side kept beyond 0 degrees less beyond 135", collision_increase, "keep_side_angle", ANGLES,
                  unit="pp"),
     ),
     rules=NO_MATCH,
@@ -131,5 +118,3 @@ S58 = Claim(
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
 )  # fmt: skip
-
-CLAIMS = (S58,)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import (
     BLOBS,
@@ -60,13 +60,13 @@ S45 = Claim(
     f"of {100 * NOISE:.0f} %, a false blob in {100 * BLOBS:.0f} % of the decisions; rms change of direction from step "
     "to step with the cut-off at 1 m and without, k2 then such that a force is 1 at the same distance as with it.",
     criteria=(
-        measured("jitter is less by (means)", partial(less_jitter, seen="noise and blobs"), unit="%", above=0.0),
-        reported("jitter with the cut-off", lambda s: mean(s["noise and blobs with"]), unit="deg"),
-        reported("jitter without", lambda s: mean(s["noise and blobs without"]), unit="deg"),
-        reported("less by, noise alone", partial(less_jitter, seen="noise"), unit="%"),
-        reported("less by, false blobs alone", partial(less_jitter, seen="blobs"), unit="%"),
-        reported("less by, against the same k2 without the cut-off",
-                 partial(less_jitter, seen="noise and blobs", other="unmatched"), unit="%"),
+        measured("jitter is less by (means)", less_jitter, "noise and blobs", unit="%", above=0.0),
+        reported("jitter with the cut-off", "noise and blobs with", unit="deg"),
+        reported("jitter without", "noise and blobs without", unit="deg"),
+        reported("less by, noise alone", less_jitter, "noise", unit="%"),
+        reported("less by, false blobs alone", less_jitter, "blobs", unit="%"),
+        reported("less by, against the same k2 without the cut-off", less_jitter, "noise and blobs", "unmatched",
+                 unit="%"),
     ),
     rules=NO_MATCH,
     measure=compare_cut_off,
@@ -98,7 +98,7 @@ S55 = Claim(
     f"{100 * NOISE:.0f} %; steps after which the goal is farther away.",
     criteria=(
         measured("steps away from the goal", lambda s: float(s["away"].sum()), at_most=0.0),
-        reported("runs that arrive", lambda s: 100 * mean(s["arrived"]), unit="%"),
+        reported("runs that arrive", "arrived", unit="%"),
     ),
     rules=NO_MATCH,
     measure=steps_away,
@@ -188,11 +188,11 @@ S56 = Claim(
     "between their middles, square to their way and within 5 cm of it, nothing but the 70 degrees limit; changes "
     "between more than 20 degrees left of the goal and as much right of it.",
     criteria=(
-        measured("changes of side in a run (mean)", lambda s: mean(s["limit"]), at_least=10.0),
-        reported("changes of side in a run (median)", lambda s: median(s["limit"])),
-        reported("with range noise (mean)", lambda s: mean(s["limit noisy"])),
+        measured("changes of side in a run (mean)", "limit", at_least=10.0),
+        reported("changes of side in a run (median)", "limit", of=median),
+        reported("with range noise (mean)", "limit noisy"),
         reported("runs with 10 or more", lambda s: 100 * mean(s["limit"] >= 10), unit="%"),
-        reported("gap up to 20 degrees askew: in a run (mean)", lambda s: mean(s["limit askew"])),
+        reported("gap up to 20 degrees askew: in a run (mean)", "limit askew"),
         reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
     ),
     rules=NO_MATCH,
@@ -217,41 +217,24 @@ S57 = Claim(
             partial(side_change_ratio, seen=" noisy"),
             at_least=5.0,
         ),
-        measured(
-            "runs with a change of side, with the rule",
-            partial(side_change_share, name="rule noisy"),
-            unit="%",
-            above=5.0,
-        ),
-        reported("changes of side in a run with the rule (mean)", lambda s: mean(s["rule noisy"])),
-        reported("without noise: changes without the rule (mean)", lambda s: mean(s["limit"])),
-        reported("without noise: changes with it (mean)", lambda s: mean(s["rule"])),
+        measured("runs with a change of side, with the rule", side_change_share, "rule noisy", unit="%", above=5.0),
+        reported("changes of side in a run with the rule (mean)", "rule noisy"),
+        reported("without noise: changes without the rule (mean)", "limit"),
+        reported("without noise: changes with it (mean)", "rule"),
         reported(
             "gap up to 20 degrees askew: without the rule over with it", partial(side_change_ratio, seen=" noisy askew")
         ),
         reported("harder set: without the rule over with it", partial(side_change_ratio, seen=" hard")),
-        reported("harder set: changes with the rule (mean)", lambda s: mean(s["rule hard"])),
-        measured(
-            "robots: changes without the rule over those with it",
-            partial(side_change_ratio, who="robots "),
-            at_least=5.0,
-        ),
-        reported("robots: changes with the rule (mean)", lambda s: mean(s["robots rule"])),
-        reported("robots that pass and touch nobody, with the rule", lambda s: 100 * mean(s["clean rule"]), unit="%"),
-        reported("robots that do so without the rule", lambda s: 100 * mean(s["clean limit"]), unit="%"),
-        reported(
-            "robots, distances from the middle: without over with", partial(side_change_ratio, who="middle robots ")
-        ),
-        reported(
-            "robots, distances from the middle: clean with it", lambda s: 100 * mean(s["middle clean rule"]), unit="%"
-        ),
+        reported("harder set: changes with the rule (mean)", "rule hard"),
+        measured("robots: changes without the rule over those with it", side_change_ratio, "robots ", at_least=5.0),
+        reported("robots: changes with the rule (mean)", "robots rule"),
+        reported("robots that pass and touch nobody, with the rule", "clean rule", unit="%"),
+        reported("robots that do so without the rule", "clean limit", unit="%"),
+        reported("robots, distances from the middle: without over with", side_change_ratio, "middle robots "),
+        reported("robots, distances from the middle: clean with it", "middle clean rule", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_gaps_with_robots,
     seconds=6.0,
     batches=6,
     figures=gap_figures,
 )
-
-
-CLAIMS = (S45, S55, S56, S57)

@@ -12,8 +12,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.train.papers.claim import Arrows, Curve, Figure
-from soccer_env.train.papers.claims.field.point_runs import PointRuns
-from soccer_env.train.papers.claims.field.point_world import PointWorld, players
+from soccer_env.train.papers.claims.field.point_world import PointRuns, PointWorld, players
 from soccer_env.train.papers.staging import LEGGED
 
 SCENES = 256  # of a batch
@@ -58,14 +57,12 @@ def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: 
 
 def collided(runs: PointRuns) -> np.ndarray:
     """Tell in which runs the bodies would have touched (M,)."""
-    hit: np.ndarray = runs.clearance < TOUCH
-    return hit
+    return runs.clearance < TOUCH
 
 
 def is_clean(runs: PointRuns) -> np.ndarray:
     """Tell in which runs the dribbler came to the goal and touched nobody (M,)."""
-    clean: np.ndarray = runs.arrived & ~collided(runs)
-    return clean
+    return np.asarray(runs.arrived & ~collided(runs))
 
 
 def draw_field(title: str, crowd: np.ndarray, paths: dict[str, np.ndarray], **play: Any) -> Figure:

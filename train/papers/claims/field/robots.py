@@ -10,10 +10,10 @@ from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.field.point_runs import SIDE
+from soccer_env.train.papers.claims.field.point_world import SIDE
 from soccer_env.train.papers.claims.field.points import SCENES
 from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, DribbleRecord, place_with_ball, record_dribble
-from soccer_env.train.papers.staging import put, stage, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import put, stage, still_actions, wrap_angle
 
 ROBOTS = 24  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
@@ -31,26 +31,22 @@ class RobotRuns:
     @property
     def passed(self) -> np.ndarray:
         """Tell in which steps each dribbler has passed the others, now or before (T, M)."""
-        there: np.ndarray = np.maximum.accumulate((self.way.x > PASSED) | self.way.goal, axis=0)
-        return there
+        return np.maximum.accumulate((self.way.x > PASSED) | self.way.goal, axis=0)
 
     @property
     def arrived(self) -> np.ndarray:
         """Tell which dribblers passed the others (M,)."""
-        arrived: np.ndarray = self.passed[-1]
-        return arrived
+        return np.asarray(self.passed[-1])
 
     @property
     def collided(self) -> np.ndarray:
         """Tell which dribblers touched another robot before they had passed (M,)."""
-        touched: np.ndarray = (self.way.touches & ~self.passed).any(axis=0)
-        return touched
+        return np.asarray((self.way.touches & ~self.passed).any(axis=0))
 
     @property
     def is_clean(self) -> np.ndarray:
         """Tell which dribblers passed the others without a touch (M,)."""
-        clean: np.ndarray = self.arrived & ~self.collided
-        return clean
+        return np.asarray(self.arrived & ~self.collided)
 
     @property
     def flips(self) -> np.ndarray:
@@ -68,16 +64,14 @@ class RobotRuns:
         x, y = self.way.x, self.way.y
         to_x, to_y = GOAL_X - x[0], -y[0]
         across = np.abs(to_x * (y - y[0]) - to_y * (x - x[0])) / np.hypot(to_x, to_y)
-        greatest: np.ndarray = np.where(self.passed, 0.0, across).max(axis=0)
-        return greatest
+        return np.asarray(np.where(self.passed, 0.0, across).max(axis=0))
 
     @property
     def retreat(self) -> np.ndarray:
         """Return by how far each dribbler falls back from the goal at most, before it passes the others (M,) [m]."""
         distance = np.hypot(GOAL_X - self.way.x, self.way.y)
         back = np.where(self.passed, 0.0, distance - np.minimum.accumulate(distance, axis=0))
-        worst: np.ndarray = back.max(axis=0)
-        return worst
+        return np.asarray(back.max(axis=0))
 
 
 def pad_with_nan(values: np.ndarray) -> np.ndarray:
@@ -101,7 +95,7 @@ def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str =
     team = make_team("sacks-2001", **{**NO_SHOTS, **play})
     match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
     place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
-    actions = standing_actions(match)
+    actions = still_actions(match)
     for i in range(others):
         one = crowd[:, i]
         speed = np.hypot(one["vx"], one["vy"])

@@ -3,6 +3,5 @@
 shots.py      shots at the goalkeeper, at its far and near post
 places.py     the goalkeeper's place, and its ways to the ball
 saves.py      saves of the passive and the active goalkeeper, and their dependence on the track of the ball
-passes.py     balls that roll past a player: interception with each base, and after each kick
-cycles.py     how often a player decides
+passes.py     balls that roll past a player: with each base, after each kick, with each decision cycle
 """

@@ -1,4 +1,4 @@
-"""Balls that roll past a player, and passes: interception with each base, and after each kick.  [H. 2006, 1, 2]"""
+"""Balls that roll past a player, and passes: with each base, after each kick, with each cycle.  [H. 2006, 1, 2]"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,10 +11,10 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
-from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, standing_actions
-from soccer_env.train.papers.values import bin_masks, mean, median, middles_of
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, still_actions
+from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 BALLS = 48  # of a batch
@@ -80,24 +80,15 @@ def prefix_names(prefix: str, samples: Samples) -> Samples:
     return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
 
 
-def compare_velocity_use(batch: Batch) -> Samples:
-    """Return the results of `receive` for a player that uses the ball's velocity, and for a player that does not."""
-    return prefix_names("with", receive(batch, {})) | prefix_names("without", receive(batch, {"intercepts": False}))
-
-
-def got(samples: Samples, name: str) -> float:
-    """Return the share of balls that the player receives [%]."""
-    return 100.0 * mean(samples[f"{name} got"])
+def got_more(samples: Samples, name: str, other: str) -> float:
+    """Return the share of balls that a player receives minus the share that another receives [%]."""
+    return 100 * mean(samples[f"{name} got"]) - 100 * mean(samples[f"{other} got"])
 
 
 def received_share_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of received balls against their speed."""
-    edges = (1.0, 1.5, 2.0, 2.5, 3.0)
-    names, inside = {"with": "with the ball's velocity", "without": "without"}, bin_masks(samples["speed"], edges)
-    curves = tuple(
-        Curve(text, middles_of(edges), [100 * mean(samples[f"{name} got"][there]) for there in inside])
-        for name, text in names.items()
-    )
+    names, edges = {"with got": "with the ball's velocity", "without got": "without"}, (1.0, 1.5, 2.0, 2.5, 3.0)
+    curves = curves_by_bin(samples, names, samples["speed"], edges, mean, place_scale=1.0)
     return (Figure("Passes received", "speed of the ball [m/s]", "received [%]", curves),)
 
 
@@ -107,14 +98,15 @@ H24 = Claim(
     statement="A pass receiver uses the ball's velocity to intercept it.",
     method=f"{BALL_TEXT}; with the ball's velocity, and going to where the ball is.",
     criteria=(
-        measured("more balls are had, of 100", lambda s: got(s, "with") - got(s, "without"), above=5.0),
-        reported("with the velocity", lambda s: got(s, "with"), unit="%"),
-        reported("without it", lambda s: got(s, "without"), unit="%"),
+        measured("more balls are had, of 100", got_more, "with", "without", above=5.0),
+        reported("with the velocity", "with got", unit="%"),
+        reported("without it", "without got", unit="%"),
         reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
-    rules=STAGED,
-    measure=compare_velocity_use,
+    measure=lambda batch: (
+        prefix_names("with", receive(batch, {})) | prefix_names("without", receive(batch, {"intercepts": False}))
+    ),
     seconds=5.0,
     batches=6,
     figures=received_share_figure,
@@ -136,16 +128,15 @@ H01 = Claim(
     statement="Omnidirectional robots of 2.6 m/s replaced Pioneers of 1.6 m/s to stay competitive.",
     method=f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
     criteria=(
-        measured("more balls are had, of 100", lambda s: got(s, "fast") - got(s, "old"), above=5.0),
+        measured("more balls are had, of 100", got_more, "fast", "old", above=5.0),
         measured(
             "fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]), above=5.0
         ),
-        reported("balls had, fast base", lambda s: got(s, "fast"), unit="%"),
-        reported("balls had, old base", lambda s: got(s, "old"), unit="%"),
-        reported("goals, fast base", lambda s: 100 * mean(s["fast goal"]), unit="%"),
-        reported("goals, old base", lambda s: 100 * mean(s["old goal"]), unit="%"),
+        reported("balls had, fast base", "fast got", unit="%"),
+        reported("balls had, old base", "old got", unit="%"),
+        reported("goals, fast base", "fast goal", unit="%"),
+        reported("goals, old base", "old goal", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_bases,
     seconds=9.0,
     batches=4,
@@ -166,7 +157,7 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     put(match, 2, -x, -y, way + np.pi)
     put_ball(match, *point_ahead(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
     begin_scene(match, placed=True)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     arrival = HeinemannSettings().pass_arrival
     kick = np.array([kick_strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
     actions[:, 1, 3] = kick
@@ -174,12 +165,7 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     for _ in range(2):  # a kick needs a ball that was noticed at the kicker in the step before
         match.step(actions)
         top = np.maximum(top, np.hypot(match.balls["vx"], match.balls["vy"]))
-    return wait_for_possession(match, 2, standing_actions(match)) | {"top": top}
-
-
-def compare_kick_strengths(batch: Batch) -> Samples:
-    """Return the results of passes kicked with controlled strength and with full strength."""
-    return prefix_names("soft", kick_passes(batch, True)) | prefix_names("full", kick_passes(batch, False))
+    return wait_for_possession(match, 2, still_actions(match)) | {"top": top}
 
 
 H03 = Claim(
@@ -189,17 +175,67 @@ H03 = Claim(
     method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
     criteria=(
-        measured("fastest ball after a full kick (mean)", lambda s: mean(s["full top"]), unit="m/s", at_most=10.3),
-        measured("more passes are had, of 100", lambda s: got(s, "soft") - got(s, "full"), above=20.0),
-        reported("controlled passes had", lambda s: got(s, "soft"), unit="%"),
-        reported("full kicks had", lambda s: got(s, "full"), unit="%"),
-        reported("speed after a controlled kick", lambda s: mean(s["soft top"]), unit="m/s"),
+        measured("fastest ball after a full kick (mean)", "full top", unit="m/s", at_most=10.3),
+        measured("more passes are had, of 100", got_more, "soft", "full", above=20.0),
+        reported("controlled passes had", "soft got", unit="%"),
+        reported("full kicks had", "full got", unit="%"),
+        reported("speed after a controlled kick", "soft top", unit="m/s"),
     ),
-    rules=STAGED,
-    measure=compare_kick_strengths,
+    measure=lambda batch: (
+        prefix_names("soft", kick_passes(batch, True)) | prefix_names("full", kick_passes(batch, False))
+    ),
     seconds=5.0,
     batches=4,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),
 )
 
-CLAIMS = (H01, H03, H24)
+# The length of a decision cycle
+
+CYCLES = (0.02, 0.04, 0.1)  # [s]
+
+
+def compare_cycles(batch: Batch) -> Samples:
+    """Return which shots are saved and which rolling balls are received (M,), for each length of the decision cycle."""
+    samples: Samples = {}
+    for cycle in CYCLES:
+        samples[f"saved {cycle:g}"] = 1.0 - face_shots(batch, {"cycle": cycle}).goal.astype(float)
+        samples[f"had {cycle:g}"] = receive(batch, {"cycle": cycle})["got"]
+    return samples
+
+
+def share_gain(samples: Samples, name: str, slow: float, fast: float) -> float:
+    """Return the gain [%] in the share `name` from the cycle `slow` to the cycle `fast`."""
+    return 100.0 * mean(samples[f"{name} {fast:g}"] - samples[f"{name} {slow:g}"])
+
+
+def cycle_figure(samples: Samples) -> Sequence[Figure]:
+    """Plot the shares of saved shots and of received balls against the length of the decision cycle."""
+    names, times = {"saved": "far-post shots saved", "had": "rolling balls had"}, [1000.0 * cycle for cycle in CYCLES]
+    curves = tuple(
+        Curve(text, times, [100.0 * mean(samples[f"{name} {cycle:g}"]) for cycle in CYCLES])
+        for name, text in names.items()
+    )
+    return (Figure("What a shorter cycle is worth", "cycle [ms]", "share [%]", curves),)
+
+
+H28 = Claim(
+    id="H28",
+    section="2",
+    statement="A cycle of 20 ms makes the robot extremely reactive.",
+    method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay "
+    "as they are.",
+    criteria=(
+        measured("more saves at 20 than at 100 ms, of 100", share_gain, "saved", 0.1, 0.02, above=0.0),
+        measured("more balls had at 20 than at 100 ms, of 100", share_gain, "had", 0.1, 0.02, above=0.0),
+        measured("saves at 40 ms above 100 ms, of 100", share_gain, "saved", 0.1, 0.04, at_least=-5.0),
+        measured("saves at 20 ms above 40 ms, of 100", share_gain, "saved", 0.04, 0.02, at_least=-5.0),
+        reported("balls had at 20 ms above 40 ms, of 100", share_gain, "had", 0.04, 0.02),
+        reported("saves at 20 ms", "saved 0.02", unit="%"),
+        reported("balls had at 20 ms", "had 0.02", unit="%"),
+    ),
+    measure=compare_cycles,
+    seconds=12.0,
+    batches=4,
+    figures=cycle_figure,
+    ingredients=("camera and delay stay at 50 Hz and 0.1 s: only decisions are rarer",),
+)

@@ -50,8 +50,7 @@ def open_angle(balls: np.ndarray, keepers: np.ndarray) -> np.ndarray:
     middle = np.arctan2(dy, dx)
     wide = np.arcsin(np.clip((LEAGUE.body.disc_radius + radius) / np.hypot(dx, dy), -1.0, 1.0))
     shadow = np.clip(np.minimum(high, middle + wide) - np.maximum(low, middle - wide), 0.0, None)
-    left: np.ndarray = np.degrees(high - low - shadow)
-    return left
+    return np.asarray(np.degrees(high - low - shadow))
 
 
 def compare_open_angles(batch: Batch) -> Samples:
@@ -73,8 +72,7 @@ def compare_open_angles(batch: Batch) -> Samples:
 def open_angle_gains(samples: Samples) -> np.ndarray:
     """Return the smallest open angle with the keeper off the line minus the open angle on the line (M,) [degrees]."""
     off = np.stack([values for name, values in samples.items() if name != "on"])
-    least: np.ndarray = off.min(axis=0) - samples["on"]
-    return least
+    return np.asarray(off.min(axis=0) - samples["on"])
 
 
 H17 = Claim(
@@ -86,9 +84,9 @@ H17 = Claim(
     criteria=(
         measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(open_angle_gains(s) > -0.1), unit="%",
                  at_least=95.0),
-        measured("it is better than 50 cm off by (mean)", lambda s: mean(
-            np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
-        reported("open angle on d", lambda s: mean(s["on"]), unit="deg"),
+        measured("it is better than 50 cm off by (mean)",
+                 lambda s: mean(np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
+        reported("open angle on d", "on", unit="deg"),
         reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
                  unit="deg"),
     ),
@@ -133,10 +131,10 @@ H21 = Claim(
     "where the trajectory crosses the keeper's line.",
     criteria=(
         measured("one way over the other (median)", lambda s: median(s["perpendicular"] / s["crossing"]), at_most=0.7),
-        measured("shots to which the perpendicular is the shorter", lambda s: 100 * mean(
-            s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
-        reported("perpendicular way (mean)", lambda s: 100 * mean(s["perpendicular"]), unit="cm"),
-        reported("way to the crossing (mean)", lambda s: 100 * mean(s["crossing"]), unit="cm"),
+        measured("shots to which the perpendicular is the shorter",
+                 lambda s: 100 * mean(s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
+        reported("perpendicular way (mean)", "perpendicular", unit="cm"),
+        reported("way to the crossing (mean)", "crossing", unit="cm"),
     ),
     rules=NO_MATCH,
     measure=interception_distances,
@@ -148,5 +146,3 @@ H21 = Claim(
     batches=4,
     note="That the perpendicular is the shortest way to a line is geometry.",
 )  # fmt: skip
-
-CLAIMS = (H17, H21)

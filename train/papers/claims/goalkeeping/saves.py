@@ -1,12 +1,12 @@
 """Saves of the passive and the active goalkeeper, of shots at the farther post.  [Heinemann et al. 2006, 4]"""
 
 from collections.abc import Sequence
-from functools import partial
+from math import inf
 from typing import Any
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure, curves_by_bin
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
-from soccer_env.train.papers.values import bin_masks, mean, middles_of
+from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 KEEPERS: dict[str, dict[str, Any]] = {"passive": {"keeper": "passive"}, "active": {}}
@@ -47,33 +47,22 @@ def compare_keeper_lines(batch: Batch) -> Samples:
     return samples
 
 
-def conceded_share(samples: Samples, name: str) -> float:
-    """Return the share of shots that go in [%]."""
-    return 100.0 * mean(samples[name])
+def conceded_share(samples: Samples, name: str, fastest: float = inf) -> float:
+    """Return the share of goals [%] among the shots of at most `fastest` [m/s]."""
+    return 100.0 * mean(samples[name][samples["speed"] <= fastest])
 
 
-def conceded_share_slow(samples: Samples, name: str) -> float:
-    """Return the share of goals [%] among the shots of at most SLOWER [m/s]."""
-    return 100.0 * mean(samples[name][samples["speed"] <= SLOWER])
-
-
-def conceded_ratio(samples: Samples, share: Any) -> float:
+def conceded_ratio(samples: Samples, fastest: float = inf) -> float:
     """Return the active keeper's share of goals over the passive keeper's; 1 if the passive keeper concedes none."""
-    passive = share(samples, "passive")
-    return float(share(samples, "active") / passive) if passive > 0.0 else 1.0
+    passive = conceded_share(samples, "passive", fastest)
+    return conceded_share(samples, "active", fastest) / passive if passive > 0.0 else 1.0
 
 
 def goals_by_speed_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the share of goals against the speed of the shot, for both keepers."""
-    names = {"passive": "passive, far post", "active": "active, far post"}
-    names |= {f"near {name}": f"{name}, near post" for name in KEEPERS}
-    curves = tuple(
-        Curve(
-            text, middles_of(BINS), [100.0 * mean(samples[name][there]) for there in bin_masks(samples["speed"], BINS)]
-        )
-        for name, text in names.items()
-        if name in samples
-    )
+    names = {name: f"{name}, far post" for name in KEEPERS}
+    names |= {f"near {name}": f"{name}, near post" for name in KEEPERS if f"near {name}" in samples}
+    curves = curves_by_bin(samples, names, samples["speed"], BINS, mean, place_scale=1.0)
     words = ("Goals of shots at the goalkeeper", "speed at the kick [m/s]", "goals [%]")
     return (Figure(*words, curves, rules=(50.0,), rule="half of them"),)
 
@@ -84,12 +73,11 @@ H18 = Claim(
     statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, passive keeper on its half circle.",
     criteria=(
-        measured("shots that go in", partial(conceded_share, name="passive"), unit="%", at_least=50.0),
-        reported(f"of those up to {SLOWER:g} m/s", partial(conceded_share_slow, name="passive"), unit="%"),
-        reported("on the goal line instead of the half circle", partial(conceded_share, name="line"), unit="%"),
-        reported("at the nearer post", partial(conceded_share, name="near passive"), unit="%"),
+        measured("shots that go in", "passive", unit="%", at_least=50.0),
+        reported(f"of those up to {SLOWER:g} m/s", conceded_share, "passive", SLOWER, unit="%"),
+        reported("on the goal line instead of the half circle", "line", unit="%"),
+        reported("at the nearer post", "near passive", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_posts,
     seconds=8.0,
     batches=4,
@@ -104,15 +92,12 @@ H19 = Claim(
     statement="Even with its delay the active goalkeeper has a high chance to intercept the ball.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, active keeper.",
     criteria=(
-        measured(
-            f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded_share(s, "active"), unit="%",
-            at_least=80.0,
-        ),
-        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - conceded_share_slow(s, "active"), unit="%"),
+        measured(f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s", lambda s: 100 - conceded_share(s, "active"),
+                 unit="%", at_least=80.0),
+        reported(f"of those up to {SLOWER:g} m/s", lambda s: 100 - conceded_share(s, "active", SLOWER), unit="%"),
         reported("of those at 8 m/s and more", lambda s: 100 - 100 * mean(s["active"][s["speed"] >= 8.0]), unit="%"),
         reported("at the nearer post", lambda s: 100 - conceded_share(s, "near active"), unit="%"),
     ),
-    rules=STAGED,
     measure=compare_posts,
     seconds=8.0,
     batches=4,
@@ -127,18 +112,15 @@ H20 = Claim(
     statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
     method=f"{SHOTS} {SHOT_TEXT}: the farther post, the same shots at both keepers.",
     criteria=(
-        measured(
-            "active keeper's goals over the passive one's", partial(conceded_ratio, share=conceded_share), at_most=0.5
-        ),
-        measured(f"the same up to {SLOWER:g} m/s", partial(conceded_ratio, share=conceded_share_slow), at_most=0.2),
-        reported("goals, passive", partial(conceded_share, name="passive"), unit="%"),
-        reported("goals, active", partial(conceded_share, name="active"), unit="%"),
-        reported("half circle of 0.8 m, passive", partial(conceded_share, name="nearer passive"), unit="%"),
-        reported("half circle of 0.8 m, active", partial(conceded_share, name="nearer active"), unit="%"),
-        reported("goal line, passive", partial(conceded_share, name="line passive"), unit="%"),
-        reported("goal line, active", partial(conceded_share, name="line active"), unit="%"),
+        measured("active keeper's goals over the passive one's", conceded_ratio, at_most=0.5),
+        measured(f"the same up to {SLOWER:g} m/s", conceded_ratio, SLOWER, at_most=0.2),
+        reported("goals, passive", "passive", unit="%"),
+        reported("goals, active", "active", unit="%"),
+        reported("half circle of 0.8 m, passive", "nearer passive", unit="%"),
+        reported("half circle of 0.8 m, active", "nearer active", unit="%"),
+        reported("goal line, passive", "line passive", unit="%"),
+        reported("goal line, active", "line active", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_keeper_lines,
     seconds=9.0,
     batches=6,
@@ -154,14 +136,11 @@ H23 = Claim(
     method=f"{SHOTS} {SHOT_TEXT}: the farther post; how far the keeper has moved when the ball is past it, saved "
     "or in.",
     criteria=(
-        measured(
-            "active keeper's way over the passive one's (means)",
-            lambda s: mean(s["active way"]) / mean(s["passive way"]), above=2.0,
-        ),
-        reported("passive keeper's way", lambda s: 100 * mean(s["passive way"]), unit="cm"),
-        reported("active keeper's way", lambda s: 100 * mean(s["active way"]), unit="cm"),
+        measured("active keeper's way over the passive one's (means)",
+                 lambda s: mean(s["active way"]) / mean(s["passive way"]), above=2.0),
+        reported("passive keeper's way", "passive way", unit="cm"),
+        reported("active keeper's way", "active way", unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_saves,
     seconds=3.0,
     batches=6,
@@ -210,24 +189,17 @@ H22 = Claim(
     method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "
     "0.7 px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
     criteria=(
-        measured("goals spared at the sensor's own noise", partial(prevented_goals, fit="fit", noise="own"), unit="%",
-                 above=10.0),
-        measured(
-            "goals spared at 30 times the noise, fit over five frames", partial(prevented_goals, fit="fit",
-                noise="thirtyfold"),
-            unit="%", at_most=5.0,
-        ),
-        reported("goals spared at 10 times the noise", partial(prevented_goals, fit="fit", noise="tenfold"), unit="%"),
-        reported("at 30 times, Kalman filter", partial(prevented_goals, fit="kalman", noise="thirtyfold"), unit="%"),
-        reported("error of the ball at 10 times", lambda s: 100 * mean(s["fit tenfold error"]), unit="cm"),
-        reported("error of the ball at 30 times", lambda s: 100 * mean(s["fit thirtyfold error"]), unit="cm"),
+        measured("goals spared at the sensor's own noise", prevented_goals, "fit", "own", unit="%", above=10.0),
+        measured("goals spared at 30 times the noise, fit over five frames", prevented_goals, "fit", "thirtyfold",
+                 unit="%", at_most=5.0),
+        reported("goals spared at 10 times the noise", prevented_goals, "fit", "tenfold", unit="%"),
+        reported("at 30 times, Kalman filter", prevented_goals, "kalman", "thirtyfold", unit="%"),
+        reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
+        reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
     ),
-    rules=STAGED,
     measure=compare_camera_noise,
     seconds=10.5,
     batches=5,
     figures=prevented_goals_figure,
     ingredients=INGREDIENTS,
 )  # fmt: skip
-
-CLAIMS = (H18, H19, H20, H22, H23)

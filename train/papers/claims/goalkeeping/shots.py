@@ -96,5 +96,4 @@ def ball_error(match: Match) -> np.ndarray:
     cosine, sine = np.cos(keeper["heading"]), np.sin(keeper["heading"])
     x = keeper["x"] + cosine * believed["x"] - sine * believed["y"]
     y = keeper["y"] + sine * believed["x"] + cosine * believed["y"]
-    error: np.ndarray = np.hypot(ball["x"] - x, ball["y"] - y)
-    return error
+    return np.asarray(np.hypot(ball["x"] - x, ball["y"] - y))

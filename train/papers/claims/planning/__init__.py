@@ -1,7 +1,6 @@
 """The paths of the two planners round other robots.  [Heinemann et al. 2006, 3]
 
-scenes.py     scenes: canonical and random crossings, slow traffic, rows and cups
-runs.py       points that travel and replan every 20 ms, and single plans
+runs.py       scenes; points that travel through them and replan every 20 ms, and single plans
 crossings.py  slow obstacles, the crossing of the paper's figure, random crossings
 plans.py      the cost of a plan, and its methods: local gradients, search, backward planning
 timing.py     the time T, and the passes until it converges

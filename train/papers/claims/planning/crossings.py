@@ -13,16 +13,20 @@ import numpy as np
 from soccer_env.baselines.weigel_2001.planner import Travel
 from soccer_env.train.papers.claim import NO_MATCH, Arrows, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.planning.runs import (
+    CANONICAL,
+    CROSSERS,
     CROSSING,
     PLANNERS,
+    SLOW,
     SPEED,
+    WAY,
     Draw,
     scenes_of,
     side_changes,
+    slow_traffic,
     travel,
     travel_results,
 )
-from soccer_env.train.papers.claims.planning.scenes import CANONICAL, CROSSERS, SLOW, WAY, slow_traffic
 from soccer_env.train.papers.values import mean, quantile
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
 
@@ -161,12 +165,10 @@ H07 = Claim(
     method=f"{SCENES} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
     "free, by either planner.",
     criteria=(
-        measured(
-            "the conventional planner's way is longer by", partial(excess_percent, name="length"), unit="%", at_most=5.0
-        ),
+        measured("the conventional planner's way is longer by", excess_percent, "length", unit="%", at_most=5.0),
         measured("collisions of the conventional planner", lambda s: float(s["old hit"].sum()), at_most=0.0),
-        reported("it takes longer by", partial(excess_percent, name="time"), unit="%"),
-        reported("turns by more", partial(excess_percent, name="turn"), unit="%"),
+        reported("it takes longer by", excess_percent, "time", unit="%"),
+        reported("turns by more", excess_percent, "turn", unit="%"),
         reported("collisions of the time-variant one", lambda s: float(s["new hit"].sum())),
         reported("conventional: way over the straight line", lambda s: mean(s["old length"]) / WAY),
     ),
@@ -183,11 +185,10 @@ H08 = Claim(
     statement="Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
     method=f"Two canonical crossings, a and b, and beside them {SCENE_TEXT}.",
     criteria=(
-        exact("canonical: greater of both smallest gaps", partial(worst_canonical_value, name="old gap"), unit="m",
-            below=NEAR),
-        exact("canonical: fewer cycles away", partial(worst_canonical_value, name="old away", take=min), above=10.0),
+        exact("canonical: greater of both smallest gaps", worst_canonical_value, "old gap", unit="m", below=NEAR),
+        exact("canonical: fewer cycles away", worst_canonical_value, "old away", min, above=10.0),
         reported(f"random crossings with a gap below {100 * NEAR:.0f} cm and 10 cycles away", near_collision_share,
-            unit="%"),
+                 unit="%"),
         reported("random crossings with 10 cycles away", lambda s: 100 * mean(s["old away"] > 10), unit="%"),
         reported(f"random crossings with a gap below {100 * NEAR:.0f} cm", lambda s: 100 * mean(s["old gap"] < NEAR),
                  unit="%"),
@@ -207,12 +208,9 @@ H09 = Claim(
     statement="Time-variant planning avoids the obstacles' predicted trajectories.",
     method=f"Both canonical crossings, and {SCENE_TEXT}; smallest gap between surfaces.",
     criteria=(
-        exact("canonical: smaller of both gaps", partial(worst_canonical_value, name="new gap", take=min), unit="m",
-            at_least=CLEAR),
-        measured(
-            f"random crossings with a gap of {100 * CLEAR:.0f} cm or more",
-            lambda s: 100 * mean(s["new gap"] >= CLEAR), unit="%", at_least=95.0,
-        ),
+        exact("canonical: smaller of both gaps", worst_canonical_value, "new gap", min, unit="m", at_least=CLEAR),
+        measured(f"random crossings with a gap of {100 * CLEAR:.0f} cm or more",
+                 lambda s: 100 * mean(s["new gap"] >= CLEAR), unit="%", at_least=95.0),
         reported("the same of the conventional planner", lambda s: 100 * mean(s["old gap"] >= CLEAR), unit="%"),
         reported("gap that 5 % stay below", lambda s: quantile(s["new gap"], 0.05), unit="m"),
     ),
@@ -234,13 +232,13 @@ H10 = Claim(
         measured("fewer collisions in 100 crossings", lambda s: 100 * mean_difference(s, "hit"), at_least=0.0),
         measured(f"fewer gaps below {100 * NEAR:.0f} cm in 100 crossings",
                  lambda s: 100 * mean((s["old gap"] < NEAR).astype(float) - (s["new gap"] < NEAR)), above=0.0),
-        measured("less turn", partial(mean_difference, name="turn"), unit="deg", above=0.0),
-        measured("less time", partial(mean_difference, name="time"), unit="s", above=0.0),
-        reported("collisions of the conventional planner", lambda s: 100 * mean(s["old hit"]), unit="%"),
-        reported("collisions of the time-variant one", lambda s: 100 * mean(s["new hit"]), unit="%"),
-        reported("the same, T to 0.02 s instead of 0.1 s", lambda s: 100 * mean(s["exact hit"]), unit="%"),
-        reported("turn of the conventional planner", lambda s: mean(s["old turn"]), unit="deg"),
-        reported("turn of the time-variant one", lambda s: mean(s["new turn"]), unit="deg"),
+        measured("less turn", mean_difference, "turn", unit="deg", above=0.0),
+        measured("less time", mean_difference, "time", unit="s", above=0.0),
+        reported("collisions of the conventional planner", "old hit", unit="%"),
+        reported("collisions of the time-variant one", "new hit", unit="%"),
+        reported("the same, T to 0.02 s instead of 0.1 s", "exact hit", unit="%"),
+        reported("turn of the conventional planner", "old turn", unit="deg"),
+        reported("turn of the time-variant one", "new turn", unit="deg"),
     ),
     rules=NO_MATCH,
     measure=compare_stricter_threshold,
@@ -257,13 +255,12 @@ H11 = Claim(
     method=f"Both canonical crossings, and {SCENE_TEXT}; how often plans change the side on which they pass the "
     "obstacle, and how far the travelled way strays from that planned at first.",
     criteria=(
-        exact("canonical: changes of side", partial(worst_canonical_value, name="new sides"), at_most=0.0),
+        exact("canonical: changes of side", worst_canonical_value, "new sides", at_most=0.0),
         measured("random crossings without one", lambda s: 100 * mean(s["new sides"] == 0), unit="%", at_least=90.0),
         reported("the same of the conventional planner", lambda s: 100 * mean(s["old sides"] == 0), unit="%"),
-        reported("canonical: strays by at most", partial(worst_canonical_value, name="new strays"), unit="m"),
-        reported("canonical, conventional: strays by", partial(worst_canonical_value, name="old strays", take=min),
-            unit="m"),
-        reported("random crossings: strays by (mean)", lambda s: mean(s["new strays"]), unit="m"),
+        reported("canonical: strays by at most", worst_canonical_value, "new strays", unit="m"),
+        reported("canonical, conventional: strays by", worst_canonical_value, "old strays", min, unit="m"),
+        reported("random crossings: strays by (mean)", "new strays", unit="m"),
         reported("canonical: way over the straight line", lambda s: worst_canonical_value(s, "new length") / 6.0),
     ),
     rules=NO_MATCH,
@@ -273,5 +270,3 @@ H11 = Claim(
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip
-
-CLAIMS = (H07, H08, H09, H10, H11)

@@ -11,20 +11,22 @@ from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.papers.claims.planning.runs import (
     CROSSING,
+    PLANNED,
     PLANNERS,
     SCENES,
-    crossing_text,
+    WAY,
+    Scene,
     plan,
     plans_of,
+    robot_row_or_cup,
     scenes_of,
+    still_obstacle,
 )
-from soccer_env.train.papers.claims.planning.scenes import WAY, Scene, robot_row_or_cup, still_obstacle
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 
 CYCLE = 0.02  # [s] Heinemann 2006, 2  MH03
 HEADING = 0.5  # [m] of path that define its first heading
-TEXT = crossing_text()
 SETTINGS = PlannerSettings()
 CELLS = (2 * SETTINGS.half_u + 1) * (2 * SETTINGS.half_v + 1)  # of the whole grid
 
@@ -44,15 +46,11 @@ H04 = Claim(
     id="H04",
     section="3",
     statement="Evaluating the potential at adjacent cells alone spares the whole field.",
-    method=f"{TEXT}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
+    method=f"{PLANNED}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
     f"{CELLS} cells of the field.",
     criteria=(
-        measured(
-            "conventional planner: evaluations a plan", partial(evaluations_per_cell, name="old"), unit="%", at_most=5.0
-        ),
-        measured(
-            "time-variant planner: evaluations a plan", partial(evaluations_per_cell, name="new"), unit="%", at_most=5.0
-        ),
+        measured("conventional planner: evaluations a plan", evaluations_per_cell, "old", unit="%", at_most=5.0),
+        measured("time-variant planner: evaluations a plan", evaluations_per_cell, "new", unit="%", at_most=5.0),
         reported("of the time-variant one, 99 % below", lambda s: 100 * quantile(s["new"], 0.99) / CELLS, unit="%"),
     ),
     rules=NO_MATCH,
@@ -81,7 +79,7 @@ H05 = Claim(
     criteria=(
         counted("plans that arrive with the search", "on", "all", at_least=99.0),
         counted("plans that arrive without it", "off", "all", at_most=50.0),
-        measured("arrive with it and touch nobody", lambda s: 100 * mean(s["clean"]), unit="%", at_least=95.0),
+        measured("arrive with it and touch nobody", "clean", unit="%", at_least=95.0),
     ),
     rules=NO_MATCH,
     measure=compare_local_search,
@@ -134,16 +132,11 @@ H06 = Claim(
     method=f"{SCENES} ways a batch of {WAY:g} m with one obstacle that stands on them, planned in both directions; "
     f"first heading over {HEADING:g} m, length, sharpest turn within {HEADING:g} m.",
     criteria=(
-        measured(
-            "the first heading is farther off straight by",
-            partial(backward_excess, name="heading"),
-            unit="deg",
-            above=2.0,
-        ),
+        measured("the first heading is farther off straight by", backward_excess, "heading", unit="deg", above=2.0),
         measured("the way is longer by", lambda s: 100 * backward_excess(s, "length") / WAY, unit="%", at_most=1.0),
         measured("the sharpest turn is less by", lambda s: -backward_excess(s, "turn"), unit="deg", above=0.0),
-        reported("first heading, backwards", lambda s: mean(s["back heading"]), unit="deg"),
-        reported("first heading, forwards", lambda s: mean(s["fore heading"]), unit="deg"),
+        reported("first heading, backwards", "back heading", unit="deg"),
+        reported("first heading, forwards", "fore heading", unit="deg"),
     ),
     rules=NO_MATCH,
     measure=compare_directions,
@@ -182,11 +175,9 @@ H02 = Claim(
     method=f"Time of {SCENES} plans a batch over 5 m past nine moving obstacles, on one core; a tenth of the cycle, "
     "as a machine 20 years younger than the paper's can hardly miss the whole.",
     criteria=(
-        measured(
-            "time that 1 % of the plans exceed", lambda s: 1e-4 * quantile(s["nine"], 0.99) / CYCLE,
-            unit="% of 20 ms", at_most=10.0,
-        ),
-        reported("plan (median)", lambda s: median(s["nine"]), unit="us"),
+        measured("time that 1 % of the plans exceed", lambda s: 1e-4 * quantile(s["nine"], 0.99) / CYCLE,
+                 unit="% of 20 ms", at_most=10.0),
+        reported("plan (median)", "nine", of=median, unit="us"),
     ),
     rules=NO_MATCH,
     measure=compare_planning_times,
@@ -199,7 +190,7 @@ H15 = Claim(
     id="H15",
     section="3",
     statement="The planner is very fast, comparable to standard potential field planners.",
-    method=f"{TEXT}, by both planners; the least of five times each, on one core, with what Python adds to both.",
+    method=f"{PLANNED}, by both planners; the least of five times each, on one core, with what Python adds to both.",
     criteria=(
         measured("time over the conventional planner's (median)", lambda s: median(s["new"] / s["old"]), at_most=3.0),
         reported("that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
@@ -226,13 +217,11 @@ H16 = Claim(
     id="H16",
     section="3",
     statement="Conventional planners are unaware of the other robots' speed.",
-    method=f"{TEXT} by both planners, all velocities taken away: which paths are the same to the last bit.",
-    criteria=(exact("paths that are the same", lambda s: 100 * mean(s["same"]), unit="%", at_least=100.0),),
+    method=f"{PLANNED} by both planners, all velocities taken away: which paths are the same to the last bit.",
+    criteria=(exact("paths that are the same", "same", unit="%", at_least=100.0),),
     rules=NO_MATCH,
     measure=plans_equal_paths,
     without=Ablation("velocities of 0: here the obstacles move", partial(plans_equal_paths, still=False)),
     seconds=0.8,
     batches=2,
 )
-
-CLAIMS = (H02, H04, H05, H06, H15, H16)

@@ -7,12 +7,10 @@ import numpy as np
 
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
-from soccer_env.train.papers.claims.planning.runs import SCENES, crossing_text, plan, plans_of
-from soccer_env.train.papers.claims.planning.scenes import CANONICAL
+from soccer_env.train.papers.claims.planning.runs import CANONICAL, PLANNED, SCENES, plan, plans_of
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
 
-TEXT = crossing_text()
 KINDS: dict[str, dict[str, Any]] = {"smooth": {}, "literal": {"literal": True}}
 
 
@@ -32,10 +30,10 @@ H12 = Claim(
     id="H12",
     section="3",
     statement="The straight line's time at full speed always underestimates the path's time.",
-    method=f"{TEXT}; time of the path over the time of the straight line.",
+    method=f"{PLANNED}; time of the path over the time of the straight line.",
     criteria=(
         exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
-        reported("mean ratio", lambda s: mean(s["smooth ratio"])),
+        reported("mean ratio", "smooth ratio"),
     ),
     rules=NO_MATCH,
     measure=measure_plan_times,
@@ -51,13 +49,13 @@ H13 = Claim(
     id="H13",
     section="3",
     statement="The iterative planning needs very few iterations to converge to a reasonable path.",
-    method=f"{TEXT}; passes over the grid until the times agree to 0.1 s, at most eight.",
+    method=f"{PLANNED}; passes over the grid until the times agree to 0.1 s, at most eight.",
     criteria=(
-        measured("passes (median)", lambda s: median(s["smooth passes"]), at_most=2.0),
-        measured("plans that do not converge", lambda s: 100 * mean(s["smooth open"]), unit="%", at_most=10.0),
+        measured("passes (median)", "smooth passes", of=median, at_most=2.0),
+        measured("plans that do not converge", "smooth open", unit="%", at_most=10.0),
         reported("plans of one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
-        reported("the paper's words alone: passes (median)", lambda s: median(s["literal passes"])),
-        reported("they alone: plans that do not converge", lambda s: 100 * mean(s["literal open"]), unit="%"),
+        reported("the paper's words alone: passes (median)", "literal passes", of=median),
+        reported("they alone: plans that do not converge", "literal open", unit="%"),
     ),
     rules=NO_MATCH,
     measure=measure_plan_times,
@@ -83,13 +81,11 @@ H14 = Claim(
     id="H14",
     section="3, figure 2",
     statement="For the figure's path one iteration estimated the time to less than 100 ms.",
-    method=f"The first plans of both canonical crossings; beside them {TEXT}.",
+    method=f"The first plans of both canonical crossings; beside them {PLANNED}.",
     criteria=(
         exact("canonical: passes", lambda s: max(s[f"{name} passes"][0] for name in CANONICAL), at_most=1.0),
-        exact(
-            "canonical: greater error of T", lambda s: max(abs(s[f"{name} error"][0]) for name in CANONICAL),
-            unit="s", below=0.1,
-        ),
+        exact("canonical: greater error of T", lambda s: max(abs(s[f"{name} error"][0]) for name in CANONICAL),
+              unit="s", below=0.1),
         reported("random crossings planned in one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
     ),
     rules=NO_MATCH,
@@ -99,6 +95,3 @@ H14 = Claim(
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip
-
-
-CLAIMS = (H12, H13, H14)

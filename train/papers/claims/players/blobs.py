@@ -4,14 +4,13 @@ Sizes of stickers are guesses, so the claim is judged over jerseys of 0.7 to 1.3
 """
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
-from soccer_env.train.papers.claims.players.seen import blob_heights, look_at, nearest_seen, put_facing, set_up_watchers
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
+from soccer_env.train.papers.claims.players.seen import blob_heights, nearest_seen, put_facing, stage_watchers, stare
+from soccer_env.train.papers.staging import begin_scene, put, stacked, still_actions
 from soccer_env.train.papers.values import bin_masks, mean, median, middles_of, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -32,23 +31,18 @@ def watch_players(batch: Batch, jersey: float, blobs: str, **sensors: float) -> 
     """
     rng = batch.rng()
     memory = {"player_blob": blobs, "player_infrared": False}
-    match = set_up_watchers(batch, RUNS, sensors={"jersey": jersey, **sensors}, memory=memory)
+    match = stage_watchers(batch, RUNS, sensors={"jersey": jersey, **sensors}, memory=memory)
     put(match, 0, EYE_X, rng.uniform(-0.3, 0.3, RUNS), 0.0)
     distance, bearing = rng.uniform(NEAR, FAR, RUNS), rng.uniform(-0.2, 0.2, RUNS)
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, RUNS))
     begin_scene(match)
-    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "head": [], "trunk": []}
-    for step in play(match, SETTLE + SECONDS, actions):
-        look_at(match, actions)
-        if step >= SETTLE * match.league.control_rate:
-            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            heights = blob_heights(match)
-            rows["range"].append(nearest_seen(match)[0] / true)
-            rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False
-            rows["trunk"].append(np.any(heights <= HEAD_HEIGHT, axis=1))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()} | {"distance": true}
+    for true in stare(match, still_actions(match), SETTLE, SECONDS):
+        heights = blob_heights(match)
+        rows["range"].append(nearest_seen(match)[0] / true)
+        rows["head"].append(np.any(heights > HEAD_HEIGHT, axis=1))  # NaN compares as False
+        rows["trunk"].append(np.any(heights <= HEAD_HEIGHT, axis=1))
+    return stacked(match, rows) | {"distance": true}
 
 
 def compare_blobs(batch: Batch) -> Samples:
@@ -117,23 +111,20 @@ S39 = Claim(
     "head sticker; scatter of the believed over the true range in each run; that ratio in frames with a trunk alone "
     "over frames with trunk and head (for these 30 % of the stickers are missed, so that there are enough).",
     criteria=(
-        measured("combined: range without the head over that with it", lambda samples: worst_sticker_ratio(samples,
-            "combined"),
-                 at_least=1.5, at_most=2.5),
-        measured("largest blob: the same, in the worst jersey", lambda samples: float(sticker_range_ratios(samples,
-            "largest").max()),
-                 at_most=1.2),
+        measured("combined: range without the head over that with it", worst_sticker_ratio, "combined", at_least=1.5,
+                 at_most=2.5),
+        measured("largest blob: the same, in the worst jersey",
+                 lambda samples: float(sticker_range_ratios(samples, "largest").max()), at_most=1.2),
         measured("scatter of the largest blob's range over that of the combined",
                  lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9), below=1.0),
         *(
             reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-                     partial(share_without_head_sticker, j=j, i=len(BINS) - 2), unit="%")
+                     share_without_head_sticker, j, len(BINS) - 2, unit="%")
             for j, jersey in enumerate(JERSEYS)
         ),
-        reported("scatter, largest blob", lambda samples: scatter(samples, "largest"), unit="%"),
-        reported("scatter, combined", lambda samples: scatter(samples, "combined"), unit="%"),
+        reported("scatter, largest blob", scatter, "largest", unit="%"),
+        reported("scatter, combined", scatter, "combined", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_blobs,
     seconds=2.0,
     figures=blob_figures,
@@ -141,5 +132,3 @@ S39 = Claim(
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "
     "straight on, nearer by if not; the field is 3 m long.",
 )  # fmt: skip
-
-CLAIMS = (S39,)

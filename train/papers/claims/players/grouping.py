@@ -4,24 +4,24 @@ Sizes of stickers are guesses, so the grouping factor is judged over jerseys of 
 jersey counts.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import (
     blob_owners,
     distances_from_camera,
     is_fresh,
     put_facing,
-    set_up_watchers,
     slot_bearings,
     slots_of,
+    stage_watchers,
 )
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -74,10 +74,10 @@ def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarr
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
     """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
-    match = set_up_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
+    match = stage_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
     put_two_in_view(match, batch.rng())
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     total = np.zeros((4, MATCHES))
     for step in play(match, SETTLE + SECONDS, actions):
@@ -114,11 +114,6 @@ def excess_over_best_factor(samples: Samples) -> np.ndarray:
     return np.asarray(total_error_share(samples, CHOSEN) - others.min(axis=0))
 
 
-def value_for_jersey(samples: Samples, value: Callable[[Samples], np.ndarray], jersey: float) -> float:
-    """Return the quantity `value` of the samples for one size of the jersey's stickers."""
-    return float(value(samples)[JERSEYS.index(jersey)])
-
-
 def factor_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the shares of ghosts and missed players against the grouping factor, one figure for each jersey."""
     label = "grouping factor [sizes of the larger blob]"
@@ -146,10 +141,9 @@ S33 = Claim(
     "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
         measured("ghosts at a factor of 3, in the worst jersey",
-                 lambda samples: float(error_share(samples, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
+                 lambda s: float(error_share(s, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
         measured("missed less ghosts at a factor of 3, in the worst jersey",
-                 lambda samples: float((error_share(samples, "missed", CHOSEN) - error_share(samples, "ghosts",
-                     CHOSEN)).min()),
+                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()),
                  unit="%", above=0.0),
         measured(
             "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
@@ -160,16 +154,15 @@ S33 = Claim(
         ),
         *(
             reported(f"the same, stickers {jersey:g} times as large",
-                     partial(value_for_jersey, value=excess_over_best_factor, jersey=jersey), unit="%")
-            for jersey in JERSEYS
+                     lambda s, j: float(excess_over_best_factor(s)[j]), j, unit="%")
+            for j, jersey in enumerate(JERSEYS)
         ),
         *(
             reported(f"ghosts and misses at {factor:g}, stickers of their own size",
-                     partial(value_for_jersey, value=partial(total_error_share, factor=factor), jersey=1.0), unit="%")
+                     lambda s, factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
             for factor in FACTORS
         ),
     ),
-    rules=STAGED,
     measure=try_factors,
     seconds=5.0,
     figures=factor_figure,
@@ -181,10 +174,10 @@ S33 = Claim(
 
 def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     """Count frames (M,) with two opponents visible and one slot filled, and frames that keep the nearer opponent."""
-    match = set_up_watchers(batch, PAIRS, away=2)
+    match = stage_watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     kept, merged = np.zeros((2, match.count))
     true = np.stack(
@@ -200,11 +193,6 @@ def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     match.close()
     unlike = true.max(axis=1) > UNLIKE * true.min(axis=1)
     return {"nearer": kept, "merged": merged, "nearer unlike": kept * unlike, "merged unlike": merged * unlike}
-
-
-def keep_one_of_equals(batch: Batch) -> Samples:
-    """Return `count_kept_opponents` for two opponents at equal distances, whose sizes do not tell which is nearer."""
-    return count_kept_opponents(batch, alike=True)
 
 
 def kept_opponent(match: Match) -> np.ndarray:
@@ -232,16 +220,13 @@ S72 = Claim(
     criteria=(
         counted("the nearer one is kept", "nearer", "merged", at_least=95.0),
         reported(f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
-                 lambda samples: 100 * float(samples["nearer unlike"].sum() / max(samples["merged unlike"].sum(), 1.0)),
+                 lambda s: 100 * float(s["nearer unlike"].sum() / max(s["merged unlike"].sum(), 1.0)),
                  unit="%"),
     ),
-    rules=STAGED,
     measure=count_kept_opponents,
     batches=24,
     seconds=2.0,
     without=Ablation("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
-                    keep_one_of_equals),
+                    partial(count_kept_opponents, alike=True)),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
 )  # fmt: skip
-
-CLAIMS = (S33, S72)

@@ -6,11 +6,11 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare
+from soccer_env.train.papers.staging import begin_scene, still_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
-from soccer_env.train.papers.values import bin_masks, mean, middles_of
+from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -47,18 +47,15 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
     player or obstacle; and the true distance.
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
+    match = stage_watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
     distance, view = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-FRONTAL, FRONTAL, MATCHES)
     put_facing(match, 1, distance, rng.uniform(-0.3, 0.3, MATCHES), view)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     turn_head(match, actions, 1, 0.0, tilt)
     rows = []
-    for step in play(match, SETTLE + SECONDS, actions):
-        look_at(match, actions)
-        if step >= SETTLE * match.league.control_rate:
-            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            rows.append([nearest_seen(match)[0] - true, infrared_distance(match) - true, nearest_known(match), true])
+    for true in stare(match, actions, SETTLE, SECONDS):
+        rows.append([nearest_seen(match)[0] - true, infrared_distance(match) - true, nearest_known(match), true])
     match.close()
     return tuple(np.moveaxis(np.array(rows), 1, 0))
 
@@ -67,8 +64,7 @@ def nearest_known(match: Match) -> np.ndarray:
     """Return the believed distance (M,) [m] of the nearest player or obstacle from robot 0; inf without one."""
     slots, obstacle = match.tracks[:, 0], match.beliefs["obstacle"]["distance"][:, 0].astype(float)
     player = np.where(slots["present"] == 1, slots["distance"], np.inf).min(axis=1)
-    nearest: np.ndarray = np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf))
-    return nearest
+    return np.asarray(np.minimum(player, np.where(obstacle > 0.0, obstacle, np.inf)))
 
 
 def infrared_distance(match: Match) -> np.ndarray:
@@ -79,16 +75,6 @@ def infrared_distance(match: Match) -> np.ndarray:
     reach = reading + match.league.body.front / level  # to the middle of the body, half a body behind its chest
     place = np.hypot(camera[:, 0] + reach * axis[:, 0] - robot["x"], camera[:, 1] + reach * axis[:, 1] - robot["y"])
     return np.where(reading > 0.0, place, np.nan)
-
-
-def compare_transparent_heads(batch: Batch) -> Samples:
-    """Return `compare_head_tilts` with heads that never hide stickers."""
-    return compare_head_tilts(batch, head_down=np.pi)
-
-
-def mean_times_100(samples: Samples, name: str) -> float:
-    """Return a hundred times the mean of the quantity `name`: [cm] for metres, [%] for a share."""
-    return 100 * mean(samples[name])
 
 
 def head_down_excess(samples: Samples) -> float:
@@ -102,18 +88,14 @@ def remaining_error_share(samples: Samples) -> float:
     NaN where a lowered head does not make the player seem farther.
     """
     difference = head_down_excess(samples)
-    return 100 * abs(mean_times_100(samples, "down by infrared")) / difference if difference > 0.0 else np.nan
+    return 100 * abs(100 * mean(samples["down by infrared"])) / difference if difference > 0.0 else np.nan
 
 
 def head_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the bias of a near player's range against the distance, with its head up and down."""
-    edges = np.linspace(NEAR, FAR, 6)
-    inside = bin_masks(samples["distance"], edges)
-    curves = [
-        Curve(f"head {name}", middles_of(edges, 100), [100 * mean(samples[name][i]) for i in inside])
-        for name in (*TILTS, "down by infrared")
-    ]
-    return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", tuple(curves)),)
+    names = {name: f"head {name}" for name in (*TILTS, "down by infrared")}
+    curves = curves_by_bin(samples, names, samples["distance"], np.linspace(NEAR, FAR, 6), mean)
+    return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", curves),)
 
 
 S61 = Claim(
@@ -125,7 +107,7 @@ S61 = Claim(
     "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
     "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without.",
     criteria=(
-        measured("head down: bias by size", partial(mean_times_100, name="down"), unit="cm", above=0.0),
+        measured("head down: bias by size", "down", unit="cm", above=0.0),
         measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
         measured(
             "head down: bias by infrared, of that difference by size",
@@ -133,23 +115,18 @@ S61 = Claim(
             unit="%",
             at_most=100.0 / 3.0,
         ),
+        *(reported(f"bias, head {name}", name, unit="cm") for name in ("up", "up by infrared", "down by infrared")),
+        *(reported(f"frames that show it, head {name}", f"seen {name}", unit="%") for name in TILTS),
         *(
-            reported(f"bias, head {name}", partial(mean_times_100, name=name), unit="cm")
-            for name in ("up", "up by infrared", "down by infrared")
-        ),
-        *(
-            reported(f"frames that show it, head {name}", partial(mean_times_100, name=f"seen {name}"), unit="%")
-            for name in TILTS
-        ),
-        *(
-            reported(f"frames in which it is {name}", partial(mean_times_100, name=name), unit="%")
+            reported(f"frames in which it is {name}", name, unit="%")
             for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
         ),
     ),
-    rules=STAGED,
     measure=compare_head_tilts,
     seconds=1.5,
-    without=Ablation("sensors.head_down, the angle from which a head hides stickers", compare_transparent_heads),
+    without=Ablation(
+        "sensors.head_down, the angle from which a head hides stickers", partial(compare_head_tilts, head_down=np.pi)
+    ),
     figures=head_figure,
     ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),
     note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "
@@ -157,5 +134,3 @@ S61 = Claim(
     "about in which the player is overlooked: neither it nor an obstacle is believed to be within 1.5 times its true "
     "distance. In the frames that do not show it the lowered head leaves nothing of the jersey to be seen.",
 )
-
-CLAIMS = (S61,)

@@ -5,14 +5,15 @@ jersey counts.
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, standing_actions
+from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
+from soccer_env.train.papers.staging import begin_scene, still_actions
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -26,7 +27,7 @@ FRONT, SIDES = (0,), (3, 9)  # sectors head-on and from the sides
 ALL, ASIDE = tuple(range(SECTORS)), tuple(range(1, SECTORS))  # all of them, and all but head-on
 # [m] of the flank's stickers, for a jersey of equal stickers, side by side on chest and rump
 FLANK = {"width": 0.06, "height": 0.06, "apart": 0.062}
-ALIKE = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
+ALIKE: dict[str, Any] = {f"sticker_{place}_{name}": size for place in ("chest", "rump") for name, size in FLANK.items()}
 SIZES = {
     "width": "width of the largest blob",
     "height": "height of the largest blob",
@@ -57,19 +58,16 @@ def turn_player_once(batch: Batch, jersey: float, view: str, **sensors: Any) -> 
     """Return sizes [px] and relative range errors of a turning player, means (RUNS, SECTORS) over angles of view."""
     rng = batch.rng()
     settings = {"jersey": jersey, **sensors}
-    match = set_up_watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
+    match = stage_watchers(batch, RUNS, sensors=settings, memory={"player_infrared": False, "player_view": view})
     distance = rng.uniform(NEAR, FAR, RUNS)
     put_facing(match, 1, distance, rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS))
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     frames = []
-    for step in play(match, SETTLE + ROUND, actions):
-        look_at(match, actions)
-        actions[:, 1, 2] = 1.0 if step >= SETTLE * match.league.control_rate else 0.0
-        if step >= SETTLE * match.league.control_rate:
-            true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
-            sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
-            frames.append([sector, *box_sizes(match), nearest_seen(match)[0] / true - 1.0])
+    for true in stare(match, actions, SETTLE, ROUND):
+        actions[:, 1, 2] = 1.0
+        sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
+        frames.append([sector, *box_sizes(match), nearest_seen(match)[0] / true - 1.0])
     match.close()
     sector, *values = (np.stack(rows, axis=1) for rows in zip(*frames, strict=True))
     names = ("width", "height", "all width", "all height", f"{view} table")
@@ -95,11 +93,6 @@ def measure_all_sides(batch: Batch, **sensors: Any) -> Samples:
         side = turn_player_once(batch, jersey, "side", **sensors)
         runs.append(front | {"side table": side["side table"]})
     return {name: np.stack([one[name] for one in runs], axis=1) for name in QUANTITIES}
-
-
-def measure_equal_stickers(batch: Batch) -> Samples:
-    """Return `measure_all_sides` with stickers of chest and rump as large as the stickers of the flanks."""
-    return measure_all_sides(batch, **ALIKE)
 
 
 def variation(sizes: np.ndarray) -> np.ndarray:
@@ -146,6 +139,9 @@ def plot_over_views(
     return draw
 
 
+EQUAL_STICKERS = Ablation(
+    "smaller stickers on chest and rump than on the flanks; here all are alike", partial(measure_all_sides, **ALIKE)
+)
 HOW = (
     f"{RUNS} players a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) turn "
     f"once round, {100 * NEAR:.0f} to {100 * FAR:.0f} cm before a robot that stares at them; means in 30-degree sectors"
@@ -158,18 +154,15 @@ S37 = Claim(
     method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
     criteria=(
-        measured("player: variation of the width over the height's", lambda samples: width_over_height(samples, "all "),
-                 at_least=3.0),
+        measured("player: variation of the width over the height's", width_over_height, "all ", at_least=3.0),
         measured("largest sticker: height head-on over that from the side",
                  lambda samples: float(front_over_side(samples).max()), below=1.0),
         reported("largest sticker: variation of width over that of height", width_over_height),
         reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     ),
-    rules=STAGED,
     measure=measure_all_sides,
     seconds=1.5,
-    without=Ablation("smaller stickers on chest and rump than on the flanks; here all are alike",
-        measure_equal_stickers),
+    without=EQUAL_STICKERS,
     figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
     ingredients=("sensors.sticker_*, all assumed", "the four largest blobs of a colour alone are delivered (MS04)"),
     note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
@@ -194,13 +187,9 @@ S38 = Claim(
         reported("side table: mean error head-on", lambda s: float(bias(s, "side", FRONT).mean()), unit="%"),
         reported("side table: mean error in the other views", lambda s: float(bias(s, "side", ASIDE).mean()), unit="%"),
     ),
-    rules=STAGED,
     measure=measure_all_sides,
     seconds=1.5,
-    without=Ablation("smaller stickers on chest and rump than on the flanks; here all are alike",
-        measure_equal_stickers),
+    without=EQUAL_STICKERS,
     figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip
-
-CLAIMS = (S37, S38)

@@ -6,12 +6,11 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, set_up_watchers
-from soccer_env.train.papers.dribble_runs import WAYS
-from soccer_env.train.papers.drill_runs import play_drill
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions
+from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, stage_watchers
+from soccer_env.train.papers.dribble_runs import WAYS, play_drill
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
 from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -46,11 +45,11 @@ def walk_off(batch: Batch) -> Samples:
     """
     distance, bearing, y, heading = draw_scenes(batch)
     speeds = np.tile(SPEEDS, SCENES)
-    match = set_up_watchers(batch, len(speeds))
+    match = stage_watchers(batch, len(speeds))
     put(match, 0, EYE_X, y, 0.0)
     put(match, 1, EYE_X + distance * np.cos(bearing), y + distance * np.sin(bearing), heading, forward=speeds)
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     actions[:, 1, 0] = speeds / match.league.drive.forward
     walk_mover(match, actions, LOOK, batch.rng(1))
     distance, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
@@ -101,10 +100,10 @@ def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random
     return np.moveaxis(np.array(way), 1, 0)
 
 
-def error_by_distance(samples: Samples, speeds: Sequence[float], name: str = "error") -> list[float]:
+def error_by_distance(samples: Samples, speeds: Sequence[float]) -> list[float]:
     """Return the median error of the believed place [cm] in each bin of distance, over movers of the given speeds."""
     column = [SPEEDS.index(speed) for speed in speeds]
-    distance, error = samples["distance"][:, column], samples[name][:, column]
+    distance, error = samples["distance"][:, column], samples["error"][:, column]
     return [100 * median(error[there]) for there in bin_masks(distance, BINS)]
 
 
@@ -144,28 +143,19 @@ S70 = Claim(
                  above=0.0),
         measured("least rise of the median error with the speed", lambda samples: least_rise(error_by_speed(samples)),
                  unit="cm", above=0.0),
-        reported("at top speed, seen from within 1 m", lambda s: error_at_speed(s, SPEEDS[-1], False), unit="cm"),
-        reported("at top speed, seen from beyond 1 m", lambda s: error_at_speed(s, SPEEDS[-1], True), unit="cm"),
-        reported("of players that stand, beyond 1 m: the sensors' part", lambda s: error_at_speed(s, 0.0, True),
-            unit="cm"),
-        reported("past a far mover without a touch, with the cut-off", lambda s: 100.0 * mean(s["with clean"]),
-                 unit="%"),
-        measured("past a far mover untouched, with the cut-off less without", lambda s: cut_off_gain(s, "clean"),
-            unit="pp",
+        reported("at top speed, seen from within 1 m", error_at_speed, SPEEDS[-1], False, unit="cm"),
+        reported("at top speed, seen from beyond 1 m", error_at_speed, SPEEDS[-1], True, unit="cm"),
+        reported("of players that stand, beyond 1 m: the sensors' part", error_at_speed, 0.0, True, unit="cm"),
+        reported("past a far mover without a touch, with the cut-off", "with clean", unit="%"),
+        measured("past a far mover untouched, with the cut-off less without", cut_off_gain, "clean", unit="pp",
                  at_least=0.0),
-        reported("past it, touched or not, with the cut-off less without", lambda s: cut_off_gain(s, "past"),
-            unit="pp"),
-        reported("untouched, less with the same k2 and no cut-off", lambda s: cut_off_gain(s, "clean", "", "unmatched"),
-                 unit="pp"),
-        reported("distances from the middle: untouched, with the cut-off",
-                 lambda s: 100.0 * mean(s["middle with clean"]), unit="%"),
-        reported("distances from the middle: with less without", lambda s: cut_off_gain(s, "clean", "middle "),
-            unit="pp"),
-        reported("distances from the middle: less with the same k2", lambda s: cut_off_gain(s, "clean", "middle ",
-            "unmatched"),
+        reported("past it, touched or not, with the cut-off less without", cut_off_gain, "past", unit="pp"),
+        reported("untouched, less with the same k2 and no cut-off", cut_off_gain, "clean", "", "unmatched", unit="pp"),
+        reported("distances from the middle: untouched, with the cut-off", "middle with clean", unit="%"),
+        reported("distances from the middle: with less without", cut_off_gain, "clean", "middle ", unit="pp"),
+        reported("distances from the middle: less with the same k2", cut_off_gain, "clean", "middle ", "unmatched",
                  unit="pp"),
     ),
-    rules=STAGED,
     measure=walk_off_and_pass,
     seconds=6.0,
     batches=10,
@@ -175,5 +165,3 @@ S70 = Claim(
     "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "
     "weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
 )  # fmt: skip
-
-CLAIMS = (S70,)

@@ -8,19 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, put_facing, set_up_watchers, view_of
-from soccer_env.train.papers.staging import (
-    begin_scene,
-    distance_to_ball,
-    distance_to_point,
-    play,
-    point_ahead,
-    put_ball,
-    standing_actions,
-)
-from soccer_env.train.papers.true_sight import stare_at_ball
-from soccer_env.train.papers.values import bin_masks, middles_of, rms
+from soccer_env.train.papers.claim import Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
+from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, stacked, still_actions
+from soccer_env.train.papers.true_sight import stare_for
+from soccer_env.train.papers.values import ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -38,44 +30,33 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
     "range": error of the distance of body centres; "true": this distance; "infrared": 0 if none; all [m]; "view" [rad].
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, **settings)
+    match = stage_watchers(batch, MATCHES, **settings)
     distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
-    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": [], "view": [], "infrared": []}
-    for step in play(match, SETTLE + SECONDS, actions):
-        look_at(match, actions)
-        if step < SETTLE * match.league.control_rate:
-            continue
-        true, _ = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
+    for true in stare(match, still_actions(match), SETTLE, SECONDS):
         rows["range"].append(nearest_seen(match)[0] - true)
         rows["true"].append(true)
         rows["view"].append(view_of(match, 1))
         rows["infrared"].append(match.percepts["infrared"][:, 0].astype(float))
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def look_at_balls(batch: Batch) -> Samples:
     """Return the measured range of a ball ("range") and its true range ("true"), at the places of `look_at_players`."""
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, sensors={"patches": 0.0})
+    match = stage_watchers(batch, MATCHES, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_ball(match, *point_ahead(match, 0, distance, bearing))
     begin_scene(match)
-    actions = standing_actions(match)
     rows: dict[str, list[np.ndarray]] = {"range": [], "true": []}
-    for step in play(match, SETTLE + SECONDS, actions):
-        stare_at_ball(match, actions)
-        if step < SETTLE * match.league.control_rate:
-            continue
+    for _ in stare_for(match, SETTLE, SECONDS):
         true, _ = distance_to_ball(match)
         ball = match.beliefs["ball"][:, 0]
         rows["range"].append(np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan))
         rows["true"].append(true)
-    match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return stacked(match, rows)
 
 
 def compare_player_and_ball(batch: Batch) -> Samples:
@@ -87,24 +68,10 @@ def compare_player_and_ball(batch: Batch) -> Samples:
     }  # fmt: skip
 
 
-def player_over_ball_error(samples: Samples) -> float:
-    """Return the relative rms range error of the player divided by that of the ball."""
-    return rms(samples["player"]) / max(rms(samples["ball"]), 1e-12)
-
-
-def error_curves(samples: Samples, labels: dict[str, str], near: float, far: float) -> tuple[Curve, ...]:
-    """Return curves of the rms of labelled errors, times 100, against the true distance."""
-    edges = np.linspace(near, far, 8)
-    inside = bin_masks(samples["true"], edges)
-    return tuple(
-        Curve(label, middles_of(edges, 100), [100 * rms(samples[name][i]) for i in inside])
-        for name, label in labels.items()
-    )
-
-
 def ball_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the relative range errors of a player and of the ball against the distance."""
-    curves = error_curves(samples, {"player": "player", "ball": "ball"}, NEAR, FAR)
+    names, edges = {"player": "player", "ball": "ball"}, np.linspace(NEAR, FAR, 8)
+    curves = curves_by_bin(samples, names, samples["true"], edges, rms)
     return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
 
 
@@ -128,7 +95,8 @@ def ranger_gain(samples: Samples) -> float:
 
 def ranger_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the range error with the ranger's rule and without against the distance."""
-    curves = error_curves(samples, {"with": "by infrared", "without": "by size"}, RANGER_NEAR, RANGER_FAR)
+    names, edges = {"with": "by infrared", "without": "by size"}, np.linspace(RANGER_NEAR, RANGER_FAR, 8)
+    curves = curves_by_bin(samples, names, samples["true"], edges, rms)
     label = "distance between bodies' centres [cm]"
     return (Figure("Range error of a centred player, infrared below 40 cm", label, "rms error [cm]", curves),)
 
@@ -141,11 +109,10 @@ S40 = Claim(
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
     criteria=(
-        measured("relative range error of players over the ball's", player_over_ball_error, above=1.0),
-        reported("relative error, player (root mean square)", lambda samples: 100 * rms(samples["player"]), unit="%"),
-        reported("relative error, ball", lambda samples: 100 * rms(samples["ball"]), unit="%"),
+        measured("relative range error of players over the ball's", ratio, "player", "ball", rms, above=1.0),
+        reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
+        reported("relative error, ball", "ball", of=rms, unit="%"),
     ),
-    rules=STAGED,
     measure=compare_player_and_ball,
     batches=32,
     seconds=1.0,
@@ -162,16 +129,13 @@ S41 = Claim(
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
     criteria=(
         measured("error without the rule less that with it", ranger_gain, unit="cm", above=0.0),
-        reported("error with the rule (root mean square)", lambda samples: 100 * rms(samples["with"]), unit="cm"),
-        reported("error without the rule", lambda samples: 100 * rms(samples["without"]), unit="cm"),
-        reported("frames with a reading under 40 cm", lambda samples: 100 * float(np.mean(samples["near"])), unit="%"),
-        reported("frames in which the rule takes it", lambda samples: 100 * float(np.mean(samples["taken"])), unit="%"),
+        reported("error with the rule (root mean square)", "with", of=rms, unit="cm"),
+        reported("error without the rule", "without", of=rms, unit="cm"),
+        reported("frames with a reading under 40 cm", "near", unit="%"),
+        reported("frames in which the rule takes it", "taken", unit="%"),
     ),
-    rules=STAGED,
     measure=compare_ranger_rule,
     seconds=1.0,
     figures=ranger_figure,
     ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),
 )
-
-CLAIMS = (S40, S41)

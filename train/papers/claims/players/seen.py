@@ -3,6 +3,7 @@
 Robot 0, of the home team, is the observer; the claim moves its head.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -12,20 +13,26 @@ from soccer_env.leagues.legged_sensors import RESOLUTIONS
 from soccer_env.match import Match
 from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, distance_to_point, hide_ball, point_ahead, put, stage, wrap_angle
+from soccer_env.train.papers.staging import LEGGED, distance_to_point, play, point_ahead, put, stage, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, look_at_point
 
 NONE = np.inf  # [m] gap to a player that nobody remembers
 STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at which a player is looked at
 
 
-def set_up_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
+def stage_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
     """Set up matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
     settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
     match = stage(batch, matches=matches, home=home, away=away, **settings)
     hide_ball(match)
     put(match, 0, 0.0, 0.0, batch.rng(9).uniform(-np.pi, np.pi, matches))
     return match
+
+
+def hide_ball(match: Match) -> None:
+    """Put the ball out of sight: far behind the boards, at rest."""
+    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
+        match.balls[name] = value
 
 
 def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> None:
@@ -37,9 +44,9 @@ def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> 
     put(match, r, x, y, wrap_angle(match.robots["heading"][:, 0] + bearing + np.pi - view))
 
 
-def view_of(match: Match, r: int, seen_by: int = 0) -> np.ndarray:
-    """Return the angle (M,) [rad] from which another robot sees robot r: 0 head-on, a half-turn from behind."""
-    eye = match.robots[:, seen_by]
+def view_of(match: Match, r: int) -> np.ndarray:
+    """Return the angle (M,) [rad] from which robot 0 sees robot r: 0 head-on, a half-turn from behind."""
+    eye = match.robots[:, 0]
     return distance_to_point(match, r, eye["x"], eye["y"])[1]
 
 
@@ -48,17 +55,23 @@ def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICK
     look_at_point(match, actions, 0, match.robots["x"][:, r], match.robots["y"][:, r], height)
 
 
+def stare(match: Match, actions: np.ndarray, settle: float, seconds: float) -> Iterator[np.ndarray]:
+    """Let robot 0 stare at robot 1; after `settle` [s] yield their true distance (M,) [m] in each step of `seconds`."""
+    for step in play(match, settle + seconds, actions):
+        look_at(match, actions)
+        if step >= settle * match.league.control_rate:
+            yield distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])[0]
+
+
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:
     """Return robot 0's memory slots (M, slots), with their tracks, for opponents or for team-mates."""
     first = match.league.slots.teammates
-    slots: np.ndarray = match.tracks[:, 0, :first] if teammates else match.tracks[:, 0, first:]
-    return slots
+    return match.tracks[:, 0, :first] if teammates else match.tracks[:, 0, first:]
 
 
 def is_fresh(match: Match, slots: np.ndarray) -> np.ndarray:
     """Tell which slots hold a player seen in this frame."""
-    fresh: np.ndarray = (slots["present"] == 1) & (slots["age"] < 0.5 * match.league.dt)
-    return fresh
+    return np.asarray((slots["present"] == 1) & (slots["age"] < 0.5 * match.league.dt))
 
 
 def nearest_seen(match: Match) -> tuple[np.ndarray, np.ndarray]:
@@ -112,13 +125,13 @@ def matched_distances(gaps: np.ndarray, limit: float) -> np.ndarray:
     return nearest
 
 
-def blob_directions(match: Match, colour: str = "opponents") -> tuple[np.ndarray, np.ndarray]:
-    """Return bearings and elevations (M, blobs) [rad] of blobs of a colour from robot 0's camera, NaN without a blob.
+def blob_directions(match: Match) -> tuple[np.ndarray, np.ndarray]:
+    """Return bearings and elevations (M, blobs) [rad] of opponents' blobs from robot 0's camera, NaN without a blob.
 
     The geometry of soccer_env.optics.head_camera for all robots at once; a test compares the two.
     """
     percept, s = match.percepts[:, 0], match.league.sensors
-    blobs = percept[colour]
+    blobs = percept["opponents"]
     pan = percept["pan"][:, None].astype(float)
     tilt = percept["tilt"][:, None].astype(float)
     finer = 1 << RESOLUTIONS[s.resolution]
@@ -137,12 +150,11 @@ def distances_from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.nda
     return np.hypot(dx, dy), wrap_angle(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
 
 
-def blob_heights(match: Match, r: int = 1) -> np.ndarray:
-    """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot r."""
-    away, _ = distances_from_camera(match, [r])
+def blob_heights(match: Match) -> np.ndarray:
+    """Return the heights over the ground (M, blobs) [m] of opponents' blobs' middles, if all blobs show robot 1."""
+    away, _ = distances_from_camera(match, [1])
     camera, _ = camera_of(match)
-    heights: np.ndarray = camera[:, 2:] + away * np.tan(blob_directions(match)[1])
-    return heights
+    return np.asarray(camera[:, 2:] + away * np.tan(blob_directions(match)[1]))
 
 
 def blob_owners(match: Match, robots: Any) -> np.ndarray:
@@ -157,5 +169,4 @@ def slot_bearings(match: Match, slots: np.ndarray) -> np.ndarray:
     """Return the bearings (M, slots) [rad] of slots' places from robot 0's camera, not from its body's centre."""
     camera, _ = camera_of(match)
     ahead, left = into_robot_frames(match.robots[:, 0], camera[:, 0], camera[:, 1])
-    bearing: np.ndarray = np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None])
-    return bearing
+    return np.asarray(np.arctan2(slots["y"] - left[:, None], slots["x"] - ahead[:, None]))

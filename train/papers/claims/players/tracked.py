@@ -1,23 +1,22 @@
 """The number and accuracy of tracked players: the old system and the new one.  [Sacks 2001, 4.1]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.players.seen import (
     distances_from_camera,
     gaps_to,
     is_fresh,
     matched_distances,
-    set_up_watchers,
     slot_bearings,
     slots_of,
+    stage_watchers,
 )
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, standing_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -55,12 +54,12 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
     The errors are of the nearest team-mate and the nearest opponent in the frame, NaN without one.
     """
     rng = batch.rng()
-    match = set_up_watchers(batch, MATCHES, home=3, away=3, memory=memory)
+    match = stage_watchers(batch, MATCHES, home=3, away=3, memory=memory)
     for r, (x, y) in enumerate(PLACES):
         aside = rng.uniform(-0.2, 0.2, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
-    actions = standing_actions(match)
+    actions = still_actions(match)
     walks = batch.rng(1)
     tracked, errors = [], []
     for step in play(match, SETTLE + SECONDS, actions):
@@ -135,13 +134,9 @@ S32 = Claim(
         measured("players tracked, new over old",
                  lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
         measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
-        *(
-            reported(f"players tracked of the five others, {name}", partial(recall, name=name), unit="%")
-            for name in VARIANTS
-        ),
-        *(reported(f"range error, {name}", partial(error, name=name), unit="cm") for name in ("new", "old")),
+        *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
+        *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     ),
-    rules=STAGED,
     measure=compare_systems,
     seconds=5.0,
     figures=tracked_figure,
@@ -149,5 +144,3 @@ S32 = Claim(
     note="The table of the old system is not told; the first one of the paper's own calibrations, from the side by all "
     "blobs, stands for it, so that the second criterion compares the new system with its own first version.",
 )  # fmt: skip
-
-CLAIMS = (S32,)

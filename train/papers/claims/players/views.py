@@ -1,7 +1,6 @@
 """The angles from which players see each other in play.  [Sacks 2001, 4.1.2]"""
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -49,20 +48,10 @@ def play_matches(batch: Batch, senses: str) -> np.ndarray:
     return counts
 
 
-def count_views(batch: Batch) -> Samples:
-    """Return the counts of `play_matches` with the robots' sensors, and with ideal senses."""
-    return {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}
-
-
 def shares_by_third(counts: np.ndarray) -> np.ndarray:
     """Return the shares [%] of views from the front (within 60 degrees), the sides, and the rear (beyond 120)."""
     total = counts.sum(axis=0).reshape(3, -1).sum(axis=1)
     return np.asarray(100.0 * total / max(total.sum(), 1.0))
-
-
-def third_share(samples: Samples, third: int) -> float:
-    """Return the share [%] of one third of the circle (see `shares_by_third`) in play by sensors."""
-    return float(shares_by_third(samples["sensors"])[third])
 
 
 def front_lead(counts: np.ndarray) -> float:
@@ -93,14 +82,13 @@ S69 = Claim(
     criteria=(
         measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
                  unit="%", above=0.0),
-        *(reported(f"share {name}", partial(third_share, third=i), unit="%") for i, name in enumerate(THIRDS)),
+        *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
+          for i, name in enumerate(THIRDS)),
         reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),
     rules=PLAYED,
-    measure=count_views,
+    measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")},
     seconds=4.0,
     figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
 )  # fmt: skip
-
-CLAIMS = (S69,)

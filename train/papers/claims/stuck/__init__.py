@@ -1,14 +1,11 @@
 """How a robot notices that it is stuck, and how it gets free.
 
-alarms_in_play.py  False alarms in play: a robot believes that it is stuck and is not.
 branches.py        The fate of robots that were held in play, with the recovery and without.
-collisions.py      Collisions on the way to the ball: their frequency, and their duration.
+collisions.py      Collisions on the way to the ball: their frequency and duration; stealing the ball by one.
 detection.py       How a robot notices that it is stuck: the ball does not come nearer.
-false_alarms.py    False alarms in staged approaches: a robot that nothing stops believes that it is stuck.
+false_alarms.py    False alarms, staged and in play: a robot that nothing stops believes that it is stuck.
 recovery.py        How a stuck robot gets free: steps back, then aside or round, then to the ball again.
 runs.py            Runs of a robot that goes for a ball and is stopped on the way, for the claims on collisions.
 sampled.py         Moments of play in which a robot is held, or believes that it is stuck, and branches from them.
-stealing.py        Stealing the ball by running into the opponent that has it.
-wall.py            A robot that faces out at the field's edge and turns to a ball aside or behind.
-worth.py           The worth of noticing a collision and recovering from it, task by task.
+worth.py           The worth of noticing a collision and recovering from it, task by task; turning at a wall.
 """

@@ -82,8 +82,7 @@ class Fate:
         goes = np.hypot(robot["vx"], robot["vy"]) >= AS_COMMANDED * commanded
         free = goes & ~recovers & (match.robot_events["collision"][at] == 0) & (robot["active"] == 1)
         self.clear = np.where(free, self.clear + match.league.dt, 0.0)
-        free_long: np.ndarray = self.clear >= FREE_TIME
-        return free_long
+        return self.clear >= FREE_TIME
 
 
 def has_ball_alone(match: Match, robots: np.ndarray) -> np.ndarray:
@@ -91,8 +90,7 @@ def has_ball_alone(match: Match, robots: np.ndarray) -> np.ndarray:
     at = (np.arange(match.count), robots)
     has = match.robots["has_ball"] == 1
     theirs = (has & (match.robots["team"] != match.robots["team"][at][:, None])).any(axis=1)
-    alone: np.ndarray = has[at] & ~theirs
-    return alone
+    return np.asarray(has[at] & ~theirs)
 
 
 def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
@@ -101,8 +99,7 @@ def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
     ahead = match.matches["home_direction"] * np.where(robot["team"] == HOME, 1.0, -1.0)
     to_ball = np.arctan2(ball["y"] - robot["y"], ball["x"] - robot["x"])
     to_goal = np.arctan2(-ball["y"], ahead * match.league.pitch.length / 2 - ball["x"])
-    off: np.ndarray = np.degrees(np.abs(wrap_angle(to_ball - to_goal)))
-    return off
+    return np.asarray(np.degrees(np.abs(wrap_angle(to_ball - to_goal))))
 
 
 def follow_moments(
@@ -163,8 +160,7 @@ def run_branch(match: Match, robots: np.ndarray, batch: Batch, begun: bool, rand
 def index_within_match(moments: Moments) -> np.ndarray:
     """Return the index of each moment within its match."""
     before = moments.match[:, None] == moments.match[None, :]
-    numbers: np.ndarray = np.tril(before, -1).sum(axis=1)
-    return numbers
+    return np.asarray(np.tril(before, -1).sum(axis=1))
 
 
 def select_moments(found: Samples, **flags: float) -> np.ndarray:

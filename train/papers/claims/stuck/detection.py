@@ -1,7 +1,6 @@
 """How a robot notices that it is stuck: the ball does not come nearer.  [Sacks 2001, 3, 3.3]"""
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -90,14 +89,12 @@ S22 = Claim(
     criteria=(
         counted("ball at 20 to 60 cm: noticed within 5 s", "in 60 cm", "trials 60 cm", at_least=95.0),
         counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
-        reported("ball at 20 to 35 cm: noticed within 5 s", partial(percent, "in near", "trials near"), unit="%"),
-        reported(
-            "ball at 20 to 35 cm: noticed within 10 s", partial(percent, "in near, late", "trials near, late"), unit="%"
-        ),
-        reported("ball at 35 to 60 cm: noticed within 5 s", partial(percent, "in middle", "trials middle"), unit="%"),
-        reported("ball at 60 to 80 cm: noticed within 5 s", partial(percent, "in far", "trials far"), unit="%"),
-        reported("held in play: noticed within 5 s", partial(percent, "known 5 s", "robots 5 s"), unit="%"),
-        reported("held in play: noticed within 20 s", partial(percent, "known 20 s", "robots 20 s"), unit="%"),
+        reported("ball at 20 to 35 cm: noticed within 5 s", percent, "in near", "trials near", unit="%"),
+        reported("ball at 20 to 35 cm: noticed within 10 s", percent, "in near, late", "trials near, late", unit="%"),
+        reported("ball at 35 to 60 cm: noticed within 5 s", percent, "in middle", "trials middle", unit="%"),
+        reported("ball at 60 to 80 cm: noticed within 5 s", percent, "in far", "trials far", unit="%"),
+        reported("held in play: noticed within 5 s", percent, "known 5 s", "robots 5 s", unit="%"),
+        reported("held in play: noticed within 20 s", percent, "known 20 s", "robots 20 s", unit="%"),
     ),
     rules=PLAYED_AND_STAGED,
     measure=measure_held_robots,
@@ -169,8 +166,8 @@ S04 = Claim(
     "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
     criteria=(
         measured("area under the ROC curve of the mean velocity", roc_area, at_least=0.9),
-        reported("median of free robots", lambda s: 100 * median(s["free"]), unit="cm/s"),
-        reported("median of held robots", lambda s: 100 * median(s["stuck"]), unit="cm/s"),
+        reported("median of free robots", "free", of=median, unit="cm/s"),
+        reported("median of held robots", "stuck", of=median, unit="cm/s"),
     ),
     rules=PLAYED,
     measure=velocity_windows,
@@ -180,5 +177,3 @@ S04 = Claim(
     batches=12,
     least=4,
 )
-
-CLAIMS = (S04, S22)

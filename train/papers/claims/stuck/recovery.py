@@ -53,11 +53,6 @@ def held_again_shares(samples: Samples) -> list[float]:
     return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
 
 
-def held_again_share(samples: Samples, number: int) -> float:
-    """Return the share of robots held again [%] for the number of steps BACK_STEPS[number]."""
-    return held_again_shares(samples)[number]
-
-
 def ten_steps_ratio(samples: Samples) -> float:
     """Return the share held again after 10 steps back over the mean share after 2 and 5; NaN: no robot is held."""
     two, five, ten, _ = held_again_shares(samples)
@@ -79,7 +74,7 @@ S26 = Claim(
     criteria=(
         measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
         *(
-            reported(f"held again after {steps} steps back", partial(held_again_share, number=i), unit="%")
+            reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
             for i, steps in enumerate(BACK_STEPS)
         ),
     ),
@@ -133,13 +128,13 @@ S27 = Claim(
         measured("change of the misalignment until the robot has the ball", misalignment_change, unit="deg", below=0.0),
         measured("misalignment when it has the ball, less that with a random side",
                  lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
-        reported("cleared with a random side", partial(percent, "clear either", "aside either"), unit="%"),
-        reported("the same change with a random side", lambda s: misalignment_change(s, " either"), unit="deg"),
+        reported("cleared with a random side", percent, "clear either", "aside either", unit="%"),
+        reported("the same change with a random side", misalignment_change, " either", unit="deg"),
         reported("change of the misalignment by the recovery alone", partial(misalignment_change, until="after"),
-            unit="deg"),
+                 unit="deg"),
         reported("misalignment right after it, less that with a random side",
                  lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
-        reported("misalignment before", lambda s: mean(s["before"]), unit="deg"),
+        reported("misalignment before", "before", unit="deg"),
     ),
     rules=PLAYED_AND_STAGED,
     measure=compare_sides,
@@ -213,18 +208,17 @@ S29 = Claim(
     criteria=(
         counted("free after at most three tries", "few", "one", at_least=90.0),
         measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
-            at_least=5.0),
+                 at_least=5.0),
         measured("free within 10 s: recovering less pushing on", recovery_gain, unit="pp", above=0.0),
-        reported("free within 10 s, pushing on", partial(share_within, name="freed off", seconds=FREE, flags={}),
-            unit="%"),
+        reported("free within 10 s, pushing on", share_within, "freed off", FREE, {}, unit="%"),
         reported("when they notice by themselves: free within 10 s, less pushing on", partial(recovery_gain, word="on"),
                  unit="pp"),
         reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
                  partial(recovery_gain, word="quick"), unit="pp"),
-        reported("the same: ball got, less pushing on", partial(recovery_gain, name="got", word="quick"), unit="pp"),
+        reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
         *(
             reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
-                unit="pp")
+                     unit="pp")
             for title, flags in SITUATIONS.items()
         ),
         *(
@@ -247,5 +241,3 @@ S29 = Claim(
     batches=12,
     least=4,
 )  # fmt: skip
-
-CLAIMS = (S26, S27, S29)

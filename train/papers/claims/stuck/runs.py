@@ -1,10 +1,9 @@
 """Runs of a robot that goes for a ball and is stopped on the way, for the claims on collisions.  [Sacks 2001, 3]
 
 A walking robot slides past another sooner or later, and moves a standing robot by millimetres. Claims about a stuck
-robot therefore hold it (`immobilise_robots`: its legs slip), or fix the robot in its way (`make_immovable`).
+robot therefore hold it (`immobilise_robots`: its legs slip), or fix the robot in its way (`set_up_blocked_path`).
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ ABREAST = 0.16  # [m] sideways distance at which two robots just pass each other
 OVERLAP = 0.08  # [m] greatest overlap of bodies: with more the ball is hidden
 POST, BEYOND = (0.33, 0.4), (0.22, 0.35)  # [m] of the robot in the way, and of the ball beyond it
 AHEAD, ANGLE = (0.5, 0.7), (np.pi / 6.0, 2.0 * np.pi / 3.0)  # [m] of the ball before a camera, [rad] between ways
+WAYS = 0.4  # [rad] of a blocked path off the goal's direction, at most
 START = -0.9  # [m] x of the robot at the start
 
 
@@ -43,11 +43,6 @@ def immobilise_robots(match: Match) -> None:
     for name in ("vx", "vy"):
         match.robots[name] = 0.0
     match.rebuild()
-
-
-def make_immovable(match: Match, rows: Sequence[int]) -> None:
-    """Make the robots `rows` so heavy that no robot can move them."""
-    set_mass(match, rows, HEAVY, HEAVY)
 
 
 def set_up_walk(batch: Batch, matches: int, nearest: float, farthest: float, **settings: Any) -> Match:
@@ -81,15 +76,15 @@ def set_up_converging(batch: Batch, matches: int, **settings: Any) -> Match:
     return match
 
 
-def set_up_blocked_path(batch: Batch, matches: int, ways: float = 0.4, **settings: Any) -> Match:
+def set_up_blocked_path(batch: Batch, matches: int, **settings: Any) -> Match:
     """Set up matches in which an immovable robot stands in robot 0's path to a still ball.
 
     The immovable robot stands beside the straight path, so that the ball is seen past it, and the bodies overlap by up
-    to OVERLAP; paths (M,) [rad] are up to `ways` off the goal's direction.
+    to OVERLAP; paths are up to WAYS off the goal's direction.
     """
     rng = batch.rng()
     match = set_up_seekers(batch, matches, **settings)
-    way, side = rng.uniform(-ways, ways, matches), rng.choice([-1.0, 1.0], matches)
+    way, side = rng.uniform(-WAYS, WAYS, matches), rng.choice([-1.0, 1.0], matches)
     x, y = rng.uniform(-0.6, 0.3, matches), rng.uniform(-0.2, 0.2, matches)
     ahead, aside = rng.uniform(*POST, matches), side * (ABREAST - rng.uniform(0.0, OVERLAP, matches))
     put(match, 0, x, y, way)
@@ -98,7 +93,7 @@ def set_up_blocked_path(batch: Batch, matches: int, ways: float = 0.4, **setting
     put(match, 1, post_x, post_y, way + np.pi + rng.uniform(-0.3, 0.3, matches))
     put_ball(match, *point_ahead(match, 0, ahead + rng.uniform(*BEYOND, matches), 0.0))
     begin_scene(match, placed=True)
-    make_immovable(match, (1,))
+    set_mass(match, (1,), HEAVY, HEAVY)
     return match
 
 

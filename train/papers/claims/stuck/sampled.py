@@ -79,13 +79,11 @@ class MotionWindow:
     def path(self, at: int = 0) -> np.ndarray:
         """Return the distances [m] that the robots moved from start to end of the window; with `at` 5, the ball's."""
         way = self.rows[-1][at : at + 2] - self.rows[0][at : at + 2]
-        distance: np.ndarray = np.hypot(way[0], way[1])
-        return distance
+        return np.asarray(np.hypot(way[0], way[1]))
 
     def mean(self, row: int) -> np.ndarray:
         """Return the mean over the window of one recorded quantity, by its row in `look`."""
-        mean: np.ndarray = np.mean([now[row] for now in self.rows], axis=0)
-        return mean
+        return np.asarray(np.mean([now[row] for now in self.rows], axis=0))
 
     def touches(self) -> np.ndarray:
         """Tell which robots were in contact for most of the window."""
@@ -93,15 +91,13 @@ class MotionWindow:
 
     def there(self) -> np.ndarray:
         """Tell which robots were on the field throughout, and were not moved by the referee."""
-        there: np.ndarray = self.mean(7) == 1.0
-        return there
+        return np.asarray(self.mean(7) == 1.0)
 
     def held(self) -> np.ndarray:
         """Tell which robots went for the ball, in contact, and moved much less than their legs walked."""
         walked = self.mean(2) * self.size
         gone = self.path() < SHARE * walked
-        held: np.ndarray = (self.mean(4) == 1.0) & self.touches() & (walked > WALKED) & gone
-        return held
+        return np.asarray((self.mean(4) == 1.0) & self.touches() & (walked > WALKED) & gone)
 
     def fell_short(self) -> np.ndarray:
         """Tell which robots went for the ball, in contact, and approached it much less than their legs walked.
@@ -111,8 +107,7 @@ class MotionWindow:
         first, last = (np.hypot(now[5] - now[0], now[6] - now[1]) for now in (self.rows[0], self.rows[-1]))
         walked = self.mean(2) * self.size
         nearer = first - last >= SHARE * walked
-        short: np.ndarray = (self.mean(4) == 1.0) & self.touches() & (walked > WALKED) & ~nearer
-        return short
+        return np.asarray((self.mean(4) == 1.0) & self.touches() & (walked > WALKED) & ~nearer)
 
     def still(self) -> np.ndarray:
         """Tell in which matches the ball lay still."""
@@ -131,8 +126,7 @@ def behaviours(match: Match) -> np.ndarray:
 def distance_from_camera(match: Match, distance: np.ndarray, bearing: np.ndarray) -> np.ndarray:
     """Convert distances [m] from body centres, at bearings [rad], to distances from a camera that looks ahead."""
     ahead = match.league.head.camera_ahead
-    from_camera: np.ndarray = np.hypot(distance * np.cos(bearing) - ahead, distance * np.sin(bearing))
-    return from_camera
+    return np.asarray(np.hypot(distance * np.cos(bearing) - ahead, distance * np.sin(bearing)))
 
 
 def counters_have_tripped(match: Match) -> np.ndarray:
@@ -142,8 +136,7 @@ def counters_have_tripped(match: Match) -> np.ndarray:
     ball = match.beliefs["ball"]
     near = distance_from_camera(match, ball["filtered_distance"], ball["filtered_bearing"]) < team.near
     both = ~near | (memory["near"] >= team.near_time)
-    stuck: np.ndarray = (behaviours(match) == APPROACH) & (memory["stuck"] >= team.stuck_count) & both
-    return stuck
+    return np.asarray((behaviours(match) == APPROACH) & (memory["stuck"] >= team.stuck_count) & both)
 
 
 def sample_moments(batch: Batch) -> Moments:
