@@ -38,6 +38,8 @@ MAX_TEAM = 11  # players a side that a match has room for, at most
 MAX_DELAY_STEPS = 12  # control steps of actuation delay that a robot record has room for
 NOISE_STREAMS = 16  # room for named noise streams in each match and robot record
 NO_TEAM = -1
+WORLD = 2  # raised when physics, referee or sensors change: saves, replays and results belong to one world
+OTHER_WORLD = "load it with the version of soccer_env that made it"  # in errors
 HOME = 0
 AWAY = 1
 
@@ -217,6 +219,7 @@ ROBOT = ranged_record(
         ("senses", "i8", FLAG),  # 1: it uses its sensors, `gaze` comes from its belief; 0: its head follows the ball
         ("gaze", GAZE),  # [rad] where the head looks unless the command says otherwise
         ("kick_clock", "f8", NUMBER),  # [s] left of a wind-up or a block (negative: of the recharge, as -s); 0 ready
+        ("kick_side", "f8", Range(-1.0, 1.0)),  # of the kick being wound up: 0 ahead, 1 aside to the left, -1 right
         ("kick_strength", "f8", SHARE),  # (0, 1] of the kick being wound up; 0: it is a block
         ("has_ball", "i8", FLAG),  # 1: the ball lies in the pocket or at the kicker
         ("stands", "i8", FLAG),  # 1: it rests and holds with all paws or wheels; 0: it walks, drives or brakes
@@ -281,6 +284,7 @@ ROBOT_EVENTS = ranged_record(
     [  # what happened to a robot in this step
         ("touch", "i2", FLAG),  # 1: touched the ball
         ("kick", "i2", FLAG),  # 1: a kick reached the ball
+        ("squirt", "i2", Range(-1, 1)),  # 1, -1: its kick lifts the ball out aside, to the left or right
         ("possession", "i2", FLAG),  # 1: the ball lay in its pocket or at its kicker
         ("collision", "i2", FLAG),  # 1: touched another robot
         ("pushes", "i2", Range(0, 2)),  # it walks into an opponent: 1 any, 2 a goalkeeper in its own area; 0: none

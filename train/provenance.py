@@ -16,6 +16,7 @@ from soccer_env.guards.names import MODULE_PATH
 from soccer_env.leagues import LEAGUES
 from soccer_env.leagues.league import League
 from soccer_env.teams import CompiledTeam, Team, make_team
+from soccer_env.types import WORLD
 
 LIBRARIES = ("soccer_env", "pymunk", "numba", "numpy")
 DIGITS = 12  # of a hash, in hexadecimal
@@ -31,7 +32,7 @@ def module_hashes(names: Iterable[str]) -> dict[str, str]:
 
 def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, str]:
     """Return the versions and hashes on which matches depend: code, the two teams and the league."""
-    versions = {name: version_of(name) for name in LIBRARIES}
+    versions = {name: version_of(name) for name in LIBRARIES} | {"world": str(WORLD)}
     hashes = {"code": module_hash("soccer_env.match.match"), "home_team": team_hash(home), "away_team": team_hash(away)}
     own = {} if LEAGUES.get(league.name) is league else {"league": digest(league.in_full())}
     return {**versions, **hashes, **own}

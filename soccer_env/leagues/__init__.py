@@ -28,11 +28,14 @@ from soccer_env.leagues.rules import Rules
 LEAGUES: dict[str, League] = {
     league.name: league
     for league in (
-        legged_2001.LEAGUE, middle_size_2006.LEAGUE, legged_2001.INNER, legged_2001.SMOOTH, legged_2001.BLOCK,
+        legged_2001.LEAGUE, middle_size_2006.LEAGUE, legged_2001.UPRIGHT, legged_2001.SMOOTH, legged_2001.BLOCK,
         middle_size_2006.OLD_BASE,
     )
 }  # fmt: skip
-RETIRED = {"legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the body without them"}
+RETIRED = {
+    "legged-2001-legs": "legged-2001 has legs now, legged-2001-smooth the body without them",
+    "legged-2001-inner": "the floor of legged-2001, inside its ramps, is 2.8 x 1.8 m now",
+}
 
 
 def find_league(league: str | League) -> League:

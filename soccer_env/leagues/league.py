@@ -24,7 +24,6 @@ A walled pitch has no band: boards stand on the touchlines and goal lines, and t
 """
 
 from dataclasses import dataclass, field, fields
-from math import sqrt
 from typing import Any, Literal
 
 from soccer_env.guards.checking import ABOVE_ZERO, Range, raise_not_allowed
@@ -37,6 +36,7 @@ from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
 
 MAX_RATE = 1000  # [1/s] control steps
 MAX_ROUNDS = 100_000  # of the contact solver in a control step: more would take too long
+AHEAD_OF_RAMP = 0.41421356237309503  # [ball radii] tan 22.5: from the foot of a ramp to a ball that touches it
 MAX_LEAP = 0.25  # [m] of the ball in a substep: half of a board's thickness; a longer leap ends behind the board
 
 
@@ -45,7 +45,7 @@ class Pitch(LeaguePart):
     """The field of play, its goals and boards; see the map at the head of this file. Lengths in metres."""
 
     BOUNDS = dict.fromkeys(("length", "width", "goal_width", "goal_depth"), ABOVE_ZERO)
-    ORDER = (("goal_width", "less than", "width"),)
+    ORDER = (("goal_width", "less than", "width"), ("board_foot", "at most", "ramp"))
 
     length: float  # [m] along x, between the goal lines
     width: float  # [m] along y, between the touchlines
@@ -59,7 +59,8 @@ class Pitch(LeaguePart):
     goal_area_width: float = 0.0  # [m]
     band_side: float = 0.0  # [m] room for robots beyond a touchline
     band_end: float = 0.0  # [m] room for robots beyond a goal line
-    board_foot: float = 0.0  # [m] depth and height of the sloped foot of a board, at 45 degrees
+    ramp: float = 0.0  # [m] width in plan of the sloped foot of a board, 45 degrees, which rolls the ball back
+    board_foot: float = 0.0  # [m] from a board to where paws stop: the ramp less what a paw steps up
     post_radius: float = 0.02  # [m]
     line: float = field(default=0.025, metadata=PYTHON_ONLY)  # [m] width of the lines
 
@@ -154,9 +155,6 @@ class League(LeaguePart):
         if self.sensors is not None:
             check_kind(self.sensors)
         self._check_ball_tunnelling()
-        if self.pitch.board_foot > self.highest_foot:
-            limit = f"at most {self.highest_foot:.4f}, got {self.pitch.board_foot}"
-            raise ValueError(f"Pitch.board_foot must be {limit}: the ball has to meet the upright board")
         if self.body.legs and self.drive.gait_steps % 2 != 0:
             raise ValueError(f"Drive.gait_steps must be even for a body with legs, got {self.drive.gait_steps}")
         if self.block.raise_time > 0.0 and not self.body.legs:
@@ -196,18 +194,8 @@ class League(LeaguePart):
         return 1.0 / self.control_rate
 
     @property
-    def highest_foot(self) -> float:
-        """Return the greatest height [m] of a board's foot at which a ball on the floor meets the board, not the foot.
-
-        The slope of a foot of height h is x + z = h, with x the distance from the board. The centre of a ball that
-        touches floor and board lies at x = z = r, (2 r - h) / sqrt(2) from the slope: r or more if h is at most
-        r (2 - sqrt(2)).
-        """
-        return self.ball.radius * (2.0 - sqrt(2.0))
-
-    @property
     def foot(self) -> float:
-        """Return how far [m] the boards' feet keep legged robots off the boards; 0 for robots on wheels."""
+        """Return how far [m] the ramps keep legged robots off the boards; 0 for robots on wheels."""
         return self.pitch.board_foot if self.body.legs else 0.0
 
     @property

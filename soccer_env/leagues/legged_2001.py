@@ -1,6 +1,6 @@
 """The Sony legged league of 2001: AIBO ERS-210 robots on a walled field of 3 x 2 m.  [Sacks 2001, 1]  MS56
 
-+-----------------------------------------------+   3.0 x 2.0 m, boards all round
++-----------------------------------------------+   3.0 x 2.0 m, boards all round, with ramps of 0.1 m before them
 |                       |                       |   goals 0.6 m wide, 0.3 m deep
 |---+                   |                   +---|   16 control steps a second, gait steps of half a second
 +   |                  ( o )                |   +
@@ -28,7 +28,12 @@ PITCH = Pitch(
     penalty_width=1.0,  # [m] league rules, remembered, unverified
     circle=0.15,  # [m] radius; 300 mm across in the 2004 rule book
     walled=True,  # league rules of 2001 to 2004
-    board_foot=0.024,  # [m] sloped feet are remembered; height assumed: below 24.6 mm, so that the ball meets the board
+    # Boards were ramps ("if too much then walk up against ramp", rUNSWift 2003, offEdgeKick.cc), 0.1 m wide in plan
+    # ("WALL_THICKNESS = 0; //was 10;", rUNSWift 2005, FieldDef.h): a floor of 2.8 x 1.8 m, which is the other size of
+    # the field in sources. Their angle, 45 degrees, is remembered. Where the goal line ran was not found: it stays at
+    # the outer edge. The corners of 2003 were cut by triangles; whether those of 2001 were was not found: they are not.
+    ramp=0.1,  # [m] sources above
+    board_foot=0.075,  # [m] paws step up 25 mm: WALK_HIND_LIFT_INITIAL in Tekkotsu's UPennWalkMC.cc
     post_radius=0.02,  # [m] assumed
     line=0.025,  # [m] 2004 rule book
 )
@@ -100,7 +105,7 @@ DRIVE = Drive(
     acceleration=0.24,  # [m/s2] twice the top speed a second, CMPack'02 walk
     turn_acceleration=1.6,  # [rad/s2] twice the top turn rate a second, CMPack'02 walk
     traction=3.0,  # [m/s2] rubber paws on carpet, all four, assumed
-    thrust=1.5,  # [m/s2] half the traction: a trot stands on two of four paws
+    thrust=3.0,  # [m/s2] the traction: in a trot two of four paws carry the whole weight (Coulomb)
     turn_traction=30.0,  # [rad/s2] assumed
     turn_thrust=15.0,  # [rad/s2] half the turn traction
     delay=0.1,  # [s] 0.1 to 0.2, assumed
@@ -123,6 +128,10 @@ KICKER = Kicker(
     reach=0.03,  # [m] assumed
     half_width=0.045,  # [m] between the paws
     keeper_kicks=True,
+    aside=50.0 * pi / 180.0,  # [rad] the UPenn kick: UPENN_OFFSET_ANGLE = 50, rUNSWift 2005, sUpennKick
+    aside_wind_up=0.8,  # [s] UPENN_DURATION = 24 frames at 30 a second, sUpennKick
+    squirt=0.5,  # assumed: every second kick at a ball between two robots lifts it out aside
+    squirt_way=0.14,  # [m] aside: over a forepaw, its radius and the ball's, 121 mm, and a little more, assumed
 )
 
 # The block of a goalkeeper, only in the variant legged-2001-block.  MS53
@@ -170,7 +179,7 @@ RULES = Rules(
     corner_offset=0.0,
     goal_kick_x=0.5,  # [m] unused on a walled field
     goal_kick_y=0.3,  # [m] unused on a walled field
-    drop_way=0.3,  # [m] about a robot's length, assumed
+    drop_distance=0.5,  # [m] a robot has room behind the ball on each side, assumed
     contact_time=15.0,  # [s] "after a set time", Sacks 2001, 1; assumed: the time of a stuck ball  MS55
     pardon=True,
     pushing=True,
@@ -205,6 +214,7 @@ LEAGUE = League(  # MS56
     memory=LeggedMemory(),
 )
 
-INNER = replace(LEAGUE, name="legged-2001-inner", pitch=replace(PITCH, length=2.8, width=1.8))  # the other reading
+# Upright boards, against which the ball can lie
+UPRIGHT = replace(LEAGUE, name="legged-2001-upright", pitch=replace(PITCH, ramp=0.0, board_foot=0.0))
 SMOOTH = replace(LEAGUE, name="legged-2001-smooth", body=SMOOTH_BODY)  # a body of one piece, without legs
 BLOCK = replace(LEAGUE, name="legged-2001-block", block=BLOCK_MOTION)  # its goalkeepers can spread their forelegs

@@ -14,12 +14,13 @@ class LeggedFouls(LeaguePart):
     pushing: bool = False  # a robot walks into an opponent off the ball for `pushing_time`
     pushing_time: float = 3.0  # [s] in contact
     pushing_exempt: float = 0.5  # [m] the robot nearest to the ball may push for it within this distance
-    keeper_pushing: bool = False  # a robot walks into the goalkeeper in its own penalty area, even for the ball
+    keeper_pushing: bool = False  # a robot walks into the goalkeeper in its own area, with the ball or itself in it
     keeper_pushing_time: float = 1.0  # [s] in contact
     annulled_push: float = 0.5  # [s] of a push or hold after which a goal by the robot's team does not count
     annulled_time: float = 3.0  # [s] after the whistle in which the whistled team cannot score
     holding: bool = False  # a robot keeps the ball from all others for `holding_time`
     holding_time: float = 3.0  # [s]
+    holding_distance: float = 0.4  # [m] of the ball within which an opponent is kept off it, assumed
     keeper_holding_time: float = 5.0  # [s] in its own area
     carrying: bool = False  # a robot carries the ball for `carrying_distance`
     carrying_distance: float = 0.5  # [m] for which a robot may carry the ball

@@ -110,7 +110,7 @@ class Drive(LeaguePart):
 class Kicker(LeaguePart):
     """How a robot kicks."""
 
-    BOUNDS = {"fastest": ABOVE_ZERO, "least": SHARE, "speed_spread": SHARE, "miss": SHARE}
+    BOUNDS = {"fastest": ABOVE_ZERO, "least": SHARE, "speed_spread": SHARE, "miss": SHARE, "squirt": SHARE}
     ORDER = (("slowest", "at most", "fastest"),)
 
     slowest: float  # [m/s] ball speed at the smallest strength
@@ -124,6 +124,10 @@ class Kicker(LeaguePart):
     reach: float  # [m] how far ahead of the front the ball's near side may lie
     half_width: float  # [m] how far aside the ball's centre may lie
     keeper_kicks: bool  # False: a goalkeeper has no kicker
+    aside: float = 0.0  # [rad] direction of a kick with one foreleg, to a side; 0: there is no such kick
+    aside_wind_up: float = 0.0  # [s] of a kick aside
+    squirt: float = 0.0  # [1] probability that a kick lifts a ball between two robots out aside
+    squirt_way: float = 0.0  # [m] by which it is lifted aside
 
 
 @dataclass(frozen=True)

@@ -40,7 +40,7 @@ class CommonRules(LeaguePart):
     corner_offset: float  # [m] of the ball from the corner, along both lines
     goal_kick_x: float  # [m] of the ball from the goal line at a goal kick
     goal_kick_y: float  # [m] of the ball from the middle at a goal kick
-    drop_way: float  # [m] most by which a dropped ball is moved off boards
+    drop_distance: float  # [m] least distance of a dropped ball from all boards
     contact_time: float = NEVER  # [s] in contact after which opponents are pulled apart
 
     # Restarts

@@ -25,12 +25,12 @@ from soccer_env.physics.engine.prefetch import prefetch_row
 from soccer_env.physics.exchange import (
     count_substeps,
     is_finite,
-    read_records,
+    read_physics,
     set_ball_mass,
     write_poses,
     write_twists,
 )
-from soccer_env.physics.kicker import advance_kicker, holds_ball, kicking_robot
+from soccer_env.physics.kicker import advance_kicker, holds_ball, kicking_robot, squirt_ball
 from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
 from soccer_env.records.world import World
@@ -222,10 +222,8 @@ def begin_step(match, ball, robots, robot_events, velocities, solver, k):
 @compiled
 def finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally):
     """Read the results of the physics and let the referee judge; return whether any body was moved by the referee."""
-    read_records(ball, robots, bodies, solver)
-    knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
-    slow_down(ball, k, 0.5 * k.dt)
-    limit_speed(ball, k)
+    knock_x, knock_y = read_physics(ball, robots, bodies, velocities, solver, k)
+    squirted = squirt_ball(ball, robots, robot_events, k, match.handedness)
     dead = match.placing == 1  # a held ball cannot be touched
     toucher = -1 if dead else find_touches(ball, robots, robot_events, k, knock_x, knock_y, match.handedness)
     find_collisions(robots, robot_events, touching, k)
@@ -233,7 +231,7 @@ def finish_step(match, ball, robots, events, robot_events, bodies, velocities, s
     match.step += 1
     if dead:
         end_placing(match, ball, robots, k)
-    moved = serve_penalties(match, ball, robots, robot_events, k) or dead
+    moved = serve_penalties(match, ball, robots, robot_events, k) or dead or squirted
     if not dead and match.over == 0:
         moved = judge_fouls(match, ball, robots, events, robot_events, touching, k) or moved
     judge_match(match, ball, robots, events, k, toucher if toucher >= 0 else kicking_robot(ball, robots, robot_events))
@@ -291,10 +289,9 @@ def clear_events(events, robot_events):
     """Clear the events of the last step."""
     events.goal = events.restart_team = events.touch_team = events.foul_team = NO_TEAM
     events.scorer = -1
-    events.out = events.restart = events.in_play = events.stuck = events.separated = 0
+    events.out = events.restart = events.in_play = events.stuck = events.separated = events.penalty = 0
     events.half_time = events.final_whistle = events.drill = events.foul = events.annulled = 0
-    events.penalty = 0
     for r in range(robot_events.shape[0]):
         event = robot_events[r]
-        event.touch = event.kick = event.possession = event.collision = 0
+        event.touch = event.kick = event.squirt = event.possession = event.collision = 0
         event.pushes = event.pushed = event.foul = event.card = event.returned = 0

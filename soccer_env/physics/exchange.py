@@ -9,21 +9,24 @@ from math import ceil
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length, wrap
+from soccer_env.physics.ball import limit_speed, slow_down
 from soccer_env.physics.block import most_reach
 from soccer_env.physics.engine.memory import BODY_MASS_INVERSE, BODY_MOMENT_INVERSE, store
+from soccer_env.physics.solver.ramps import way_up_ends, way_up_sides
 
 HELD = 1e-9  # [1] share of its inverse mass that a ball keeps while the referee holds it
 
 
 @compiled
 def count_substeps(ball, robots, k):
-    """Return the number of substeps of this control step: more if a body is fast or a contact is near."""
+    """Return the substeps of this control step: more if one is fast, near another or on a ramp."""
     fastest = length(ball.vx, ball.vy)
     for r in range(robots.shape[0]):
         robot = robots[r]
         fastest = max(fastest, length(robot.vx, robot.vy) + abs(robot.omega) * k.body_reach)
     wanted = int(ceil(fastest * k.dt / k.substeps_travel))
-    least = k.substeps_close if anyone_close(ball, robots, k) else k.substeps_least
+    on_ramp = way_up_ends(ball.x, ball.y, k) > 0.0 or way_up_sides(ball.y, k) > 0.0
+    least = k.substeps_close if on_ramp or anyone_close(ball, robots, k) else k.substeps_least
     return min(max(wanted, least), k.substeps_most)
 
 
@@ -63,6 +66,16 @@ def set_ball_mass(solver, held):
     share = HELD if held == 1 else 1.0
     store(solver.ball + BODY_MASS_INVERSE, share * solver.ball_lightness)
     store(solver.ball + BODY_MOMENT_INVERSE, share * solver.ball_ease)
+
+
+@compiled
+def read_physics(ball, robots, bodies, velocities, solver, k):
+    """Read the physics of a step, and slow the ball; return the ball's change of velocity by contacts [m/s, m/s]."""
+    read_records(ball, robots, bodies, solver)
+    knock_x, knock_y = ball.vx - velocities[0, 0], ball.vy - velocities[0, 1]
+    slow_down(ball, k, 0.5 * k.dt)
+    limit_speed(ball, k)
+    return knock_x, knock_y
 
 
 @compiled

@@ -1,5 +1,9 @@
 """Kicks: an electromagnet that fires at once, or a leg that winds up while the robot stands.  MH04
 
+A legged robot whose head is turned to a side kicks to that side with one foreleg, as Sony's own kick of the ERS-200 is
+aimed by the pan of the head (`MakeKickingCommand(..., radians(panjoint_))`, SoccerLion200). A kick at a ball between
+two robots, which flat bodies would hold like a vice, may lift it over the paws aside.
+
 Direction and speed vary from kick to kick; the worse the ball lies, the wider the direction spreads and the likelier is
 a miss, which leaves the ball alone. The robot recoils with the momentum of the ball. A kick off the robot's middle does
 not turn it: wheels and paws bear the torque.
@@ -12,7 +16,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length
+from soccer_env.geometry import clip, into_frame, length, point_of_frame
 from soccer_env.physics.block import begin_block, is_blocking, may_block, most_reach_walking
 from soccer_env.physics.contacts import TOUCH_GAP, paws_gap
 from soccer_env.random_numbers import draw_normal, draw_uniform
@@ -38,8 +42,9 @@ def advance_kicker(robots, r, events, k, ball, handedness):
         return
     if may_kick(robot, k):
         robot.kick_strength = robot.command.kick
+        robot.kick_side = kick_side(robot, k)
         if k.kicker_wind_up > 0.0:
-            robot.kick_clock = k.kicker_wind_up
+            robot.kick_clock = k.kicker_wind_up if robot.kick_side == 0.0 else k.kicker_aside_wind_up
         else:
             finish_kick(robots, r, events, k, ball, handedness)
     elif may_block(robot, k):
@@ -55,6 +60,15 @@ def may_kick(robot, k):
 
 
 @compiled
+def kick_side(robot, k):
+    """Return the side to which a robot kicks: 1 left or -1 right if its command turns the head there, 0 ahead."""
+    pan = robot.command.pan * k.head_pan_limit
+    if k.kicker_aside <= 0.0 or robot.command.head < 0.0 or abs(pan) < 0.5 * k.kicker_aside:
+        return 0.0
+    return 1.0 if pan > 0.0 else -1.0
+
+
+@compiled
 def finish_kick(robots, r, events, k, ball, handedness):
     """Kick the ball, if it still lies in the pocket; the kicks of two robots in one step add up, in any order.
 
@@ -67,10 +81,14 @@ def finish_kick(robots, r, events, k, ball, handedness):
     luck = draw_uniform(robot.noise, KICK)
     if not holds_ball(robot, k, ball.x, ball.y):
         return
-    badness = 1.0 if is_pinched(robots, r, k, ball, handedness) else kick_misalignment(robot, k, ball.x, ball.y)
+    pinched = is_pinched(robots, r, k, ball, handedness)
+    badness = 1.0 if pinched else kick_misalignment(robot, k, ball.x, ball.y)
     if luck < k.kicker_miss * badness * badness:
         return
-    direction = robot.heading + (1.0 + badness) * stray
+    if pinched and luck > 1.0 - k.kicker_squirt * (1.0 - k.kicker_miss):
+        left = luck > 1.0 - 0.5 * k.kicker_squirt * (1.0 - k.kicker_miss)
+        events.squirt = int(handedness) if left else -int(handedness)
+    direction = robot.heading + robot.kick_side * k.kicker_aside + (1.0 + badness) * stray
     ahead, aside = cos(direction), sin(direction)
     speed = pace * kick_speed(k, robot.kick_strength)
     ball.vx += speed * ahead
@@ -112,6 +130,45 @@ def is_pinched(robots, r, k, ball, handedness):
         if paws_gap(robots[other], k, ball.x, ball.y, handedness) < TOUCH_GAP:
             return True
     return False
+
+
+@compiled
+def squirt_ball(ball, robots, robot_events, k, handedness):
+    """Put a ball that a kick has lifted out of a vice beside the two robots; return whether it was put there.
+
+    The ball comes down `squirt_way` aside of the kicking robot's middle, on the drawn side or, if that place is taken,
+    on the other one; if both are taken, it stays. It rolls on aside with the speed of the weakest kick.
+    """
+    for r in range(robots.shape[0]):
+        if robot_events[r].squirt == 0:
+            continue
+        cosine, sine = cos(robots[r].heading), sin(robots[r].heading)
+        ahead, _ = into_frame(ball.x - robots[r].x, ball.y - robots[r].y, cosine, sine)
+        for turn in range(2):
+            side = float(robot_events[r].squirt) * (1.0 - 2.0 * turn)
+            x, y = point_of_frame(robots[r].x, robots[r].y, ahead, side * k.kicker_squirt_way, cosine, sine)
+            if is_free(x, y, robots, k, handedness):
+                ball.x, ball.y = x, y
+                speed = side * k.kicker_slowest
+                ball.vx, ball.vy = -speed * sine, speed * cosine
+                ball.roll_x, ball.roll_y, ball.spin = ball.vx, ball.vy, 0.0
+                return True
+    return False
+
+
+@compiled
+def is_free(x, y, robots, k, handedness):
+    """Tell whether a ball at x, y [m] lies on the pitch and touches no robot."""
+    if abs(x) > 0.5 * k.pitch_length - k.ball_radius or abs(y) > 0.5 * k.pitch_width - k.ball_radius:
+        return False
+    near = most_reach_walking(k) + k.ball_radius
+    for r in range(robots.shape[0]):
+        away_x, away_y = x - robots[r].x, y - robots[r].y
+        if robots[r].active == 0 or away_x * away_x + away_y * away_y > near * near:
+            continue
+        if paws_gap(robots[r], k, x, y, handedness) < TOUCH_GAP:
+            return False
+    return True
 
 
 @compiled

@@ -15,7 +15,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import attack_direction, clip, length
 from soccer_env.types import Phase
 
-PLAY, KICK_OFF = int(Phase.PLAY), int(Phase.KICK_OFF)
+PLAY, KICK_OFF, DROP_BALL = int(Phase.PLAY), int(Phase.KICK_OFF), int(Phase.DROP_BALL)
 MARGIN = 0.02  # [m] between robots, assumed
 STEP = 0.125  # [1] of a robot's reach: distance between the circles on which places are tried, assumed
 DIRECTIONS = 48  # places on each circle, assumed
@@ -48,7 +48,8 @@ def find_place(match, robots, settled, r, bans, goal_gap, k):
     """Return the free place nearest to robot r's place, and its distance [m, m, m]; the robot's own if none is free.
 
     A robot is sent at most FARTHER beyond the rules' distance. Without such a place it may come nearer to a goal, then
-    nearer to its discs by a body's reach, or two in play, where it only has to get free; only then is it sent farther.
+    nearer to its discs by a body's reach, or two in play, where it only has to get free; only then is it sent farther,
+    in play and at a dropped ball just out of these smaller discs: a corner leaves no room beside a ball 0.5 m off it.
     """
     most = farthest_move(bans, k)
     if goal_gap > 0.0:
@@ -62,7 +63,8 @@ def find_place(match, robots, settled, r, bans, goal_gap, k):
             fewer = shrink_discs(fewer, k)
             x, y, way = search_place(match, robots, settled, r, fewer, 0.0, most, k)
     if way < 0.0:
-        x, y, way = search_place(match, robots, settled, r, bans, 0.0, k.pitch_length + k.pitch_width, k)
+        last = fewer if match.phase == PLAY or match.phase == DROP_BALL else bans
+        x, y, way = search_place(match, robots, settled, r, last, 0.0, k.pitch_length + k.pitch_width, k)
     return x, y, max(way, 0.0)
 
 
@@ -117,8 +119,9 @@ def direction_out_of_discs(match, robot, bans):
 @compiled
 def is_allowed(match, robot, x, y, bans, goal_gap, k):
     """Tell whether the rules let a robot stand at a place [m, m], other robots aside."""
-    room = k.body_reach + k.legs * k.pitch_board_foot + MARGIN
-    if abs(x) > 0.5 * k.pitch_length - room + HAIR or abs(y) > 0.5 * k.pitch_width - room + HAIR:
+    room, ramp = k.body_reach + MARGIN, k.legs * k.pitch_board_foot
+    ramp_x = ramp if abs(y) > 0.5 * k.pitch_goal_width - k.body_reach else 0.0  # none in the mouth of a goal
+    if abs(x) > 0.5 * k.pitch_length - room - ramp_x + HAIR or abs(y) > 0.5 * k.pitch_width - room - ramp + HAIR:
         return False
     side = attack_direction(match, robot.team)
     if match.phase == KICK_OFF and side * x > -k.body_reach + HAIR:

@@ -80,8 +80,9 @@ def make_room(robots, r, ball, k):
         for _ in range(STEPS_ASIDE):
             if not robots_touch(robots[r], robots[other], k):
                 break
-            edge_x = 0.5 * k.pitch_length + k.pitch_band_end - k.body_reach
-            edge_y = 0.5 * k.pitch_width + k.pitch_band_side - k.body_reach
+            room = k.body_reach + k.legs * k.pitch_board_foot
+            edge_x = 0.5 * k.pitch_length + k.pitch_band_end - room
+            edge_y = 0.5 * k.pitch_width + k.pitch_band_side - room
             robots[other].x = clip(robots[other].x + STEP_ASIDE * x / away, -edge_x, edge_x)
             robots[other].y = clip(robots[other].y + STEP_ASIDE * y / away, -edge_y, edge_y)
             robots[other].placed = 1

@@ -6,6 +6,7 @@ from zipfile import ZipFile
 
 from soccer_env.match import saving
 from soccer_env.match.arguments import version
+from soccer_env.types import OTHER_WORLD, WORLD
 
 FORMAT = "soccer_env replay 2"
 LARGEST = 1 << 29  # [bytes] of a replay's parts, unpacked: three times a match of 22 robots over half an hour
@@ -13,7 +14,7 @@ MOST_ROBOTS = 8192  # of all matches of a replay: these take half a gigabyte of 
 
 
 def check_format(header: Any) -> None:
-    """Raise ValueError for a header that this version cannot read; it names the version that wrote the file."""
+    """Raise ValueError for a header of another format or world; it names the version that wrote the file."""
     if not isinstance(header, dict) or "format" not in header:
         raise ValueError("it does not say which format it has")
     if header["format"] != FORMAT:
@@ -21,6 +22,9 @@ def check_format(header: Any) -> None:
         raise ValueError(
             f"its format is {str(header['format'])[:40]!r}{wrote}; soccer_env {version()} reads {FORMAT!r}"
         )
+    world = header.get("world", 1)
+    if world != WORLD:
+        raise ValueError(f"it was recorded in world {str(world)[:9]}, this is world {WORLD}: {OTHER_WORLD}")
 
 
 def check_size(content: io.BytesIO) -> None:

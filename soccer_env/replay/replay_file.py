@@ -24,7 +24,7 @@ from soccer_env.replay.checks import FORMAT, LARGEST, check_format, check_room, 
 from soccer_env.replay.parts import numbers_to_records, rebuild_settings, records_to_numbers, replay_settings
 from soccer_env.scenes import Scene
 from soccer_env.thoughts.thoughts import Notes, Thoughts
-from soccer_env.types import COMMAND, GAZE
+from soccer_env.types import COMMAND, GAZE, WORLD
 
 
 class Recorder:
@@ -175,7 +175,7 @@ class Replay:
         """Write the replay to a file, whole or not at all; return its path."""
         path = Path(path)
         log = [[step, rows] for step, rows, _ in self.log]
-        header = {"format": FORMAT, "version": self.made_by, "settings": self.settings, "log": log}
+        header = {"format": FORMAT, "world": WORLD, "version": self.made_by, "settings": self.settings, "log": log}
         arrays = {
             "header": np.frombuffer(json.dumps(header).encode(), np.uint8),
             "start": np.frombuffer(self.start, np.uint8),

@@ -15,12 +15,12 @@ from soccer_env import Match
 
 MACHINE = "Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "d208ae206cf90cc87a97bd9a256a8664",
-    ("legged-2001", "teams"): "b61bf87f06b0165cf7f4ac1013f5ddd0",
-    ("legged-2001", "senses"): "ec32de6cf9057640215746e48bc71b22",
-    ("middle-size-2006", "actions"): "8b6a0c8d171a825bf46762fd4efbb2fe",
-    ("middle-size-2006", "teams"): "b71533ba224171d3f75899016b15551e",
-    ("middle-size-2006", "senses"): "67a4d3de73bc39592ef530c823e23536",
+    ("legged-2001", "actions"): "8fd3ec5a78dc38b8328d5372d1322f14",
+    ("legged-2001", "teams"): "05b7bd366d40d646cc7f3d6a8a934054",
+    ("legged-2001", "senses"): "b763a85aaef87f0cc58800792038ae23",
+    ("middle-size-2006", "actions"): "c684f7f3946cacf4647ec2bab1f50c88",
+    ("middle-size-2006", "teams"): "51bd9edd9fa3cb5c87fd5a76128d805e",
+    ("middle-size-2006", "senses"): "46f4de0fa98ab7e5ef88514be05718e5",
 }
 
 

@@ -161,11 +161,11 @@ def test_the_noise_of_a_mirrored_kick_is_mirrored():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("matches", [80, pytest.param(400, marks=pytest.mark.whole)])
+@pytest.mark.parametrize("matches", [200, pytest.param(400, marks=pytest.mark.whole)])
 @pytest.mark.parametrize("senses", ["ideal", "sensors"])
 @each_league
 def test_a_team_against_itself_is_as_good_at_home_as_away(name, senses, matches):
-    minutes = 0.5 if name == MIDDLE else 2.0
+    minutes = 0.5 if name == MIDDLE else 4.0
     both = {"home": "chaser", "away": "chaser"}
     match = Match(
         name, home=2, away=2, matches=matches, threads=2, seed=3, minutes=minutes, controllers=both, senses=senses,

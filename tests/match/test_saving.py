@@ -9,7 +9,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.match import saving
 from soccer_env.replay import Recorder, Replay
-from soccer_env.types import RobotStream
+from soccer_env.types import WORLD, RobotStream
 from tests.scenes.staging import refused
 
 LEAGUES = ("legged-2001", "middle-size-2006")
@@ -188,3 +188,25 @@ def test_a_match_that_is_over_is_observed_alike_after_a_step_and_after_a_load(ob
     assert (other.observations == seen).all()
     if observe == "truth":
         assert seen[0, 0, match.observation_names.index("last_kick")] == np.float32(0.39)
+
+
+def test_saves_and_replays_of_another_world_are_refused_in_a_line_that_says_what_plays_them(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    match = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
+    recorder = Recorder(match)
+    match.step()
+    with monkeypatch.context() as older:
+        older.setattr("soccer_env.match.saving.saves.WORLD", 1)
+        older.setattr("soccer_env.replay.replay_file.WORLD", 1)
+        saved, path = match.save(), recorder.stop().write(tmp_path / "match.replay")
+    before = match.state_hash()
+    with pytest.raises(
+        ValueError, match=f"this save is of world 1, this is world {WORLD}: load it with the version of"
+    ):
+        match.load(saved)
+    with pytest.raises(
+        ValueError, match=f"recorded in world 1, this is world {WORLD}: load it with the version of soc"
+    ):
+        Replay.read(path)
+    assert match.state_hash() == before

@@ -79,8 +79,8 @@ def pushed_by(pushers: int, mass: float | None = None) -> float:
 
 
 def test_a_heavy_robot_stays_where_three_push_another_away() -> None:
-    """Who walks pushes with half of what one bears who stands: one does not move it, three do."""
+    """Who walks pushes with as much as one bears who stands: one moves it slowly, three faster."""
     drive = find_league("legged-2001").drive
-    assert drive.thrust < drive.traction < 3.0 * drive.thrust
-    assert pushed_by(1) < 0.005 < 0.1 < pushed_by(3)
+    assert drive.thrust <= drive.traction < 3.0 * drive.thrust
+    assert 0.02 < pushed_by(1) < 0.1 < pushed_by(3)
     assert pushed_by(3, mass=1e4) < 0.001

@@ -147,8 +147,11 @@ def test_ms53_a_blocked_ball_is_touched_and_lies_off_the_leg():
     assert touched.matches["last_touch_robot"].tolist() == [0, -1]
 
 
-def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
-    """One that would walk past beside the goalkeeper; the other match shows it without the block."""
+def test_a_robot_that_walks_into_a_spread_leg_is_held_up_by_it_and_turns_the_goalkeeper():
+    """One that would walk past beside the goalkeeper; the other match shows it without the block.
+
+    Its thrust at a leg so far aside turns the goalkeeper, whose paws give way.
+    """
     match = stage(LEAGUE, 2, ball=(5.0, 0.0), robots={0: (0.0, 0.0, 0.0), 1: (0.26, 0.2, np.pi)})
     match.robots["keeper"][:, 0] = 1
     match.rebuild()
@@ -157,8 +160,9 @@ def test_a_robot_that_walks_into_a_spread_leg_is_stopped_by_it():
         actions[0, 0, 3] = 1.0
         match.step(actions)
     assert match.robot_events["collision"].tolist() == [[1, 1], [0, 0]]
-    stopped, free = match.robots["x"][:, 1]
-    assert stopped > free + 0.015
+    (held, free), (turned, alone) = match.robots["x"][:, 1], match.robots["heading"][:, 0]
+    assert held > free + 0.005 and free == pytest.approx(0.26 - 0.034, abs=0.002)
+    assert turned > 0.1 and alone == 0.0
 
 
 def test_ms53_a_mirrored_block_is_the_mirror_of_a_block():

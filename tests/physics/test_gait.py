@@ -112,7 +112,7 @@ WALKS = {  # of the one that is held
     "left": (0.0, 1.0, 0.0), "right": (0.0, -1.0, 0.0), "ahead": (1.0, 0.0, 0.0),
     "turning left": (0.0, 0.0, 1.0), "turning right": (0.0, 0.0, -1.0), "ahead and left": (0.8, 0.6, 0.0),
 }  # fmt: skip
-HELD = 2e-3  # [m] along the line between two legs
+HELD = 3e-3  # [m] along the line between two legs, while the other one pulls with all its traction
 TURNED = 0.006  # [m] farther in: two robots that hold a leg of each other are held between the two, and may turn there
 
 
@@ -209,7 +209,7 @@ def test_a_leg_that_has_come_twice_its_width_out_is_free_before_the_gait_step_en
         for name in ("caught_by", "caught_leg", "caught_gap"):
             carried.robots[name] = match.robots[name]
         carried.robots["gait_phase"] = 1
-        carried.robots["vy"][:, 0] = 0.2
+        carried.robots["vy"][:, 0] = 0.3
         carried.rebuild()
         moved[out] = abs(way(carried, 0.0625))[-1, 1]
     assert moved[1.0] > 0.006, "it slides"

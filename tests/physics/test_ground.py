@@ -58,20 +58,33 @@ def push(match: Match, actions: np.ndarray, seconds: float) -> np.ndarray:
     return record_each_step(match, lambda: np.stack([match.robots["x"], match.robots["y"]], axis=-1), seconds, actions)
 
 
-@pytest.mark.parametrize("name", ROBOTS)
-def test_a_walker_moves_one_of_its_own_weight_that_stands_by_less_than_a_centimetre_in_5_s(name):
+@pytest.mark.parametrize("name", [MIDDLE, DIFFERENTIAL])
+def test_one_on_wheels_moves_one_of_its_own_weight_that_stands_by_less_than_a_centimetre_in_5_s(name):
     match = face_to_face(steady(endless(name)), *all_ways())
     began = np.stack([match.robots["x"], match.robots["y"]], axis=-1)[:, 1]
     places = push(match, robot_actions(match, forward=1.0), 5.0)[:, :, 1]
     assert np.hypot(*np.moveaxis(places - began, -1, 0)).max() < 0.01
 
 
-def test_not_even_with_a_run_up_of_15_cm():
+def test_a_walker_with_a_run_up_of_15_cm_shoves_one_of_its_own_weight_that_stands_along_at_half_of_its_speed():
+    """The paws of the one push as hard as those of the other brake: both keep the momentum of the walk."""
     match = face_to_face(steady(endless(LEGGED)), *all_ways(), gap=0.15)
-    began = np.stack([match.robots["x"], match.robots["y"]], axis=-1)[:, 1]
+    walk = match.league.drive.forward
     places = push(match, robot_actions(match, forward=1.0), 7.0)
-    assert (places[:, :, 0, 0].max(axis=0) > 0.1).all(), "they get there"
-    assert np.hypot(*np.moveaxis(places[:, :, 1] - began, -1, 0)).max() < 0.01
+    speeds = (places[-1] - places[-33])[:, :, 0] / 2.0  # [m/s] over the last 2 s
+    assert speeds.sum(axis=1).min() > 0.8 * walk and speeds.sum(axis=1).max() < 1.01 * walk
+    assert np.median(speeds[:, 1]) == pytest.approx(0.5 * walk, rel=0.02)
+    assert (speeds[:, 1] > 0.25 * walk).all() and (speeds[:, 1] < 0.52 * walk).all()
+
+
+def test_one_that_begins_to_walk_with_its_paws_at_another_shoves_it_along_at_half_of_its_speed_at_most():
+    """No force is left over: how much speed the two have when both are in motion, so much they keep."""
+    match = face_to_face(steady(endless(LEGGED)), *all_ways())
+    walk = match.league.drive.forward
+    places = push(match, robot_actions(match, forward=1.0), 5.0)
+    speeds = (places[-1] - places[-33])[:, :, 0] / 2.0
+    assert (speeds > -0.01 * walk).all() and (speeds[:, 1] < 0.52 * walk).all()
+    assert (speeds[:, 1] > 0.4 * walk).mean() > 0.4
 
 
 @pytest.mark.parametrize("name", ROBOTS)

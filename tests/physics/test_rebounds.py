@@ -38,8 +38,8 @@ def ahead(match: Match, side: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("way", [(0.0, 1.0), (1.0, 0.0)])
-def test_a_ball_that_rolls_at_0_7_m_per_s_comes_back_5_to_20_cm_from_a_legged_board(way):
-    match = stage(steady(LEGGED), 5)
+def test_a_ball_that_rolls_at_0_7_m_per_s_comes_back_5_to_20_cm_from_an_upright_legged_board(way):
+    match = stage(steady(boarded(LEGGED)), 5)
     pitch, radius = match.league.pitch, match.league.ball.radius
     gap = np.linspace(0.005, 0.03, 5)  # [m] from the board, so that it hits it anywhere in a control step
     edge = 0.5 * (way[0] * pitch.length + way[1] * pitch.width) - radius

@@ -34,9 +34,9 @@ def jammed(match: Match) -> int:
 @pytest.mark.parametrize("league", LEAGUES)
 def test_400_branches_in_scrums_go_on_as_with_new_spaces(league: str) -> None:
     """The Spaces of one Match are put back, those of the other are made anew, 8 times in the midst of play."""
-    ours, others = scrums(league, home=4, away=4, minutes=1.0), scrums(league, home=4, away=4, minutes=1.0)
+    ours, others = scrums(league, home=5, away=5, minutes=1.0), scrums(league, home=5, away=5, minutes=1.0)
     others.batch.physics.seats = None
-    close, rebuilt, actions = 0, 0, np.zeros((50, 8, 4))
+    close, rebuilt, actions = 0, 0, np.zeros((50, 10, 4))
     for _ in range(8):
         for match in (ours, others):
             play(match, actions=actions, steps=31)

@@ -201,10 +201,10 @@ def test_eleven_against_eleven_and_a_robot_far_outside_are_drawn(league):
     assert coloured_pixels(frame, colours.TEAMS[0]).any() and coloured_pixels(frame, colours.TEAMS[1]).any()
 
 
-def test_the_feet_of_boards_reach_into_the_pitch_but_not_into_the_mouth_of_a_goal():
+def test_ramps_reach_into_the_pitch_but_not_into_the_mouth_of_a_goal():
     picture, match, ball, robots = stage_picture("legged-2001", 1, 1, width=960)
     feet, pitch = coloured_pixels(picture.draw(match, ball, robots), colours.BOARD_FOOT, 4), picture.league.pitch
-    ahead, aside, half = pitch.length / 2, pitch.width / 2, 0.5 * pitch.board_foot
+    ahead, aside, half = pitch.length / 2, pitch.width / 2, 0.5 * pitch.ramp
 
     def shown(x: float, y: float) -> bool:
         column, row = picture.pixel(x, y)

@@ -17,10 +17,10 @@ KEEPER, OTHER_KEEPER = 0, 3  # rows of 3 against 3; home is 0 to 2 and attacks +
 FOOT_IN = 0.5 * PITCH.length - PITCH.penalty_depth  # [m] where the penalty area begins
 
 
-def court(rules: str, matches: int = 1, **settings: object) -> Match:
+def court(rules: str, matches: int = 1, league: str = LEGGED, **settings: object) -> Match:
     """Return 3 against 3 under the simple rules and what is said, without dropped balls; nobody is on the pitch."""
-    match = stage(LEGGED, matches, 3, 3, rules=f"simple:dropped_ball=False,{rules}", **settings)
-    put_ball(match, 0.0, -0.9)
+    match = stage(league, matches, 3, 3, rules=f"simple:dropped_ball=False,{rules}", **settings)
+    put_ball(match, 0.0, -0.88)
     match.robots["trespass"] = 0.0  # the kick-off gave them time to walk out of where it put them
     return match
 

@@ -19,9 +19,11 @@ def endless(league: str | League) -> League:
 
 
 def boarded(league: str | League) -> League:
-    """Return the league with boards on its lines instead of a band, and a patient referee."""
+    """Return the league with upright boards on its lines, no band and no ramps, and a patient referee."""
     found = league_without_calls(league)
-    return replace(found, pitch=replace(found.pitch, walled=True, band_side=0.0, band_end=0.0))
+    return replace(
+        found, pitch=replace(found.pitch, walled=True, band_side=0.0, band_end=0.0, ramp=0.0, board_foot=0.0)
+    )
 
 
 def steady(league: str | League) -> League:

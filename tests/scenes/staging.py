@@ -51,9 +51,10 @@ def place(match: Match, ball: Any = None, robots: Any = None) -> None:
 
 
 def scatter(match: Match, rng: np.random.Generator, share: float = 0.8) -> None:
-    """Put the ball and all robots at random, nobody in anybody's way; `share` of the pitch is used."""
+    """Put the ball and all robots at random, nobody in anybody's way nor on a ramp; `share` of the pitch is used."""
     league, count = match.league, match.robots.shape[1]
-    room = share * np.array([league.pitch.length, league.pitch.width]) / 2 - league.body.reach
+    half = np.array([league.pitch.length, league.pitch.width]) / 2
+    room = np.minimum(share * half, half - league.foot) - league.body.reach
     apart = 2.0 * league.body.reach
     for m in range(match.count):
         places: list[np.ndarray] = []

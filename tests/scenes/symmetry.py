@@ -55,7 +55,7 @@ def mirrored(records: Records) -> Records:
     matches, balls, robots = records.matches.copy(), records.balls.copy(), records.robots.copy()
     negate(matches, "restart_y", "still_y", "local_y", "handedness")
     negate(balls, "y", "vy", "roll_y", "angle", "spin")
-    negate(robots, "y", "heading", "vy", "omega", "pan", "place_y", "place_heading")
+    negate(robots, "y", "heading", "vy", "omega", "pan", "place_y", "place_heading", "kick_side")
     for name in ("command", "delayed", "target", "walk"):  # slips are factors and stay
         negate(robots[name], *WALK_LATERAL)
     negate(robots["command"], "pan")

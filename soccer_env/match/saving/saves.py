@@ -18,7 +18,7 @@ from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import first_out_of_range
 from soccer_env.match.arguments import rebuild_from_settings, version
 from soccer_env.match.saving.fitting import describe_differences
-from soccer_env.types import GAZE, RobotStream
+from soccer_env.types import GAZE, OTHER_WORLD, WORLD, RobotStream
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 
@@ -54,6 +54,7 @@ def save_header(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> di
     """Return the header of a save; a save can be loaded only if its header equals that of the match."""
     settings, teams = match.play_fingerprint if memory else ("", [])
     return {
+        "world": WORLD,
         "settings": settings,
         "teams": teams,
         "parts": [[name, dtype_text(array.dtype), list(array.shape), array.nbytes] for name, array in arrays.items()],
@@ -88,6 +89,10 @@ def arrays_of_save(
 ) -> dict[str, np.ndarray]:
     """Read the arrays of a save by name; ValueError if the save does not fit the match."""
     body, start, header = open_save(saved)
+    if header.get("world", 1) != WORLD:
+        raise ValueError(
+            f"this save is of world {str(header.get('world', 1))[:9]}, this is world {WORLD}: {OTHER_WORLD}"
+        )
     count = count_saved_matches(header, match.count, rows)
     there = saved_arrays(match, memory)
     wanted = {name: np.empty((count, *array.shape[1:]), array.dtype) for name, array in there.items()}

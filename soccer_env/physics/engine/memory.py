@@ -27,6 +27,7 @@ BODY_X, BODY_Y = 64, 72  # [m]
 BODY_VX, BODY_VY = 80, 88  # [m/s]
 BODY_ANGLE, BODY_OMEGA = 112, 120  # [rad], [rad/s]
 BODY_COS, BODY_SIN = 136, 144  # of its angle
+BODY_SHIFT_X, BODY_SHIFT_Y = 168, 176  # [m] its place again, in the transform that pymunk reads
 BODY_REPAIR_VX, BODY_REPAIR_VY, BODY_REPAIR_OMEGA = 192, 200, 208  # [m/s], [rad/s] that undo overlaps
 BODY_ARBITERS = 232  # address of the first of its contacts in this substep, 0 without any
 # struct cpArbiter: two shapes in contact
@@ -160,7 +161,7 @@ def _bodies_fit() -> bool:
     places = [
         (body, BODY_MASS_INVERSE, 0.25), (body, BODY_MOMENT_INVERSE, 0.125), (body, BODY_X, 1.25), (body, BODY_Y, -2.5),
         (body, BODY_VX, 3.5), (body, BODY_VY, -4.5), (body, BODY_ANGLE, 0.5), (body, BODY_OMEGA, 7.25),
-        (body, BODY_COS, cos(0.5)), (body, BODY_SIN, sin(0.5)),
+        (body, BODY_COS, cos(0.5)), (body, BODY_SIN, sin(0.5)), (body, BODY_SHIFT_X, 1.25), (body, BODY_SHIFT_Y, -2.5),
         (motor, MOTOR_RATE, 123.5),
     ]  # fmt: skip
     if any(_value(*place[:2], "d") != place[2] for place in places) or _value(body, BODY_ARBITERS, "Q") != 0:

@@ -5,6 +5,7 @@ rounds.py     the four functions that Chipmunk calls, and the ground under the r
 ball.py       blows to a rolling ball
 contacts.py   contacts of posts, and the impulses at them
 posts.py      contacts of posts with other robots and with the ball
-walls.py      contacts of posts with boards, their feet and goals
+walls.py      contacts of posts with boards, their ramps and goals
+ramps.py      the ball on the ramps before boards
 interlock.py  legs caught between the legs of another robot
 """

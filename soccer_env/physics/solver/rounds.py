@@ -53,6 +53,7 @@ from soccer_env.physics.solver.ball import count_ball_contacts, list_ball_contac
 from soccer_env.physics.solver.contacts import resume_posts, solve_posts, stance_of
 from soccer_env.physics.solver.interlock import hold_caught
 from soccer_env.physics.solver.posts import find_post_contacts
+from soccer_env.physics.solver.ramps import put_back_on_ramp, roll_off_ramps
 from soccer_env.physics.solver.records import SOLVER, STANCE
 from soccer_env.physics.solver.walls import add_wall_contacts
 
@@ -62,11 +63,12 @@ constants_at: Any = record_reader(CONSTANTS)
 
 @callback("void", "address", "float64")
 def prepare_substep(constraint, dt):
-    """Find the contacts of posts and of the ball, drive robots that touch nothing, list robots that touch something."""
+    """Find contacts of posts and ball, let ramps act on the ball and the ground on robots that touch nothing."""
     solver = solver_at(address_at(constraint + MOTOR_RATE))
     solver.time += dt
+    k = constants_at(solver.constants)
+    beyond_x, beyond_y = roll_off_ramps(solver, k, dt)
     if solver.posts > 0:
-        k = constants_at(solver.constants)
         find_post_contacts(solver, k, dt)
         for r in range(solver.robots):
             stance = stance_of(solver, r)
@@ -86,7 +88,10 @@ def prepare_substep(constraint, dt):
             apply_ground_drive(stance, dt)
     solver.touching_count = count
     list_ball_contacts(solver)
-    jammed = solver.holds > 0 or count_ball_contacts(solver) > 1
+    touched = count_ball_contacts(solver)
+    if touched == 0:
+        put_back_on_ramp(solver.ball, beyond_x, beyond_y)
+    jammed = solver.holds > 0 or touched > 1
     store_count(solver.space + SPACE_ROUNDS, np.int32(solver.jam_rounds if jammed else solver.rounds))
 
 

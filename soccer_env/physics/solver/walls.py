@@ -1,4 +1,4 @@
-"""Contacts of posts with static things: boards with their feet, the backs and sides of goals, goal posts.
+"""Contacts of posts with static things: boards with their ramps, the backs and sides of goals, goal posts.
 
 Boards are faces along the axes, which end in a corner beside the mouth of a goal. A pitch without boards on its lines
 has goal posts and side nets: thick lines from the goal line to the back of the goal.
