@@ -7,7 +7,7 @@ Each rule reads the truth of one match and either does nothing or notes an event
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import clip
 from soccer_env.referee.fouls.goals import goal_counts, is_kick_off_shot, is_own_goal
 from soccer_env.referee.restart_call import call_restart, other_team
 from soccer_env.referee.shoot_out import begin_shoot_out, end_match, is_shoot_out_due, judge_penalty
@@ -155,33 +155,29 @@ def ball_stuck(match, ball, k):
 def drop_place(ball, k):
     """Return the place at which a stuck ball is dropped [m, m, field frame].
 
-    * A ball at a board is moved straight away from the board until a robot has room between the two, at most by the
-      rules' `drop_way`; in a corner, away from both boards. So neither team loses the ground that it has won.
-    * A ball before a goal is dropped where it lay, on the line of the goal area parallel to the goal line, so that no
-      robot gets a free shot from nearer. The laws of football have it so (Law 8, remembered); the legged league only
-      has a penalty area, and its book of 2008 puts a ball that is stuck with a goalkeeper on the centre spot.
+    * A ball near a board is moved straight away from the board, to the rules' `drop_distance`: robots have room on
+      each side of the ball. In a corner the ball is moved away from both boards.
+    * A ball before a goal is dropped on the line of the goal area parallel to the goal line, so that no robot gets a
+      free shot from nearer. The laws of football have it so (Law 8, remembered); the legged league only has a penalty
+      area, and its book of 2008 puts a ball that is stuck with a goalkeeper on the centre spot.
     """
-    side_x, side_y = 1.0 if ball.x > 0.0 else -1.0, 1.0 if ball.y > 0.0 else -1.0
+    side_x = 1.0 if ball.x > 0.0 else -1.0
     depth, width = k.pitch_goal_area_depth, k.pitch_goal_area_width
     if depth <= 0.0:
         depth, width = k.pitch_penalty_depth, k.pitch_penalty_width
     line = 0.5 * k.pitch_length - depth
     if abs(ball.x) > line and abs(ball.y) < 0.5 * width:
         return side_x * line, ball.y
-    room = 2.0 * k.body_reach + k.ball_radius
-    x = max(abs(ball.x) - 0.5 * k.pitch_length + room, 0.0)
-    y = max(abs(ball.y) - 0.5 * k.pitch_width + room, 0.0)
-    way = length(x, y)
-    share = min(k.rules_drop_way / way, 1.0) if way > 0.0 else 0.0
-    return ball.x - side_x * share * x, ball.y - side_y * share * y
+    x, y = 0.5 * k.pitch_length - k.rules_drop_distance, 0.5 * k.pitch_width - k.rules_drop_distance
+    return clip(ball.x, -x, x), clip(ball.y, -y, y)
 
 
 @compiled
 def watch_restart(match, ball, events, k):
-    """Resume play when the ball has moved, or when the time for the restart is up."""
+    """Resume play when the ball has moved or the time for the restart is up; a dropped ball is in play at once."""
     x, y = ball.x - match.restart_x, ball.y - match.restart_y
     moved = x * x + y * y > k.rules_in_play_distance * k.rules_in_play_distance
-    if moved or match.phase_clock >= k.rules_restart_time - 0.5 * k.dt:
+    if moved or match.phase == DROP_BALL or match.phase_clock >= k.rules_restart_time - 0.5 * k.dt:
         match.phase = PLAY
         match.phase_clock = 0.0
         match.restart_team = NO_TEAM

@@ -42,17 +42,20 @@ def test_in_the_open_the_ball_is_dropped_where_it_stuck(name):
         np.testing.assert_allclose(found, asked, atol=1e-9)
 
 
-def test_from_a_board_it_is_taken_straight_out_by_030_m_at_most_and_from_a_corner_out_of_both():
-    x, y = np.array([0.4, 0.4, 1.45, -1.45, -1.45]), np.array([0.956, -0.70, 0.70, 0.95, -0.95])
+def test_from_a_board_it_is_taken_straight_to_050_m_off_it_and_from_a_corner_off_both():
+    x, y = np.array([0.4, 0.4, 0.4, 1.36, -1.36]), np.array([0.86, -0.60, 0.49, 0.86, -0.86])
     found_x, found_y = dropped_at(LEGGED, x, y)
-    way = np.hypot(found_x - x, found_y - y)
-    room = 1.0 - 2.0 * find_league(LEGGED).body.reach - find_league(LEGGED).ball.radius
-    assert 0.65 < room < 0.656
-    np.testing.assert_allclose(way[[0, 3, 4]], 0.3, atol=1e-9)
-    np.testing.assert_allclose([found_x[0], found_y[0]], [0.4, 0.656], atol=1e-9)
-    np.testing.assert_allclose(found_y[1], -room, atol=1e-9)  # a robot fits between the two
-    assert found_x[2] < 1.2 and found_y[2] < 0.70 and way[2] < 0.3 + 1e-9
-    assert (abs(found_x[3:]) < 1.3).all() and (abs(found_y[3:]) < 0.8).all()
+    np.testing.assert_allclose(found_x, [0.4, 0.4, 0.4, 1.0, -1.0], atol=1e-9)
+    np.testing.assert_allclose(found_y, [0.5, -0.5, 0.49, 0.5, -0.5], atol=1e-9)
+
+
+@each_league
+def test_a_dropped_ball_is_in_play_at_once_and_the_robots_know_it(name):
+    match = stage(name, ball=(0.3, 0.2), robots={0: (-0.8, 0.0)})
+    dropped(match)
+    assert match.matches["phase"][0] == Phase.DROP_BALL
+    match.step(stand(match))
+    assert match.matches["phase"][0] == Phase.PLAY and match.events["in_play"][0] == 1
 
 
 @pytest.mark.parametrize(
@@ -71,8 +74,8 @@ def test_before_a_goal_it_is_dropped_on_the_line_of_the_area_where_it_was(name, 
 
 
 def test_beside_the_area_it_stays_beside_it_and_without_the_rule_no_ball_is_dropped():
-    x, y = dropped_at(LEGGED, np.array([1.1, -1.1]), np.array([0.51, 0.95]))
-    assert (x, y[0]) == (pytest.approx([1.1, -1.1], abs=1e-9), pytest.approx(0.51, abs=1e-9)) and y[1] > 0.64
+    x, y = dropped_at(LEGGED, np.array([0.99, -0.95]), np.array([0.51, 0.86]))
+    assert (x, y) == (pytest.approx([0.99, -0.95], abs=1e-9), pytest.approx([0.5, 0.5], abs=1e-9))
     match = stage(find_league(LEGGED), rules="league:dropped_ball=False", ball=(0.4, 0.3))
     match.matches["still_clock"] = match.league.rules.stuck_time
     match.step(stand(match))
@@ -102,12 +105,15 @@ def test_a_goalkeeper_out_of_its_area_keeps_the_ring_and_a_robot_outside_it_is_n
 @pytest.mark.parametrize("size", [3, 5])
 @pytest.mark.parametrize("place", ["anywhere", "board", "corner", "goal"])
 @each_league
-def test_nobody_is_carried_farther_than_the_ring_and_030_m(name, place, size):
+def test_nobody_is_carried_farther_than_the_ring_and_030_m_but_one_in_a_hundred_that_a_corner_holds(name, place, size):
+    """Between a ball 0.5 m off the boards of the legged league and their ramps there is no place outside the ring."""
     match = stage(name, 100, home=size, away=size)
     crowd(match, place, np.random.default_rng(size), spread=2.5)
     before = dropped(match)
     way, rules = carried(match, before), match.league.rules
-    assert way.max() <= rules.separation + 0.3
+    far = way > rules.separation + 0.3
+    assert far.sum() <= (0.01 * (way > 0.05).sum() if match.league.pitch.walled else 0)
+    assert way.max() <= rules.separation + 0.5
     assert_apart(match)
 
 
@@ -146,8 +152,10 @@ def crowd(match, place, rng, spread, pairs=False):
         return
     league = match.league
     spot = np.array({"board": [0.5, 0.96], "corner": [0.96, 0.96], "goal": [0.85, 0.0]}[place])
+    half = np.array([league.pitch.length, league.pitch.width]) / 2
+    inward = league.pitch.ramp + league.ball.radius if place != "goal" else 0.0  # no ball lies on a ramp
     for m in range(match.count):
-        where = spot * rng.choice([-1.0, 1.0], 2) * [league.pitch.length / 2, league.pitch.width / 2]
+        where = np.minimum(spot * half, half - inward) * rng.choice([-1.0, 1.0], 2)
         match.balls["x"][m], match.balls["y"][m] = where
         gather(match, m, where, rng, spread * league.body.reach * np.sqrt(6.0 * match.robots.shape[1]), pairs)
 

@@ -122,7 +122,7 @@ def chasers(**settings):
 
 
 def test_both_backends_agree_under_all_rules():
-    match, other = chasers(backend="c"), chasers(backend="batch")
+    match, other = (chasers(backend=backend, home=4, away=4) for backend in ("c", "batch"))
     whistles = 0
     for _ in range(120 * match.league.control_rate):
         match.step()

@@ -9,12 +9,12 @@ does not count: a robot that is shoved, or turns on the spot, pushes nobody.
 from math import cos, sin
 
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import length, out_of_frame
+from soccer_env.geometry import attack_direction, length, out_of_frame
 from soccer_env.physics.contacts import TOUCH_GAP, touches
-from soccer_env.referee.fouls.legged.areas import in_own_area
+from soccer_env.referee.fouls.legged.areas import FEET, in_area, is_inside
 
 PRESS = 0.25  # [1] of the top speed: a walk towards an opponent above this leads into it, assumed
-PLAYER, KEEPER = 1, 2  # the pushed robot: any opponent, a goalkeeper in its own area
+PLAYER, KEEPER = 1, 2  # the pushed robot: any opponent, a goalkeeper that keeps its goal
 
 
 @inlined
@@ -28,17 +28,17 @@ def note_pushes(match, ball, robots, robot_events, touching, k):
                     continue
                 x, y = robots[other].x - robots[r].x, robots[other].y - robots[r].y
                 if x * x + y * y < near * near and touches(touching, r, other):
-                    note_push(match, robots, robot_events, r, other, k)
-                    note_push(match, robots, robot_events, other, r, k)
+                    note_push(match, ball, robots, robot_events, r, other, k)
+                    note_push(match, ball, robots, robot_events, other, r, k)
         if robots[r].keeper == 1 and robot_events[r].touch == 1:
             note_pushes_through_ball(match, ball, robots, robot_events, r, k)
 
 
 @compiled
-def note_push(match, robots, robot_events, r, other, k):
+def note_push(match, ball, robots, robot_events, r, other, k):
     """Mark robot r if it walks into an opponent that it touches."""
     if walks_into(robots[r], robots[other], k):
-        keeper = robots[other].keeper == 1 and in_own_area(match, robots[other], k, 1)
+        keeper = robots[other].keeper == 1 and keeps_goal(match, ball, robots[other], robots[r], k)
         robot_events[r].pushes = max(robot_events[r].pushes, KEEPER if keeper else PLAYER)
         robot_events[other].pushed = 1
 
@@ -51,9 +51,23 @@ def note_pushes_through_ball(match, ball, robots, robot_events, keeper, k):
             continue
         x, y = ball.x - robots[r].x, ball.y - robots[r].y
         between = x * (robots[keeper].x - ball.x) + y * (robots[keeper].y - ball.y) > 0.0
-        if between and walks_into(robots[r], robots[keeper], k) and in_own_area(match, robots[keeper], k, 1):
+        through = between and walks_into(robots[r], robots[keeper], k)
+        if through and keeps_goal(match, ball, robots[keeper], robots[r], k):
             robot_events[r].pushes = KEEPER
             robot_events[keeper].pushed = 1
+
+
+@compiled
+def keeps_goal(match, ball, keeper, attacker, k):
+    """Tell whether an attacker may not push a goalkeeper: one of its feet is in its area, and the ball or the attacker.
+
+    The attacker is in the area with two feet. A goalkeeper that duels for a ball outside its area, with an opponent
+    outside it, is pushed like any player.
+    """
+    end = -attack_direction(match, keeper.team)
+    if not in_area(keeper, k, end, 1):
+        return False
+    return is_inside(ball.x, ball.y, k, end) or in_area(attacker, k, end, FEET)
 
 
 @compiled

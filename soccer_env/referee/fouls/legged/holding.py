@@ -11,8 +11,9 @@ between the forepaws of an ERS-210 always has it. So we count while the ball is 
   touches it, as in the book.
 
 A ball that is pushed ahead is free to roll away, as in the paper's dribbling [Sacks 2001, 3.3], and a ball that an
-opponent touches is not trapped. The 50 cm that a robot may carry the ball in the book are a rule of their own
-(`carrying`).
+opponent touches is not trapped. Unlike the book, a ball that no opponent is near is not held either: the book punishes
+holding because others cannot play the ball, and a robot alone at a board keeps nobody off. The 50 cm that a robot may
+carry the ball in the book are a rule of their own (`carrying`).
 
 `k`: the league's constants.
 """
@@ -64,9 +65,14 @@ def allowed_holding_time(match, robot, k):
 @compiled
 def judge_hold(ball, robots, r, robot_events, k):
     """Return whether a robot traps the ball, leaves it free, or neither: TRAPPED, FREE or KEPT."""
+    kept_off, near = False, k.rules_holding_distance
     for other in range(robots.shape[0]):
-        if robots[other].team != robots[r].team and robot_events[other].touch == 1:
-            return FREE
+        if robots[other].team != robots[r].team and robots[other].active == 1:
+            if robot_events[other].touch == 1:
+                return FREE
+            kept_off = kept_off or squared_ball_distance(ball, robots[other]) < near * near
+    if not kept_off:
+        return FREE
     robot = robots[r]
     ahead = robot.walk.forward > WALKS * k.drive_forward
     if robot.has_ball == 1 and not ahead and turns_or_sidesteps(robot, k):

@@ -3,7 +3,8 @@
 The book, in the legged book's words: while the goalkeeper has a foot on or inside the line of its area, no attacker
 may be in contact with it, or push it through the ball, for more than a second; of two attackers at once the second is
 removed immediately; short pushes count as one, unless the attacker backs off for as long as it pushed. Unlike the book,
-an attacker is guilty only if it walks into the goalkeeper, not if the goalkeeper runs into it. No robot is exempt.
+an attacker is guilty only if it walks into the goalkeeper, not if the goalkeeper runs into it, and only while the ball
+or the attacker is in the area: a foot of the goalkeeper makes no foul of a duel outside. No robot is exempt.
 
 `referee.fouls.goals` decides whether a goal after such a push counts.
 

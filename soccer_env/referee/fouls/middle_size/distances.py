@@ -1,14 +1,14 @@
 """Opponents keep off a restart until the ball is in play.
 
 FIFA's Laws 8 and 13 to 17: a player who is too near is put back and cautioned; after a touch by an opponent the restart
-is taken again. Assumed: how long and how far a robot, which knows its place only roughly, may be too near. The
-goalkeeper may stay in its goal area.
+is taken again. Law 13 exempts opponents "on their own goal line between the goalposts". Assumed: how long and how far a
+robot, which knows its place only roughly, may be too near. The goalkeeper may stay in its goal area.
 
 `k`: the league's constants.
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import attack_direction, length
 from soccer_env.referee.areas import in_goal_area
 from soccer_env.referee.fouls.middle_size.taking import touches_ball
 from soccer_env.referee.restarts import distance_from_ball, keep_present_pose, put_robot, send_back
@@ -32,13 +32,21 @@ def find_encroaching(match, robots, robot_events, k):
             return r, TOUCHED
         far = distance_from_ball(match, robot, k) - k.rules_distance_slack
         near = length(robot.x - match.restart_x, robot.y - match.restart_y) < far
-        if not near or (robot.keeper == 1 and in_goal_area(match, robot, robot.team, k)):
+        keeps = robot.keeper == 1 and in_goal_area(match, robot, robot.team, k)
+        if not near or keeps or stands_on_goal_line(match, robot, k):
             robot.near_clock = 0.0
             continue
         robot.near_clock += k.dt
         if robot.near_clock >= k.rules_distance_time - 0.5 * k.dt:
             row, what = r, TOO_NEAR
     return row, what
+
+
+@compiled
+def stands_on_goal_line(match, robot, k):
+    """Tell whether a robot stands on or behind its own goal line, between the posts."""
+    line = 0.5 * k.pitch_length - k.body_reach
+    return -attack_direction(match, robot.team) * robot.x > line and abs(robot.y) < 0.5 * k.pitch_goal_width
 
 
 @compiled

@@ -2,7 +2,8 @@
 
 The rules of the middle size, remembered: at most a third of the ball's diameter lies within the convex hull of a
 robot, except for a moment to stop the ball; a robot goes back with the ball at most 0.5 m. The limit of 3 m for
-dribbling came later. Assumed: the time for which more of the ball may lie within the hull.
+dribbling came later. Assumed: the time for which more of the ball may lie within the hull. A robot that an opponent
+pushes back while its wheels drive forward does not go back.
 
 `k`: the league's constants.
 """
@@ -43,7 +44,7 @@ def judge_handling_robot(robot, k, x, y):
     robot.handling = robot.handling + k.dt if deep else 0.0
     if robot.has_ball == 1:
         speed, _ = into_frame(robot.vx, robot.vy, cosine, sine)
-        robot.backed += k.dt * max(-speed, 0.0)
+        robot.backed += k.dt * max(min(-speed, -robot.walk.forward), 0.0)
         robot.dribbled += k.dt * length(robot.vx, robot.vy)
     late = robot.handling >= k.rules_handling_time - 0.5 * k.dt
     if k.rules_handling == 1 and (late or robot.backed > k.rules_handling_back):

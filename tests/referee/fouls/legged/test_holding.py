@@ -1,7 +1,7 @@
 """Ball holding, for more than 3 s, a goalkeeper in its own area 5 s; and falling over, from the impulse of a push."""
 
 from dataclasses import replace
-from math import cos, pi, sin
+from math import cos, inf, pi, sin
 
 import numpy as np
 import pytest
@@ -15,15 +15,23 @@ from tests.scenes.staging import LEGGED, place, play, put, put_ball, robot_actio
 
 HOLDING, CARRYING = "holding=True", "carrying=True,carrying_distance=0.3"
 DT = 1.0 / 16.0
+OPPONENT = 5  # row of the one whom robots of home keep off the ball
+UPRIGHT = "legged-2001-upright"
 
 
-def hold(match, r, actions, seconds):
-    """Play on with the ball kept between the forepaws of a robot; return at which second it was whistled, or None."""
+def hold(match, r, actions, seconds, near=0.35):
+    """Play on with the ball kept between the forepaws of a robot; return at which second it was whistled, or None.
+
+    An opponent waits `near` [m] ahead of the ball; inf: there is none.
+    """
     for step in range(round(seconds / DT)):
         robot, heading = match.robots[0, r], match.robots["heading"][0, r]
         x, y = robot["x"] + POCKET * cos(heading), robot["y"] + POCKET * sin(heading)
         match.robots["has_ball"][0, r] = 1
         place(match, ball=(x, y, robot["vx"], robot["vy"]))
+        if near < inf:
+            other = OPPONENT if r < 3 else 2
+            place(match, robots={other: (x + near * cos(heading), y + near * sin(heading))})
         match.step(actions)
         if match.robot_events["foul"][0, r]:
             return (step + 1) * DT
@@ -49,6 +57,24 @@ def test_a_ball_that_goes_along_though_the_robot_does_not_walk_ahead_is_held_for
     assert match.robots["active"][0, 1] == 0 and match.robots["penalty"][0, 1] == 30.0
     assert match.events["foul"][0] == Foul.HOLDING and match.matches["whistled"][0] == 0
     assert abs(match.balls["x"][0]) < 1.0  # the ball lies where it was held
+
+
+@pytest.mark.parametrize("asked", [{"turn": 0.5}, {"turn": -0.5}, {"left": 0.6}, {"forward": -0.6}])
+@pytest.mark.parametrize(("near", "guilty"), [(0.39, True), (0.41, False), (inf, False)])
+def test_only_who_keeps_an_opponent_within_40_cm_off_the_ball_holds_it(near, guilty, asked):
+    match = court(HOLDING)
+    assert (hold(match, 1, at_work(match, 1, 0.3, **asked), 4.0, near) is not None) == guilty
+    assert guilty or match.robots["holding"][0, 1] == 0.0
+
+
+def test_a_mate_or_an_opponent_that_is_out_is_not_kept_off_the_ball():
+    for other, active in ((2, 1), (4, 0)):
+        match = court(HOLDING)
+        actions = at_work(match, 1, 0.0, turn=0.5)
+        put(match, other, 0.0, 0.3)
+        match.robots["active"][0, other] = active
+        match.robots["holding"][0, 1] = 2.9
+        assert hold(match, 1, actions, 1.0, near=inf) is None and match.robots["holding"][0, 1] < 2.0
 
 
 @pytest.mark.parametrize(("r", "x", "limit"), [(1, 0.3, 3.0), (KEEPER, -1.2, 5.0), (4, -1.2, 3.0)])
@@ -79,7 +105,7 @@ def test_who_stands_with_it_goes_on_who_walks_ahead_lets_go_and_what_an_opponent
     actions = at_work(match, 1, 0.0, forward=-0.3)
     put(match, 4, 2.0 * POCKET - 0.002, 0.0, pi)
     match.robots["holding"][0, 1] = 2.9
-    assert hold(match, 1, actions, DT) is None and match.robots["holding"][0, 1] == 2.9 - DT
+    assert hold(match, 1, actions, DT, near=inf) is None and match.robots["holding"][0, 1] == 2.9 - DT
     assert hold(off, 1, at_work(off, 1, 0.3, turn=0.5), 5.0) is None
 
 
@@ -92,30 +118,47 @@ def test_the_goalkeeper_has_five_seconds_in_its_area_and_comes_back_at_once(x, s
     assert match.robot_events["returned"][0, KEEPER] == 1
 
 
+@pytest.mark.parametrize(("opponent", "guilty"), [(True, [1]), (False, [])])
 @pytest.mark.parametrize("heading", [0.25 * pi, -0.25 * pi])
-def test_a_ball_that_a_robot_covers_in_a_corner_is_trapped_though_it_walks_ahead(heading):
-    match = court(HOLDING)
+def test_a_ball_that_a_robot_covers_in_a_corner_is_trapped_though_it_walks_ahead(heading, opponent, guilty):
+    """But not if there is no opponent whom it keeps off."""
+    match = court(HOLDING, league=UPRIGHT)
     side = 1.0 if heading > 0.0 else -1.0
     x, y = 1.5 - 0.043, side * (1.0 - 0.043)
     place(match, ball=(x, y), robots={1: (x - POCKET * cos(heading), y - POCKET * sin(heading), heading)})
+    if opponent:
+        place(match, robots={OPPONENT: (x - 0.37, y - side * 0.05)})
     found = fouls(match, asks(match, r1=0.6), 4.0)
-    assert rows(found) == [1] and found[0][2] == Foul.HOLDING and 3.0 < found[0][0] < 3.8
+    assert rows(found) == guilty and all(foul == Foul.HOLDING and 3.0 < second < 3.8 for second, _, foul in found)
 
 
-def test_a_ball_pressed_straight_against_a_board_is_trapped_and_one_pushed_along_it_is_free():
-    match = court(HOLDING)
-    place(match, ball=(0.3, 1.0 - 0.043), robots={1: (0.3, 1.0 - 0.043 - POCKET, 0.5 * pi)})
-    assert rows(fouls(match, asks(match, r1=0.6), 4.0)) == [1]
-    match = court(HOLDING)
+@pytest.mark.parametrize(("opponent", "guilty"), [(True, [1]), (False, [])])
+@pytest.mark.parametrize(("league", "off"), [(UPRIGHT, 0.043), (LEGGED, 0.07)])
+def test_a_ball_pressed_straight_against_a_board_or_a_ramp_is_trapped_with_an_opponent_near(
+    league, off, opponent, guilty
+):
+    match = court(HOLDING, league=league)
+    place(match, ball=(0.3, 1.0 - off), robots={1: (0.3, 1.0 - off - POCKET, 0.5 * pi)})
+    if opponent:
+        place(match, robots={OPPONENT: (0.64, 0.75, pi)})
+    assert rows(fouls(match, asks(match, r1=0.6), 4.0)) == guilty
+
+
+def test_a_ball_pushed_along_an_upright_board_is_free():
+    match = court(HOLDING, league=UPRIGHT)
     place(match, ball=(-1.0 + POCKET, 1.0 - 0.045), robots={1: (-1.0, 1.0 - 0.11, 0.0)})
-    assert fouls(match, asks(match, r1=0.7), 8.0) == []
+    for step in range(8 * 16):
+        place(match, robots={OPPONENT: (match.balls["x"][0] + 0.1, 0.65)})
+        match.step(asks(match, r1=0.7))
+        assert match.robot_events["foul"].sum() == 0 and (step < 16 or match.balls["x"][0] > -1.0)
+    assert match.robots["holding"][0, 1] == 0.0
 
 
 @pytest.mark.parametrize(("away", "covered"), [(0.0, True), (0.5, True), (2.0, False)])
 def test_a_robot_that_has_backed_off_by_the_breadth_of_a_paw_covers_nothing(away, covered):
     """`away`: in radii of a paw."""
     match = court(HOLDING)
-    y = 1.0 - match.league.ball.radius
+    y = 1.0 - 0.07  # on a ramp
     put(match, 1, 0.3, y - POCKET - away * BODY.tip_radius, 0.5 * pi)
     put_ball(match, 0.3, y)
     assert is_covered(match.robots[0, 1], match.balls[0], match.batch.constants[0]) == covered

@@ -58,7 +58,7 @@ def test_a_walk_leads_into_another_from_a_quarter_of_the_top_speed_on(heading, f
     put(match, 4, 0.3 + NOSES, 0.4)
     top = match.league.drive.forward
     put(match, 1, 0.3, 0.4, heading, forward * top, left * top)
-    note_push(match.matches[0], match.robots[0], match.robot_events[0], 1, 4, match.batch.constants[0])
+    note_push(match.matches[0], match.balls[0], match.robots[0], match.robot_events[0], 1, 4, match.batch.constants[0])
     assert match.robot_events["pushes"][0].tolist() == [0, pushes, 0, 0, 0, 0]
     assert match.robot_events["pushed"][0].tolist() == [0, 0, 0, 0, pushes, 0]
 
@@ -155,6 +155,7 @@ def test_from_the_whistle_on_goals_do_not_count_for_the_full_time_though_there_w
 @pytest.mark.parametrize(("inside", "guilty"), [(0.002, [1]), (-0.02, [])])
 def test_a_foot_of_the_goalkeeper_on_its_line_is_enough(inside, guilty):
     match = charge(x=FOOT_IN + BODY.hind_x + inside - NOSES)  # it faces the pitch: its hind feet are in
+    place(match, ball=(1.2, 0.4))
     match.robots["keeper_pushing"][0, 1] = 0.9
     assert rows(fouls(match, asks(match, r1=0.5), 2.5)) == guilty
 
@@ -205,6 +206,35 @@ def test_one_foot_of_a_goalkeeper_counts_and_no_field_player_is_one(keeper, insi
     x = FOOT_IN + (BODY.hind_x - BODY.hind_y) * 0.5**0.5 + inside
     put(match, keeper, x, 0.0, heading)
     put(match, 1, x + NOSES * cos(heading), NOSES * sin(heading), heading - pi)
+    put_ball(match, 1.2, 0.4)
     match.robots["walk"]["forward"][0, 1] = 0.12
-    note_push(match.matches[0], match.robots[0], match.robot_events[0], 1, keeper, match.batch.constants[0])
+    note_push(
+        match.matches[0], match.balls[0], match.robots[0], match.robot_events[0], 1, keeper, match.batch.constants[0]
+    )
     assert match.robot_events["pushes"][0, 1] == pushes and match.robot_events["pushed"][0, keeper] == 1
+
+
+@pytest.mark.parametrize(("inside", "ball", "pushes"), [
+    (-0.003, (0.7, 0.4), contact.PLAYER), (0.003, (0.7, 0.4), contact.KEEPER), (-0.003, (1.003, 0.4), contact.KEEPER),
+    (-0.003, (0.997, 0.4), contact.PLAYER), (-0.003, (1.2, 0.503), contact.PLAYER),
+])  # fmt: skip
+def test_a_goalkeeper_in_its_area_is_pushed_like_any_player_while_ball_and_attacker_are_outside_it(
+    inside, ball, pushes
+):
+    match = court(KEEPER_PUSHING)
+    x = FOOT_IN - BODY.tip_x + inside  # the attacker's forefeet are the nearest to the area
+    put(match, 1, x, 0.0, 0.0, forward=0.12)
+    put(match, OTHER_KEEPER, x + NOSES, 0.0, pi)
+    put_ball(match, *ball)
+    note_push(
+        match.matches[0], match.balls[0], match.robots[0], match.robot_events[0], 1, OTHER_KEEPER,
+        match.batch.constants[0],
+    )  # fmt: skip
+    assert match.robot_events["pushes"][0, 1] == pushes and match.robot_events["pushed"][0, OTHER_KEEPER] == 1
+
+
+def test_a_duel_for_a_ball_outside_the_area_is_no_foul_at_a_goalkeeper_with_one_foot_in():
+    match = charge(x=FOOT_IN + BODY.hind_x + 0.002 - NOSES)
+    match.robots["keeper_pushing"][0, 1] = 0.9
+    place(match, ball=(0.8, 0.4))
+    assert fouls(match, asks(match, r1=0.5), 2.5) == [] and match.robots["keeper_pushing"][0, 1] == 0.0

@@ -177,6 +177,24 @@ def test_going_back_with_the_ball_for_more_than_half_a_metre_is_a_foul(seconds, 
     assert (foul in fouls) and (foul != 0 or not any(fouls))
 
 
+@each_team
+@pytest.mark.parametrize(("wheels", "foul"), [(0.5, 0), (0.0, 0), (-0.4, 0), (-0.6, Foul.HANDLING)])
+def test_a_robot_pushed_back_goes_back_only_as_far_as_its_wheels_drive_back(wheels, foul, team):
+    """For a second at 1 m/s: half a metre is free."""
+    referee = with_ball(-1.0, team)
+    referee.robots["walk"]["forward"][referee.rows[1]] = wheels
+    fouls = referee.wait(1.0)
+    assert max(fouls) == foul
+    assert foul or referee.robots["backed"][referee.rows[1]] == pytest.approx(max(-wheels, 0.0))
+
+
+@each_team
+def test_wheels_that_spin_back_while_it_moves_ahead_with_the_ball_are_no_way_back(team):
+    referee = with_ball(1.0, team)
+    referee.robots["walk"]["forward"][referee.rows[1]] = -1.0
+    assert not any(referee.wait(2.0)) and referee.robots["backed"][referee.rows[1]] == 0.0
+
+
 def test_a_robot_that_loses_the_ball_begins_anew():
     referee = with_ball(-1.0)
     assert not any(referee.wait(0.4))

@@ -204,6 +204,20 @@ def test_the_goalkeeper_may_stay_in_its_goal_area_and_mates_where_they_like_and_
     assert not any(off.wait(3.0)) and off.look(touches=(4,)) == 0
 
 
+@pytest.mark.parametrize(("x", "y", "foul"), [
+    (5.85, 0.4, 0), (5.95, -0.9, 0), (5.70, 0.4, Foul.DISTANCE), (5.85, 1.03, Foul.DISTANCE),
+    (-5.85, 0.4, Foul.DISTANCE),
+])  # fmt: skip
+@each_team
+def test_an_opponent_on_its_own_goal_line_between_the_posts_is_not_put_back_at_a_free_kick(x, y, foul, team):
+    """FIFA's Law 13."""
+    referee = Referee(team=team)
+    referee.restart(Phase.FREE_KICK, 5.3 if x > 0.0 else -5.3, 0.5)
+    robot = referee.put(4, x, y)
+    assert referee.wait(1.02)[-3:].count(foul) > 0 or foul == 0
+    assert (robot["x"] == x and robot["y"] == y) == (foul == 0) and robot["fouls"] == (foul != 0)
+
+
 def test_after_ten_seconds_everybody_may_play_the_ball():
     referee = Referee()
     referee.restart(Phase.FREE_KICK, 0.0, 0.0)
