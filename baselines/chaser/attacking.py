@@ -10,6 +10,13 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_OMNI
 from soccer_env.skills.carrying import SLOW, is_opposed, line_speed, turn_to_goal
+from soccer_env.skills.kicking import (
+    choose_kick_side,
+    clearance_strength,
+    is_at_kicker,
+    is_blocked_ahead,
+    wants_to_clear,
+)
 from soccer_env.skills.moves import (
     braking_speed,
     choose_dribble_direction,
@@ -57,6 +64,11 @@ def attack(command, sight, memory, k, play):
     if wants_to_shoot(sight, memory, k, play):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
         command.kick = kick_strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
+    elif wants_to_clear(sight, k, play):
+        command.kick = clearance_strength(sight, k)
+    elif play.plays_aside > 0.0 and sight.held == 1 and is_blocked_ahead(sight, k):
+        memory.kick_side = choose_kick_side(sight, k)
+        command.kick = abs(memory.kick_side)
 
 
 @compiled
@@ -77,7 +89,7 @@ def choose_aim(sight, k, play):
 @compiled
 def wants_to_shoot(sight, memory, k, play):
     """Tell whether a kick now would send the ball between the posts, past the opponents."""
-    if sight.now_ahead > sight.touch + play.kick_gap or abs(sight.now_left) > play.kick_aside or sight.now_ahead <= 0.0:
+    if not is_at_kicker(sight, play):
         return False
     if k.kicker_wind_up > 0.0 and sight.held == 0:
         return False
@@ -177,7 +189,7 @@ def nearest_reachable_point(x, y, k):
     """Return the point [m] nearest to a ball at (x, y) that a paw can reach while the robot touches the boards."""
     if k.walled == 0:
         return x, y
-    room = k.body_tip_y + k.body_tip_radius
+    room = k.body_tip_y + k.body_tip_radius + k.legs * k.pitch_board_foot
     edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
     if abs(y) > 0.5 * k.pitch_goal_width:
         x = clip(x, -edge_x, edge_x)
@@ -201,7 +213,7 @@ def direction_clear_of_boards(x, y, ux, uy, sight, k):
         return ux, uy
     if lies_before_own_goal(x, y, k, 0.5 * sight.touch):
         return UPFIELD, ASIDE * (side_of(y) if abs(y) > k.ball_radius else side_of(y - sight.y))
-    room = k.body_tip_y + k.body_tip_radius
+    room = k.body_tip_y + k.body_tip_radius + k.legs * k.pitch_board_foot
     edge_x, edge_y = 0.5 * k.pitch_length - room, 0.5 * k.pitch_width - room
     back_x = x - clip(x - sight.touch * ux, -edge_x, edge_x)
     back_y = y - clip(y - sight.touch * uy, -edge_y, edge_y)
@@ -245,10 +257,11 @@ def choose_side_round(memory, k, x, y, away_x, away_y, ux, uy, angle, radius):
     """Choose the sense to go round a ball, +1 counter-clockwise: away from a near board, else the shorter way."""
     way = side_of(away_y * ux - away_x * uy)
     if k.walled == 1 and angle > 1.6:
-        room = radius + k.body_tip_y + k.body_tip_radius
-        if 0.5 * k.pitch_width - abs(y) < room:
+        room = radius + k.body_tip_y + k.body_tip_radius + k.legs * k.pitch_board_foot
+        side, end = 0.5 * k.pitch_width - abs(y), 0.5 * k.pitch_length - abs(x)
+        if side < min(room, end):
             return choose_inner_side(away_x, away_y, ux, uy, 0.0, -side_of(y))
-        if 0.5 * k.pitch_length - abs(x) < room:
+        if end < room:
             return choose_inner_side(away_x, away_y, ux, uy, -side_of(x), 0.0)
     if angle > 2.6 and memory.way != 0.0:
         way = memory.way

@@ -13,7 +13,7 @@ from math import cos, pi, sin
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, wrap
 from soccer_env.skills.moves import LARGE_TURN, go, leave_boards
-from soccer_env.skills.sight import side_of
+from soccer_env.skills.sight import ball_room, side_of
 
 CORNER = 0.1  # [m] between ball and board, less counts as at the board, assumed
 SLANT, SQUARE = 1.05, 0.26  # [rad] off square to the end board: to a ball in the corner, and outside it, assumed
@@ -40,13 +40,13 @@ def is_ball_cornered(x, y, k):
 @compiled
 def end_board_gap(x, k):
     """Return the gap between a ball and the nearer end board [m]."""
-    return 0.5 * k.pitch_length - k.ball_radius - abs(x)
+    return 0.5 * k.pitch_length - ball_room(k) - abs(x)
 
 
 @compiled
 def side_board_gap(y, k):
     """Return the gap between a ball and the board of the nearer touchline [m]."""
-    return 0.5 * k.pitch_width - k.ball_radius - abs(y)
+    return 0.5 * k.pitch_width - ball_room(k) - abs(y)
 
 
 @compiled

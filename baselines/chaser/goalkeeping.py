@@ -12,7 +12,8 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.skills.carrying import turn_to_goal
 from soccer_env.skills.keeping_rules import is_in_own_area
-from soccer_env.skills.moves import clearing_direction, faces, go
+from soccer_env.skills.kicking import choose_kick_side, is_blocked_ahead
+from soccer_env.skills.moves import clearing_direction, faces, go, step_to
 from soccer_env.skills.sight import predict_ball
 
 AT_GOAL = 0.2  # cosine of the angle to its own goal line within which a keeper on legs faces it, assumed
@@ -56,7 +57,11 @@ def guard(command, sight, k, play, line):
     stand_x = max(-0.5 * k.pitch_length + out * x / away, line)
     widest = 0.5 * k.pitch_goal_width - 0.5 * k.body_reach
     stand_y = clip(bisect_shot_angle(sight, k, stand_x) if k.walled == 0 else out * y / away, -widest, widest)
-    go(command, sight, k, play, stand_x, stand_y, atan2(sight.ball_y - sight.y, sight.ball_x - sight.x), 0.0)
+    facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
+    if k.legs == 1 and sight.distance < play.faces_ball:
+        step_to(command, sight, k, play, stand_x, stand_y, facing)
+    else:
+        go(command, sight, k, play, stand_x, stand_y, facing, 0.0)
 
 
 @compiled
@@ -73,21 +78,24 @@ def bisect_shot_angle(sight, k, x):
 
 @compiled
 def may_clear(sight, k, play):
-    """Tell whether the keeper should go for the ball: it lies near the goal, and no field player is near it.
+    """Tell whether the keeper should go for the ball: it lies near the goal, and no mate is nearer to it.
 
-    The keeper clears a ball at its kicker from anywhere. In a penalty area that field players may not enter, every slow
-    ball is the keeper's.
+    A ball farther out, in the own third, is the keeper's if nobody at all is nearer. The keeper clears a ball at its
+    kicker from anywhere. In a penalty area that field players may not enter, every slow ball is the keeper's.
     """
     if sight.held == 1 and k.keeper_kicks == 1:
         return True
     if k.rules_illegal_defender == 1 and is_in_own_area(sight.ball_x, sight.ball_y, k, k.body_reach):
         return length(sight.ball_vx, sight.ball_vy) <= play.shot_speed
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
-    if length(x, y) > play.keeper_zone or length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
+    near = length(x, y) < play.keeper_zone
+    if not (near or (play.fetches > 0.0 and x < k.pitch_length / 3.0)):
+        return False
+    if length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
         return False
     for i in range(sight.others):
         away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
-        if sight.mate[i] == 1 and away < sight.distance:
+        if away < sight.distance and (sight.mate[i] == 1 or not near):
             return False
     return True
 
@@ -103,5 +111,8 @@ def clear_ball(command, sight, memory, k, play):
     if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
         turn_to_goal(command, sight, memory, k, play, ux, uy)
         command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
+        if play.plays_aside > 0.0 and (command.kick == 0.0 or is_blocked_ahead(sight, k)):
+            memory.kick_side = choose_kick_side(sight, k)
+            command.kick = abs(memory.kick_side)
     else:
         approach(command, sight, memory, k, play, ux, uy, k.drive_forward)

@@ -32,6 +32,7 @@ from soccer_env.leagues.league import League
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, keep_decision, must_decide, required_ball_distance
 from soccer_env.skills.keeping_rules import avoid_pushing_foul, is_in_own_area, leave_area, may_not_enter, wait_at_area
+from soccer_env.skills.kicking import aim_kick
 from soccer_env.skills.searching import LOST, end_search, search_for_ball
 from soccer_env.skills.set_pieces import (
     HOLDS_OFF,
@@ -79,6 +80,7 @@ MEMORY = ranged_record(
         ("aside", "f8", NUMBER),
         ("turn", "f8", NUMBER),
         ("kick", "f8", NUMBER),
+        ("kick_side", "f8", UNIT),  # of that kick: +1 to the left, -1 right, 0 ahead
     ]
 )
 
@@ -96,9 +98,13 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "lead": (3.0, 1.5, 2.0),  # [s] greatest time by which the ball is led
     "kick_gap": (0.025, 0.04, 0.04),  # [m] the ball is at most this far from the front
     "kick_aside": (0.035, 0.08, 0.08),  # [m] and this far aside
-    "room": (0.03, 0.05, 0.03),  # [rad] beside a shot
-    "shot_range": (1.3, 5.5, 5.5),  # [m] of a shot at the goal
+    "room": (0.03, 0.03, 0.03),  # [rad] beside a shot
+    "shot_range": (1.3, 7.0, 7.0),  # [m] of a shot at the goal
     "arrival": (0.0, 5.0, 5.0),  # [m/s] of a shot at the goal; 0: with all strength
+    "plays_aside": (1.0, 0.0, 0.0),  # 1: kicks past what stands ahead, with one foreleg; 0: never
+    "clears": (0.0, 1.0, 1.0),  # 1: kicks the ball away when it is pressed in its own half; 0: never
+    "fetches": (1.0, 0.0, 0.0),  # 1: a goalkeeper goes for a ball that lies in its third; 0: near its goal alone
+    "faces_ball": (1.2, 0.0, 0.0),  # [m] to a ball that a goalkeeper on legs faces even while it walks
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (3.0, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
@@ -156,13 +162,16 @@ def decide_or_repeat(belief, tracks, memory, noise, command, k, play, sight):
     decides = must_decide(belief, memory, command, k)
     look_up(belief, command, memory, k, play)
     if not decides:
+        aim_kick(command, k, memory.kick_side)
         return
     weakness = 1.0 - play.strength
     apply_strength(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
     fill_sight(sight, belief, tracks, k)
+    memory.kick_side = 0.0
     decide(belief, command, sight, memory, noise, k, play)
     command.kick *= 1.0 - weakness * (1.0 - play.softest)
     keep_decision(memory, command)
+    aim_kick(command, k, memory.kick_side)
 
 
 @compiled

@@ -17,10 +17,11 @@ from soccer_env.baselines.chaser.attacking import (
 from soccer_env.baselines.heinemann_2006.dribbling import dribble, way_round
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
-from soccer_env.baselines.heinemann_2006.passing import choose_pass, is_at_kicker, pass_strength
+from soccer_env.baselines.heinemann_2006.passing import choose_pass, pass_strength
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.skills.carrying import is_pressed
+from soccer_env.skills.kicking import is_at_kicker
 from soccer_env.skills.moves import rotate_vector, shot_room
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.skills.sight import predict_ball
@@ -34,7 +35,7 @@ def attack(command, memory, k, play, scratch):
     sight, skill, skills = scratch.sight, memory.skill, play.skills
     ux, uy = choose_aim(sight, k, skills)
     passes, far = False, 0.0
-    if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, play)):
+    if skill.wriggle == 0.0 and (sight.held == 1 or is_at_kicker(sight, skills)):
         passes, ux, uy, far = choose_pass_or_shot(sight, k, play, ux, uy)
     if sight.held == 1 and not passes and should_dribble(sight, k, play, ux, uy):
         ux, uy = way_round(k, play, scratch)
@@ -52,7 +53,7 @@ def attack(command, memory, k, play, scratch):
     if wants_to_shoot(sight, skill, k, skills):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
         command.kick = kick_strength_for(k, goal, skills.arrival)
-    elif passes and is_at_kicker(sight, play) and sight.now_cosine * ux + sight.now_sine * uy > play.pass_cosine:
+    elif passes and is_at_kicker(sight, skills) and sight.now_cosine * ux + sight.now_sine * uy > play.pass_cosine:
         command.kick = pass_strength(k, play, far)
 
 

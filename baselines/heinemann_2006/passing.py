@@ -74,14 +74,6 @@ def is_opponent_near(sight, x, y, near):
 
 
 @compiled
-def is_at_kicker(sight, play):
-    """Tell whether the ball lies within reach of the kicker."""
-    skills = play.skills
-    near = sight.now_ahead <= sight.touch + skills.kick_gap
-    return near and sight.now_ahead > 0.0 and abs(sight.now_left) <= skills.kick_aside
-
-
-@compiled
 def pass_strength(k, play, far):
     """Return the strength [1] of a pass over a distance [m]: enough to arrive at `pass_arrival`, at most 1.  MH04"""
     return kick_strength_for(k, far, play.pass_arrival) if play.pass_strength == 1 else 1.0

@@ -125,3 +125,4 @@ class SacksSettings(Options):
     lead: float = 3.0  # [s] longest by which a rolling ball is led, assumed
     arrived: float = 0.03  # [m] near enough, assumed
     walk_ahead: float = 0.25  # [m] a walk this long is done facing ahead, assumed
+    walks_turned: float = 0.0  # [m] a longer walk goes on sideways and backwards during a turn; 0: none, assumed

@@ -3,6 +3,7 @@
 sight.py          a belief, converted to the team frame once a decision
 moves.py          ways to move, to aim and to play the ball
 carrying.py       the ball carried between the paws or the arms of the guide
+kicking.py        kicks aside, past what stands ahead, and clearances
 deciding.py       when a player decides, and how its strength limits it
 searching.py      the search for a lost ball
 settings.py       the numbers that skills read

@@ -89,10 +89,20 @@ def go(command, sight, k, play, x, y, facing, final):
     if k.drive_kind == WHEELS_DIFFERENTIAL:
         drive_differential(command, sight, k, play, ahead, left, distance, facing, speed)
     elif k.drive_kind == GAIT and distance > play.walk_ahead:
-        walk_ahead(command, sight, k, play, ahead, left, speed)
+        walk_ahead(command, sight, k, play, ahead, left, speed, 0.0 < play.walks_turned < distance)
     else:
         push(command, sight, k, ahead, left, speed)
         turn_by(command, sight, k, play, wrap(facing - sight.heading))
+
+
+@compiled
+def step_to(command, sight, k, play, x, y, facing):
+    """Step to a point sideways or backwards, facing a team-frame direction [rad] all the way."""
+    dx, dy = x - sight.x, y - sight.y
+    distance = max(length(dx, dy), 1e-6)
+    ahead, left = into_frame(dx / distance, dy / distance, sight.cosine, sight.sine)
+    push(command, sight, k, ahead, left, braking_speed(k, play, distance))
+    turn_by(command, sight, k, play, wrap(facing - sight.heading))
 
 
 @compiled
@@ -117,11 +127,14 @@ def brake_before_robots(sight, k, play, dx, dy, speed, fights):
 
 
 @compiled
-def walk_ahead(command, sight, k, play, ahead, left, speed):
-    """Turn along the path and walk forward: walking forward is faster than sideways."""
+def walk_ahead(command, sight, k, play, ahead, left, speed, turned):
+    """Turn along the path and walk; `turned`: sideways or backwards until the turn is done, else forward alone."""
     bearing = atan2(left, ahead)
     turn_by(command, sight, k, play, bearing)
-    push(command, sight, k, max(ahead, 0.0) * max(ahead, 0.0), left * max(ahead, 0.0), speed)
+    if turned:
+        push(command, sight, k, ahead, left, speed)
+    else:
+        push(command, sight, k, max(ahead, 0.0) * max(ahead, 0.0), left * max(ahead, 0.0), speed)
     if abs(bearing) > LARGE_TURN:
         leave_boards(command, sight, k)
 
@@ -132,7 +145,8 @@ def leave_boards(command, sight, k):
     if k.walled == 0:
         return
     room = k.body_reach + k.legs * k.pitch_board_foot + BOARD_ROOM
-    x = -side_of(sight.x) * max(abs(sight.x) - 0.5 * k.pitch_length + room, 0.0)
+    before_goal = abs(sight.y) < 0.5 * k.pitch_goal_width
+    x = 0.0 if before_goal else -side_of(sight.x) * max(abs(sight.x) - 0.5 * k.pitch_length + room, 0.0)
     y = -side_of(sight.y) * max(abs(sight.y) - 0.5 * k.pitch_width + room, 0.0)
     away = length(x, y)
     if away > 0.0:

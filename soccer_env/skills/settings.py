@@ -20,6 +20,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "settle": (0.7, 0.25, 0.3),  # [s] in which a turn or a step is to be done
     "arrived": (0.03, 0.05, 0.08),  # [m] near enough
     "walk_ahead": (0.25, 0.0, 0.0),  # [m] a walk this long is done facing ahead
+    "walks_turned": (0.3, 0.0, 0.0),  # [m] a longer walk goes on sideways and backwards during a turn; 0: none does
     "turn_share": (1.0, 0.0, 0.5),  # [1] of the top turn rate with the ball, where it is not gone round
     "carry_share": (1.0, 0.15, 0.2),  # [1] of the top speed while turning with the ball
     "circle_share": (0.0, 0.3, 0.0),  # [1] of the acceleration that turning about the ball takes; 0: about itself

@@ -13,6 +13,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame, wrap
+from soccer_env.leagues.league import AHEAD_OF_RAMP
 from soccer_env.types import MAX_TEAM
 
 OTHERS = 2 * MAX_TEAM  # room for every other player
@@ -103,6 +104,12 @@ def side_of(value):
 
 
 @compiled
+def ball_room(k):
+    """Return the least distance [m] from a board to the centre of a ball at rest, which has rolled off the ramp."""
+    return max(k.pitch_ramp + AHEAD_OF_RAMP * k.ball_radius, k.ball_radius)
+
+
+@compiled
 def predict_ball(sight, k, seconds):
     """Return the ball's place [m, m] after `seconds`, team frame, held inside the boards of a walled pitch."""
     speed = length(sight.ball_vx, sight.ball_vy)
@@ -112,6 +119,9 @@ def predict_ball(sight, k, seconds):
     share = rolling * (1.0 - 0.5 * k.ball_rolling * rolling / speed)
     x, y = sight.ball_x + share * sight.ball_vx, sight.ball_y + share * sight.ball_vy
     if k.walled == 1:
-        edge_x, edge_y = 0.5 * k.pitch_length - k.ball_radius, 0.5 * k.pitch_width - k.ball_radius
-        x, y = clip(x, -edge_x, edge_x), clip(y, -edge_y, edge_y)
+        edge_x, edge_y = 0.5 * k.pitch_length - ball_room(k), 0.5 * k.pitch_width - ball_room(k)
+        in_mouth = abs(y) < 0.5 * k.pitch_goal_width
+        edge_x = 0.5 * k.pitch_length - k.ball_radius if in_mouth else edge_x
+        x = clip(x, -edge_x, edge_x)
+        y = clip(y, -edge_y, edge_y)
     return x, y

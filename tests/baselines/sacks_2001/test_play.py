@@ -40,7 +40,7 @@ def numbers(match: Match) -> np.ndarray:
 def test_other_leagues_are_refused() -> None:
     with pytest.raises(ValueError, match="'sacks-2001' is for legged leagues, 'middle-size-2006' is middle-size"):
         Match("middle-size-2006", controllers={"home": "sacks-2001"}, seed=1)
-    Match("legged-2001-inner", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
+    Match("legged-2001-upright", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
 
 
 @pytest.mark.parametrize(("changes", "message"), [

@@ -1,0 +1,106 @@
+"""When a player kicks other than at the goal: clear of pressing opponents, or aside, past what stands ahead.
+
+A robot on legs kicks to the side to which its command turns its head (physics/kicker.py).
+
+`k`: the league's constants; `play`: the team's settings.
+"""
+
+from soccer_env.compiled import compiled
+from soccer_env.geometry import clip, length
+from soccer_env.skills.carrying import is_pressed
+from soccer_env.skills.moves import free_roll_distance, lane_room, rotate_vector
+from soccer_env.skills.set_pieces import kick_strength_for
+from soccer_env.skills.sight import side_of
+
+BLOCKED = 0.35  # [m] ahead within which an opponent or a board makes a kick useless, assumed: a robot's length and more
+OPEN = 0.5  # [m] that a ball kicked aside has to have free, assumed
+CLEAR_WAY = 1.5  # [m] ahead that has to be free for a clearance, assumed
+HURRIES = 1.0  # [m] from the ball of an opponent that leaves no time to turn the ball off a board, assumed
+UPFIELD = 0.3  # cosine of the angle off straight upfield of a clearance at most, assumed
+ROLLS_OUT = 0.8  # [1] of the way to the line that a clearance may roll, assumed
+BESIDE_GOAL = 0.3  # [m] beside the own posts at which a kick may not aim, assumed
+
+
+@compiled
+def is_at_kicker(sight, play):
+    """Tell whether the ball lies within reach of the kicker."""
+    near = sight.now_ahead <= sight.touch + play.kick_gap
+    return near and sight.now_ahead > 0.0 and abs(sight.now_left) <= play.kick_aside
+
+
+@compiled
+def wants_to_clear(sight, k, play):
+    """Tell whether to kick the ball away now: an opponent presses in the own half, and the way upfield is free."""
+    if play.clears == 0.0 or sight.ball_x > 0.0 or not is_at_kicker(sight, play) or not is_pressed(sight):
+        return False
+    ux, uy = sight.now_cosine, sight.now_sine
+    return ux > UPFIELD and not is_blocked(sight, k, ux, uy, CLEAR_WAY)
+
+
+@compiled
+def clearance_strength(sight, k):
+    """Return the strength [1] of a clearance straight ahead: the ball comes to rest on the pitch."""
+    far = ROLLS_OUT * free_roll_distance(sight, k, sight.now_cosine, sight.now_sine)
+    return kick_strength_for(k, far, 0.0)
+
+
+@compiled
+def is_blocked_ahead(sight, k):
+    """Tell whether an opponent stands right ahead of the ball, or a board, with an opponent that presses.
+
+    Before a board a player that nobody presses turns the ball out.
+    """
+    ux, uy = sight.now_cosine, sight.now_sine
+    if lane_room(sight, k, ux, uy, BLOCKED) < 0.0:
+        return True
+    return free_roll_distance(sight, k, ux, uy) < BLOCKED and is_opponent_near(sight, HURRIES)
+
+
+@compiled
+def is_blocked(sight, k, ux, uy, far):
+    """Tell whether a ball kicked along (ux, uy) would meet an opponent or a board within a distance [m]."""
+    return lane_room(sight, k, ux, uy, far) < 0.0 or free_roll_distance(sight, k, ux, uy) < far
+
+
+@compiled
+def is_opponent_near(sight, near):
+    """Tell whether an opponent is nearer than `near` [m] to the ball."""
+    for i in range(sight.others):
+        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
+        if sight.mate[i] == 0 and away < near:
+            return True
+    return False
+
+
+@compiled
+def choose_kick_side(sight, k):
+    """Return the side of the better kick aside, 1 left or -1 right; 0 if both are blocked or lead to the own goal.
+
+    The better kick is the one that leads farther ahead; of two equal ones, the one towards the middle.
+    """
+    best, most = 0.0, -1e9
+    for turn in range(2):
+        side = side_of(sight.ball_y) * (2.0 * turn - 1.0)
+        ux, uy = rotate_vector(sight.now_cosine, sight.now_sine, side * k.kicker_aside)
+        if ux > most and not is_blocked(sight, k, ux, uy, OPEN) and not leads_to_own_goal(sight, k, ux, uy):
+            best, most = side, ux
+    return best
+
+
+@compiled
+def leads_to_own_goal(sight, k, ux, uy):
+    """Tell whether a ball played along (ux, uy) would pass near the own goal."""
+    x, y = -0.5 * k.pitch_length - sight.ball_x, -sight.ball_y
+    return ux * x + uy * y > 0.0 and abs(ux * y - uy * x) < 0.5 * k.pitch_goal_width + BESIDE_GOAL
+
+
+@compiled
+def aim_kick(command, k, side):
+    """Turn the head to the side of a commanded kick, or straight ahead for a kick ahead, as the kicker reads it."""
+    if command.kick <= 0.0 or k.kicker_aside <= 0.0:
+        return
+    if side != 0.0:
+        command.head, command.pan = 1.0, clip(side * k.kicker_aside / k.head_pan_limit, -1.0, 1.0)
+    elif command.head >= 0.0:
+        least = 0.4 * k.kicker_aside / k.head_pan_limit
+        command.pan = clip(command.pan, -least, least)
