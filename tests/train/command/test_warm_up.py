@@ -78,7 +78,7 @@ class Started:
 def started(monkeypatch: pytest.MonkeyPatch) -> list[Started]:
     monkeypatch.setattr(Started, "every", [])
     monkeypatch.setattr(subprocess, "Popen", Started)
-    monkeypatch.setattr(compiling_beside, "cores", lambda: 2)
+    monkeypatch.setattr(compiling_beside, "count_cores", lambda: 2)
     return Started.every
 
 
@@ -100,7 +100,7 @@ def test_none_is_started_where_it_would_not_help(started: list[Started], monkeyp
     with compile_step_beside():
         pass
     monkeypatch.setattr(compiling_beside, "is_cached", lambda function: False)
-    monkeypatch.setattr(compiling_beside, "cores", lambda: 1)
+    monkeypatch.setattr(compiling_beside, "count_cores", lambda: 1)
     with compile_step_beside():
         pass
     assert started == []

@@ -113,7 +113,7 @@ def test_a_drill_or_match_can_be_watched_to_its_end(words: str, monkeypatch: Mon
     assert main(["watch", *words.split(), "--width", "320"]) == 0
 
 
-SHORT: dict[str, Any] = {"home": "chaser", "away": "still", "matches": 4, "minutes": 0.4, "players": 1, "seed": 1}
+SHORT: dict[str, Any] = {"home": "chaser", "away": "still", "matches": 4, "minutes": 1.5, "players": 1, "seed": 1}
 
 
 def short(out: Path, **changes: Any) -> Any:

@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.leagues import find_league
-from soccer_env.match.staging import memory_of
+from soccer_env.match.staging import memory_of, set_mass
 from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
@@ -81,6 +81,7 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
     put(match, 1, [0.0, 0.9, 0.9], [0.0, 0.0, 0.6], np.pi)
     put_ball(match, -1.0, 0.8)
     begin_scene(match, placed=True)
+    set_mass(match, (1,), 1e4, 1e4)  # the one that it meets does not give way
     dribble_runs.start_dribbling(match)
     contacts, actions = contacts_of(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
     actions[2] = 0.0

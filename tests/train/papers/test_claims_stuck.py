@@ -43,13 +43,13 @@ def test_one_in_the_way_that_is_anchored_stays_and_overlaps_with_the_straight_wa
     assert match.robot_events["collision"][:, 0].any()
 
 
-def test_without_an_anchor_a_standing_robot_gives_way_by_millimetres() -> None:
+def test_without_an_anchor_a_standing_robot_is_shoved_along() -> None:
     match = runs.set_up_blocked_path(BATCH, 16, recovery=False)
     match.rebuild()  # bodies as the league has them
     other = match.robots[:, 1].copy()
     list(play(match, 8.0))
     moved = np.hypot(match.robots["x"][:, 1] - other["x"], match.robots["y"][:, 1] - other["y"])
-    assert 0.0015 < moved.max() < 0.01
+    assert 0.1 < moved.max() < 0.5 * 8.0 * match.league.drive.forward
 
 
 def test_a_recovery_that_is_begun_for_it_goes_as_the_team_goes() -> None:
@@ -119,7 +119,7 @@ def test_moments_without_the_flags_that_are_asked_for_do_not_count() -> None:
 
 def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_likes() -> None:
     got, tries = worth.face_wall(BATCH, seen=True)
-    assert 0.5 < got.mean() <= 1.0
+    assert 0.3 < got.mean() <= 1.0
     _, with_sidesteps = worth.face_wall(BATCH, seen=True, rotate_beyond=np.pi)
     assert 0.1 < (tries > 0).mean() < 0.9
     np.testing.assert_array_equal(tries > 0, with_sidesteps > 0)  # the rule matters after the first way back alone

@@ -8,6 +8,7 @@ from functools import partial
 from math import pi
 
 from soccer_env.leagues import find_league
+from soccer_env.leagues.league import AHEAD_OF_RAMP
 from soccer_env.match import staging
 from soccer_env.train.pages.pictures.rules import Ruling, Staged, stage_rule
 from soccer_env.types import Foul
@@ -15,7 +16,8 @@ from soccer_env.types import Foul
 LEAGUE = find_league("legged-2001")
 NOSES = 2.0 * (LEAGUE.body.tip_x + LEAGUE.body.tip_radius) + 0.002  # [m] between two robots whose paws touch
 POCKET = LEAGUE.body.front + LEAGUE.ball.radius + 0.001  # [m] of a ball between the forepaws from the robot's middle
-EDGE = 0.5 * LEAGUE.pitch.width - LEAGUE.ball.radius - 0.001  # [m] of a ball at a board
+FOOT = LEAGUE.pitch.ramp + AHEAD_OF_RAMP * LEAGUE.ball.radius + 0.001  # [m] from a board to a ball before its ramp
+EDGE = 0.5 * LEAGUE.pitch.width - FOOT  # [m] of a ball at a board
 PLACES = ((-1.25, 0.0, 0.0), (-0.7, -0.55, 0.3), (-0.6, 0.5, -0.3), (1.25, 0.0, pi), (0.7, 0.55, pi), (0.6, -0.5, pi))
 
 staged = partial(stage_rule, LEAGUE, PLACES)
@@ -23,15 +25,15 @@ staged = partial(stage_rule, LEAGUE, PLACES)
 
 def stage_ball_in_corner() -> Staged:
     """Stage a ball that a robot covers in a corner."""
-    x, y = 0.5 * LEAGUE.pitch.length - LEAGUE.ball.radius - 0.001, EDGE
+    x, y = 0.5 * LEAGUE.pitch.length - FOOT, EDGE
     away = POCKET / 2.0**0.5
-    return staged((x, y), {2: (x - away, y - away, 0.25 * pi), 4: (1.1, 0.55, 0.5)}, {2: 0.6})
+    return staged((x, y), {2: (x - away, y - away, 0.25 * pi), 4: (1.15, 0.6, 0.5)}, {2: 0.6})
 
 
 def stage_ball_at_board() -> Staged:
     """Stage a goalkeeper that presses the ball against the board of its goal line."""
-    x = LEAGUE.ball.radius + 0.001 - 0.5 * LEAGUE.pitch.length
-    return staged((x, 0.4), {0: (x + POCKET, 0.4, pi)}, {0: 0.6})
+    x = FOOT - 0.5 * LEAGUE.pitch.length
+    return staged((x, 0.4), {0: (x + POCKET, 0.4, pi), 4: (x + 0.1, 0.72, pi)}, {0: 0.6})
 
 
 def stage_return_after_penalty() -> Staged:
@@ -95,7 +97,7 @@ RULINGS = (
                    local_y=0.2, local_clock=29.0), 2, Foul.GAME_STUCK),
     Ruling("global game stuck", ("global_stuck",), "30 s without a touch: red, in its half, kicks off",
            partial(staged, (-0.4, 0.0), {}, {}, idle_clock=29.0), event="stuck", longest=5.0),
-    Ruling("dropped ball", ("dropped_ball",), "15 s within 10 cm: dropped, off the board",
+    Ruling("dropped ball", ("dropped_ball",), "15 s within 10 cm: dropped 50 cm off the board",
            partial(staged, (0.3, EDGE), {2: (0.3 - POCKET, EDGE - 0.03, 0.0), 4: (0.3 + POCKET, EDGE - 0.03, pi)}, {},
                    still_clock=14.0), event="restart", after=True),
     Ruling("pulled apart", ("contact_time",), "15 s in contact: one robot goes", stage_blocked_opponents,

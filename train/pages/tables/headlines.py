@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from soccer_env.train.pages.tables.paper_page import verdict_counts
 from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
 from soccer_env.train.pages.tables.teams import PLAYERS
+from soccer_env.types import WORLD
 
 MATCHES = (  # table, home, away, minutes of a match, words of the row
     ("learned", "learned", "sacks-2001", 4.0, "the learned team against the team of the 2001 paper"),
@@ -62,4 +63,10 @@ def headlines_table(data: dict[str, Any]) -> str:
     lines = ["| what | measured (95 % interval) | command |", "|---|---|---|"]
     lines += [f"| {row.words} | {row.value} | {commands.index(row.command) + 1} |" for row in rows]
     numbered = [f"{command}  # {number}" for number, command in enumerate(commands, 1)]
-    return "\n".join([*lines, "", "```bash", *numbered, "```"])
+    return "\n".join([*lines, "", *older_world_note(data), "```bash", *numbered, "```"])
+
+
+def older_world_note(data: dict[str, Any]) -> list[str]:
+    """Return lines that say in which older world the matches were measured; none for the present world."""
+    worlds = {data[table]["about"].get("world", "1") for table, *_ in MATCHES if table in data} - {str(WORLD)}
+    return [f"Matches of world {', '.join(sorted(worlds))}: the present world is {WORLD}.", ""] if worlds else []

@@ -49,6 +49,7 @@ from soccer_env.train.pages.tables.teams import (
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.provenance import commit, version_of
+from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]
@@ -66,6 +67,7 @@ PAGES = {  # the page that shows a table, seen from the checkout's root
 }
 PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
+SAME = (*LIBRARIES, "machine", "world")  # facts with which the same match ends in the same state
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
@@ -111,7 +113,7 @@ def about() -> dict[str, str]:
     """Return date, commit, machine and versions of a measurement."""
     import datetime
 
-    versions = {name: version_of(name) for name in LIBRARIES}
+    versions = {name: version_of(name) for name in LIBRARIES} | {"world": str(WORLD)}
     today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
     return {"date": today, "commit": commit(), "machine": machine(), **versions}
 
@@ -145,8 +147,10 @@ def add_footer(text: str, table: dict[str, Any]) -> str:
 
 
 def footer(facts: dict[str, str]) -> str:
-    """Return the line under a table: date, commit, machine and versions of the measurement."""
-    return "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
+    """Return the line under a table: date, commit, machine and versions; and the world, if it is an older one."""
+    about = "Made by `make tables`: " + ", ".join(f"{name} {value}" for name, value in facts.items()) + "."
+    world = facts.get("world", "1")
+    return about if world == str(WORLD) else f"{about} Measured in world {world}; the present one is {WORLD}."
 
 
 def fill_page_tables(text: str, page: str, data: dict[str, Any]) -> str:
@@ -177,10 +181,13 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
         if name not in data:
             continue
         made = data[name]["about"]
-        if all(made[name] == now[name] for name in (*LIBRARIES, "machine")):
+        if all(made.get(name, "1") == now[name] for name in SAME):
             problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
         else:
-            print(f"tables: versions or machine differ from those of {name}; matches are not compared", file=sys.stderr)
+            print(
+                f"tables: versions, machine or world differ from those of {name}; matches are not compared",
+                file=sys.stderr,
+            )
     return problems if quick else problems + slower_rows(data["speed"])
 
 

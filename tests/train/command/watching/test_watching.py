@@ -100,7 +100,7 @@ def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: MonkeyPat
     pygame.quit()
 
 
-def watched(steps: int = 90) -> tuple[PlaybackControls, Cast]:
+def watched(steps: int = 180) -> tuple[PlaybackControls, Cast]:
     match = Match(home=2, away=1, controllers={"home": "sacks-2001", "away": "chaser"}, seed=2)
     thoughts = Thoughts(match)
     deck = PlaybackControls(Tape(play_live(match, thoughts)), 16.0, 1.0, agents=tuple(match.agents))
