@@ -247,3 +247,9 @@ def test_events_lie_where_the_ball_was_and_are_turned_with_the_half(found: Any, 
             assert np.linalg.norm(place - ball[frame]) < reach
             assert event["x_end"] is not None and abs(event["x_end"]) <= 0.55 * found.league.pitch.length
     assert {line["event"]["period"] for line in told} == {"first_half", "second_half"}
+    balls = [line["event"] for line in told if line["event"]["type"] in ("pass", "shot")]
+    rows = np.flatnonzero(np.isin(table["event"], ("pass", "shot")))
+    last = np.where(ends, table["end_frame"], table["frame"])[rows]
+    spots = np.where(ends[:, None], end, np.stack([table["x"], table["y"]], axis=-1))[rows] * direction[last][:, None]
+    told_ends = sorted((event["x_end"], event["y_end"]) for event in balls)
+    np.testing.assert_allclose(told_ends, sorted(map(tuple, spots)), atol=0.01)

@@ -7,6 +7,7 @@ import pytest
 
 from soccer_env import Match, make_team
 from soccer_env.baselines.sacks_2001.actuators import SWEEP, SWEEP_SHARE, look_around
+from soccer_env.baselines.sacks_2001.ball_notes import AFTER_KICK
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, GUARD, MEMORY, ORBIT, PASS, SEARCH, SHOOT
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -267,6 +268,16 @@ def turn_to_mate(mind: Mind) -> None:
         seen = complex(mind.tracks[0, 0, slot]["x"], mind.tracks[0, 0, slot]["y"]) * np.exp(-0.9j)
         believe_player(mind, slot, seen.real, seen.imag, teammate=int(slot < 2))
     mind.tracks[0, 0, 1]["present"] = 0
+
+
+def test_ms26_a_ball_that_still_lies_there_after_a_kick_foils_the_next_shots() -> None:
+    mind = holding(0.0)
+    mind.memory["kicked"] = 0.5 * AFTER_KICK
+    mind.think()
+    assert mind.memory["foiled"] == pytest.approx(float(mind.team.settings["foiled_time"][0]))  # type: ignore[attr-defined]
+    mind.memory["kicked"], mind.memory["foiled"] = AFTER_KICK, 0.0  # it has only just kicked
+    mind.think()
+    assert mind.memory["foiled"] == 0.0
 
 
 @pytest.mark.parametrize("passes", [True, False])

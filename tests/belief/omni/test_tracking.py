@@ -1,17 +1,19 @@
 """The filters of the tracking: the textbook's Kalman filter, a line fitted to readings, one thing followed by them."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from soccer_env.belief.omni import tracking
+from soccer_env.belief.omni import players, tracking
 from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
 from soccer_env.belief.omni.tracking import DELAYS, FILTER, MOTION, correct_track, predict, reading_sd, start
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_parameters
+from soccer_env.records.beliefs import TRACK
 from soccer_env.records.percepts import SIGHTING
 from tests.scenes.staging import MIDDLE
 
@@ -194,3 +196,17 @@ def test_memories_that_cannot_be_are_refused() -> None:
     ):
         with pytest.raises(ValueError, match=message):
             LEAGUE.memory.changed(change)
+
+
+@pytest.mark.parametrize(("since", "late"), [(0.5, 0.1), (0.06, 0.02), (0.02, 0.02)])
+def test_a_fitted_line_takes_the_time_from_one_picture_of_a_player_to_the_next(since: float, late: float) -> None:
+    """The track was seen `since` [s] ago, the new picture is `late` [s] old; at least a frame lies between."""
+    settings = replace(LEAGUE.memory, filter="least-squares").record()[0]
+    track, filter = np.zeros(1, TRACK)[0], np.zeros(1, FILTER)[0]
+    track["x"], track["vx"], track["age"], filter["readings"] = 2.0, 0.5, since, 5
+    thing, other = np.zeros(1, THING)[0], filter.copy()
+    thing["x"], thing["vx"] = 2.0, 0.5
+    players.correct_player(track, filter, 2.2, 0.1, 0.0, late, late, K[0], S[0], settings)
+    correct_track(thing, other, 2.2, 0.1, late, max(since - late, DT), S[0], settings)
+    assert [track[name] for name in THING.names or ()] == pytest.approx([thing[name] for name in THING.names or ()])
+    assert track["age"] == late and thing["vx"] != 0.5
