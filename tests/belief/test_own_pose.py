@@ -50,6 +50,7 @@ def test_mh08_a_robot_that_was_told_its_pose_keeps_it_while_it_walks_about_and_s
     assert world.own["confidence"].mean() > 70.0
 
 
+@pytest.mark.slow
 @each_league
 def test_mh08_without_particles_the_same_robot_drifts_and_its_confidence_falls_to_nothing(name: str) -> None:
     world = informed(name, robots=40, particles=0)

@@ -70,6 +70,7 @@ def test_a_match_alone_is_the_same_match_among_64(league: str) -> None:
     assert alone.observations[0].tobytes() == together.observations[17].tobytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("team", ["chaser", "random"])
 def test_threads_do_not_matter(league: str, team: str) -> None:

@@ -68,6 +68,7 @@ def near_boards(match):
     return robots.sum(axis=1) + ball
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("placement", ["instant", "drive"])
 @pytest.mark.parametrize(
     ("image", "change_actions", "tolerance", "seed"),

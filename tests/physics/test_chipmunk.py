@@ -174,6 +174,7 @@ print(play(1000) - before)
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["c", "batch"])
 @pytest.mark.skipif(sys.platform != "linux", reason="MALLOC_PERTURB_ is glibc's")
 def test_a_thousand_resets_neither_crash_nor_leak_with_freed_memory_overwritten(backend):

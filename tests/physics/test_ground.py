@@ -186,6 +186,7 @@ def is_finite(records: np.ndarray) -> bool:
     return all(np.isfinite(records[name]).all() for name in records.dtype.names if records[name].dtype.kind == "f")
 
 
+@pytest.mark.slow
 @each_league
 def test_six_robots_that_push_a_ball_for_a_minute_never_push_it_out_or_into_each_other(name):
     """A ball squeezed between robots of thirty times its mass still goes into them, up to its radius as measured.

@@ -268,6 +268,7 @@ def squirts(match: Match) -> np.ndarray:
     return side
 
 
+@pytest.mark.slow
 def test_a_kick_in_a_vice_lifts_the_ball_out_aside_as_often_as_the_league_says_on_each_side_alike():
     matches = 2000
     match = vice(endless(LEGGED), matches, seed=5)
@@ -317,6 +318,7 @@ def test_two_that_kick_at_a_ball_between_them_get_it_out_within_some_kicks():
     assert free.mean() > 0.97
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("heading", [0.0, 0.5 * np.pi, -0.25 * np.pi])
 def test_a_ball_is_never_lifted_into_a_robot_or_beyond_a_board_but_to_the_other_side_or_not_at_all(heading):
     """A third robot stands beside the vice, and a board runs along it; then the vice stands in a corner."""

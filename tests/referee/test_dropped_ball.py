@@ -102,6 +102,7 @@ def test_a_goalkeeper_out_of_its_area_keeps_the_ring_and_a_robot_outside_it_is_n
     assert not carried(match, dropped(match)).any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [3, 5])
 @pytest.mark.parametrize("place", ["anywhere", "board", "corner", "goal"])
 @each_league
@@ -117,6 +118,7 @@ def test_nobody_is_carried_farther_than_the_ring_and_030_m_but_one_in_a_hundred_
     assert_apart(match)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
 @pytest.mark.parametrize("place", ["anywhere", "board", "corner", "goal"])
 @each_league

@@ -94,6 +94,7 @@ def assert_legal(match, phase):
     assert (takers.sum(axis=1) >= fielders).all(), "nobody stands ready to take it"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("home", "away"), [*((size, size) for size in SIZES), (1, MAX_TEAM), (MAX_TEAM, 2), (4, 9)])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
 def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(name, phase, home, away):
@@ -102,6 +103,7 @@ def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(nam
     assert_legal(match, phase)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
 def test_robots_drive_to_their_places_for_10_s_at_most_and_then_stand_legally(name, phase, size):
