@@ -6,8 +6,11 @@ from statistics import NormalDist
 import numpy as np
 import pytest
 
+from soccer_env import make_team
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, ROTATE, SHOOT, SIDESTEP, SUPPORT
+from soccer_env.baselines.sacks_2001.recovery import surplus_on_left
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.records.beliefs import TRACK
 from tests.scenes.sacks_mind import LEAGUE, RATE, Mind
 
 COUNT = SacksSettings().stuck_count
@@ -223,3 +226,13 @@ def test_ms25_one_that_faces_the_ball_goes_to_it() -> None:
     assert mind.does(10 * STEP + 0.5) == ROTATE
     mind.see_ball(0.5, 0.1)
     assert mind.does(2 * LEAGUE.dt) == APPROACH
+
+
+@pytest.mark.parametrize(("players", "surplus"), [
+    ([], 0), ([(0.2, 0.1)], 1), ([(0.2, -0.1)], -1), ([(0.2, 0.1), (0.1, -0.2)], 0), ([(0.2, -0.1), (0.1, -0.2)], -2),
+])  # fmt: skip
+def test_the_players_beside_a_stuck_robot_are_counted_to_the_left_and_off_to_the_right(players, surplus):
+    tracks = np.zeros(5, TRACK)
+    for track, (x, y) in zip(tracks, players, strict=False):
+        track["present"], track["x"], track["y"], track["distance"] = 1, x, y, np.hypot(x, y)
+    assert surplus_on_left(tracks, make_team("sacks-2001").settings[0]) == surplus
