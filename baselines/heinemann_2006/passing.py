@@ -15,6 +15,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 from soccer_env.skills.moves import lane_room, misalignment
 from soccer_env.skills.set_pieces import kick_strength_for
+from soccer_env.skills.sight import is_opponent_near
 
 LED = 0.4  # [s] of a mate's motion by which a pass is led, assumed
 TURN_COST = 0.8  # [m] towards the goal that a pass may lose for a quarter turn less, assumed
@@ -62,15 +63,6 @@ def predict_pass_target(sight, k, i):
 def goal_distance(k, x, y):
     """Return the distance [m] from a place to the middle of the opponents' goal."""
     return length(0.5 * k.pitch_length - x, y)
-
-
-@compiled
-def is_opponent_near(sight, x, y, near):
-    """Tell whether an opponent is nearer than `near` [m] to a place."""
-    for i in range(sight.others):
-        if sight.mate[i] == 0 and length(sight.other_x[i] - x, sight.other_y[i] - y) < near:
-            return True
-    return False
 
 
 @compiled

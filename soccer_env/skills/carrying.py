@@ -8,6 +8,7 @@ from math import atan2, sqrt
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length, step_toward, wrap
 from soccer_env.skills.moves import free_roll_distance, goal_room
+from soccer_env.skills.sight import is_opponent_near
 
 PRESSED = 0.6  # [m] from the ball of an opponent that is at it too, assumed
 AGAINST = 0.5  # cosine of the angle off the ball's way within which an opponent stands against it, 60 degrees, assumed
@@ -47,11 +48,7 @@ def turn_about_ball(command, sight, memory, k, play, error):
 @compiled
 def is_pressed(sight):
     """Tell whether an opponent is at the ball as well as the player."""
-    for i in range(sight.others):
-        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
-        if sight.mate[i] == 0 and away < PRESSED:
-            return True
-    return False
+    return is_opponent_near(sight, sight.ball_x, sight.ball_y, PRESSED)
 
 
 @compiled

@@ -6,11 +6,11 @@ A robot on legs kicks to the side to which its command turns its head (physics/k
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import clip
 from soccer_env.skills.carrying import is_pressed
 from soccer_env.skills.moves import free_roll_distance, lane_room, rotate_vector
 from soccer_env.skills.set_pieces import kick_strength_for
-from soccer_env.skills.sight import side_of
+from soccer_env.skills.sight import is_opponent_near, side_of
 
 BLOCKED = 0.35  # [m] ahead within which an opponent or a board makes a kick useless, assumed: a robot's length and more
 OPEN = 0.5  # [m] that a ball kicked aside has to have free, assumed
@@ -53,23 +53,15 @@ def is_blocked_ahead(sight, k):
     ux, uy = sight.now_cosine, sight.now_sine
     if lane_room(sight, k, ux, uy, BLOCKED) < 0.0:
         return True
-    return free_roll_distance(sight, k, ux, uy) < BLOCKED and is_opponent_near(sight, HURRIES)
+    return free_roll_distance(sight, k, ux, uy) < BLOCKED and is_opponent_near(
+        sight, sight.ball_x, sight.ball_y, HURRIES
+    )
 
 
 @compiled
 def is_blocked(sight, k, ux, uy, far):
     """Tell whether a ball kicked along (ux, uy) would meet an opponent or a board within a distance [m]."""
     return lane_room(sight, k, ux, uy, far) < 0.0 or free_roll_distance(sight, k, ux, uy) < far
-
-
-@compiled
-def is_opponent_near(sight, near):
-    """Tell whether an opponent is nearer than `near` [m] to the ball."""
-    for i in range(sight.others):
-        away = length(sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y)
-        if sight.mate[i] == 0 and away < near:
-            return True
-    return False
 
 
 @compiled

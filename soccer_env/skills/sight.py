@@ -104,6 +104,15 @@ def side_of(value):
 
 
 @compiled
+def is_opponent_near(sight, x, y, near):
+    """Tell whether an opponent is nearer than `near` [m] to a place."""
+    for i in range(sight.others):
+        if sight.mate[i] == 0 and length(sight.other_x[i] - x, sight.other_y[i] - y) < near:
+            return True
+    return False
+
+
+@compiled
 def ball_room(k):
     """Return the least distance [m] from a board to the centre of a ball at rest, which has rolled off the ramp."""
     return max(k.pitch_ramp + AHEAD_OF_RAMP * k.ball_radius, k.ball_radius)
