@@ -11,10 +11,11 @@ from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_OMNI
 from soccer_env.skills.carrying import SLOW, is_opposed, line_speed, turn_to_goal
 from soccer_env.skills.kicking import (
-    choose_kick_side,
     clearance_strength,
     is_at_kicker,
     is_blocked_ahead,
+    is_foiled,
+    kick_aside,
     wants_to_clear,
 )
 from soccer_env.skills.moves import (
@@ -61,14 +62,14 @@ def attack(command, sight, memory, k, play):
         receive_ball(command, sight, k, play)
     else:
         approach(command, sight, memory, k, play, ux, uy, MEET)
-    if wants_to_shoot(sight, memory, k, play):
+    foiled = play.plays_aside > 0.0 and is_foiled(sight, memory, k)
+    if not foiled and wants_to_shoot(sight, memory, k, play):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
         command.kick = kick_strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
     elif wants_to_clear(sight, k, play):
         command.kick = clearance_strength(sight, k)
-    elif play.plays_aside > 0.0 and sight.held == 1 and is_blocked_ahead(sight, k):
-        memory.kick_side = choose_kick_side(sight, k)
-        command.kick = abs(memory.kick_side)
+    elif play.plays_aside > 0.0 and sight.held == 1 and (foiled or is_blocked_ahead(sight, k)):
+        kick_aside(command, sight, memory, k)
 
 
 @compiled

@@ -12,12 +12,13 @@ from math import atan2, pi
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.optics.head_camera import share_of_tilt
+from soccer_env.skills.searching import point_head, sweep_head
 from soccer_env.skills.sight import side_of
 
 TILT = -8.0 * pi / 180.0  # [rad] of the sweep: goals and landmarks from near to far are in the picture, assumed
 SWEEP = 1.2  # [rad] to either side, assumed
 SEEN = 0.2  # [s] unseen at most before a player takes its eyes off the ball, assumed
+UNSEEN = 1.3  # [s] unseen after which the head searches for the ball, assumed: longer than a glance
 FAR = 0.45  # [m] from which ball and horizon fit into one picture, assumed
 ROOM = 0.3  # [m] to a ball: nearer, a player looks away from it only if it is quite lost, assumed
 KEEPER_ROOM = 1.0  # [m] the same for a goalkeeper, assumed
@@ -33,6 +34,10 @@ def look_up(belief, command, memory, k, play):
         return
     memory.glance = min(memory.glance + k.dt, 0.0)
     ball = belief.ball
+    if play.sweeps > 0.0 and ball.age > UNSEEN:
+        sweep_head(belief, command, memory, k, play)
+        return
+    memory.look_side = 0.0
     if ball.age > SEEN:
         return
     unsure = play.unsure if may_look_away(belief) else play.lost
@@ -59,10 +64,3 @@ def sweep_horizon(command, memory, k, play):
     point_head(command, k, memory.glance_side * SWEEP * (2.0 * share - 1.0), TILT)
     if memory.glance <= 0.0:
         memory.glance, memory.glance_side = -play.glance_rest, -memory.glance_side
-
-
-@compiled
-def point_head(command, k, pan, tilt):
-    """Command a pan and tilt [rad] of the head, which replace its automatic gaze."""
-    command.head, command.pan = 1.0, clip(pan / k.head_pan_limit, -1.0, 1.0)
-    command.tilt = share_of_tilt(tilt, k.head_tilt_low, k.head_tilt_high)

@@ -5,18 +5,20 @@ With a kicker it kicks the ball clear; without one, in the middle-size league, i
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
+from math import atan2, pi
 
 from soccer_env.baselines.chaser.attacking import approach
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import clip, into_frame, length
 from soccer_env.skills.carrying import turn_to_goal
 from soccer_env.skills.keeping_rules import is_in_own_area
-from soccer_env.skills.kicking import choose_kick_side, is_blocked_ahead
-from soccer_env.skills.moves import clearing_direction, faces, go, step_to
-from soccer_env.skills.sight import predict_ball
+from soccer_env.skills.kicking import BLOCKED, is_blocked, is_foiled, kick_aside
+from soccer_env.skills.moves import clearing_direction, faces, go, push, step_to
+from soccer_env.skills.sight import predict_ball, side_of
 
 AT_GOAL = 0.2  # cosine of the angle to its own goal line within which a keeper on legs faces it, assumed
+IN_LINE = 0.03  # [m] off the line through the ball, along the goal line, on which the keeper clears it, assumed
+ALONG_LINE = 0.7  # sine of the heading at which it kicks such a ball aside: 45 degrees off the goal line, assumed
 FOREVER = 60.0  # [s] any ball has stopped by then
 
 
@@ -108,11 +110,43 @@ def clear_ball(command, sight, memory, k, play):
     carry it forward.
     """
     ux, uy = clearing_direction(sight, k)
-    if sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
+    if play.plays_aside > 0.0 and is_in_own_mouth(sight, k):
+        clear_goal_mouth(command, sight, memory, k, play)
+    elif sight.held == 1 and (k.legs == 0 or not faces(sight, -1.0, 0.0, AT_GOAL)):
         turn_to_goal(command, sight, memory, k, play, ux, uy)
         command.kick = 1.0 if faces(sight, ux, uy, play.clear_cosine) else 0.0
-        if play.plays_aside > 0.0 and (command.kick == 0.0 or is_blocked_ahead(sight, k)):
-            memory.kick_side = choose_kick_side(sight, k)
-            command.kick = abs(memory.kick_side)
+        foiled = is_foiled(sight, memory, k) or is_blocked(sight, k, sight.now_cosine, sight.now_sine, BLOCKED)
+        if play.plays_aside > 0.0 and (command.kick == 0.0 or foiled):
+            kick_aside(command, sight, memory, k)
     else:
         approach(command, sight, memory, k, play, ux, uy, k.drive_forward)
+
+
+@compiled
+def is_in_own_mouth(sight, k):
+    """Tell whether the ball lies between the own posts, too near to the line for the keeper to get behind it."""
+    x, y = sight.ball_x + 0.5 * k.pitch_length, abs(sight.ball_y)
+    return k.walled == 1 and x < sight.touch and y < 0.5 * k.pitch_goal_width and sight.x > sight.ball_x - IN_LINE
+
+
+@compiled
+def clear_goal_mouth(command, sight, memory, k, play):
+    """Clear a ball between the own posts: step beside it on the goal line, face along the line, kick it aside upfield.
+
+    A keeper that is still before the ball keeps off it, since its paws would push the ball in.
+    """
+    side = side_of(sight.ball_y - sight.y)
+    if abs(sight.ball_y - side * sight.touch) > 0.5 * k.pitch_goal_width - k.body_tip_y - k.body_tip_radius:
+        side = -side  # no room between ball and post
+    in_line = abs(sight.x - sight.ball_x) < IN_LINE
+    y = sight.ball_y - side * (sight.touch + (-IN_LINE if in_line else IN_LINE))
+    beside = abs(sight.y - y) < 2.0 * IN_LINE or in_line
+    keep_off = sight.touch + play.clearance
+    if not beside and sight.distance < keep_off:
+        ahead, left = into_frame(sight.x - sight.ball_x, sight.y - sight.ball_y, sight.cosine, sight.sine)
+        push(command, sight, k, ahead / sight.distance, left / sight.distance, k.drive_forward)
+        return
+    x = sight.ball_x if beside else max(sight.x, sight.ball_x + keep_off)
+    step_to(command, sight, k, play, x, y, side * 0.5 * pi)
+    if sight.held == 1 and sight.sine * side > ALONG_LINE:
+        memory.kick_side, command.kick = -side, 1.0

@@ -74,12 +74,15 @@ MEMORY = ranged_record(
         ("turned", "f8", NUMBER),  # [rad] since it began to turn on the spot
         ("search_clock", "f8", NUMBER),  # [s] on the way to a lookout
         ("lookout", "f8", NUMBER),  # [m] x of it, team frame
+        ("look_side", "f8", UNIT),  # +1 the head began to search on the left, -1 right, 0 knows the ball
+        ("look_clock", "f8", NUMBER),  # [s] in the head's two sweeps
         ("glance", "f8", NUMBER),  # [s] left of looking up from the ball; below 0 until the next look
         ("glance_side", "f8", UNIT),  # +1 the next look begins on the right, -1 on the left, 0 none yet
         ("forward", "f8", NUMBER),  # the command that is repeated until the next decision
         ("aside", "f8", NUMBER),
         ("turn", "f8", NUMBER),
         ("kick", "f8", NUMBER),
+        ("kicking", "f8", NUMBER),  # [s] for which a kick was commanded with the ball at the feet
         ("kick_side", "f8", UNIT),  # of that kick: +1 to the left, -1 right, 0 ahead
     ]
 )

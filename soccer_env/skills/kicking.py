@@ -17,6 +17,7 @@ OPEN = 0.5  # [m] that a ball kicked aside has to have free, assumed
 CLEAR_WAY = 1.5  # [m] ahead that has to be free for a clearance, assumed
 HURRIES = 1.0  # [m] from the ball of an opponent that leaves no time to turn the ball off a board, assumed
 UPFIELD = 0.3  # cosine of the angle off straight upfield of a clearance at most, assumed
+FOILED = 0.5  # [s] after the wind-up within which a kicked ball has left the feet, assumed
 ROLLS_OUT = 0.8  # [1] of the way to the line that a clearance may roll, assumed
 BESIDE_GOAL = 0.3  # [m] beside the own posts at which a kick may not aim, assumed
 
@@ -62,6 +63,24 @@ def is_blocked_ahead(sight, k):
 def is_blocked(sight, k, ux, uy, far):
     """Tell whether a ball kicked along (ux, uy) would meet an opponent or a board within a distance [m]."""
     return lane_room(sight, k, ux, uy, far) < 0.0 or free_roll_distance(sight, k, ux, uy) < far
+
+
+@compiled
+def is_foiled(sight, memory, k):
+    """Tell whether the ball lies at the feet after a kick that must be over: something unseen stands before the ball.
+
+    `memory.kicking` is the time [s] for which a kick was commanded with the ball at the feet; this updates it.
+    """
+    held = sight.held == 1
+    memory.kicking = max(memory.kicking + (sight.elapsed if held and memory.kick > 0.0 else -sight.elapsed), 0.0)
+    return held and memory.kicking > k.kicker_wind_up + FOILED
+
+
+@compiled
+def kick_aside(command, sight, memory, k):
+    """Kick to the better side, or not at all if both sides are blocked."""
+    memory.kick_side = choose_kick_side(sight, k)
+    command.kick = abs(memory.kick_side)
 
 
 @compiled

@@ -28,6 +28,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "aligned": (0.15, 0.3, 0.2),  # [rad] off the aim within which the ball counts as straight ahead
     "way_on": (0.7, 2.5, 2.5),  # [m] that a way for the ball is looked at
     "wing_cost": (0.2, 0.0, 0.0),  # [rad] room that a way may lose for ending in the middle, not at a touchline
+    "sweeps": (1.2, 0.0, 0.0),  # [s] of one sweep of a searching head; 0: the head searches by itself
     "keeper_line": (1.35, 1.2, 1.2),  # [body reaches] from the goal line
 }
 CHOSEN_IN = (  # where these numbers were chosen, by kind of base: length of the pitch [m], reach [m], top speed [m/s]

@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.skills.kicking import aim_kick, choose_kick_side, is_blocked_ahead, wants_to_clear
+from soccer_env.skills.kicking import FOILED, aim_kick, choose_kick_side, is_blocked_ahead, is_foiled, wants_to_clear
 from soccer_env.skills.sight import SIGHT
 from soccer_env.teams import make_team
 from soccer_env.types import COMMAND
@@ -50,6 +50,16 @@ def test_the_kick_aside_goes_where_it_is_free_ahead_rather_than_back_and_never_a
     x, y, heading, opponents, side
 ):
     assert choose_kick_side(sight_at(LEGGED, x, y, heading, *opponents), K[LEGGED]) == side
+
+
+def test_a_ball_that_still_lies_at_the_feet_after_a_kick_says_that_the_kick_was_foiled():
+    sight, memory, k = sight_at(LEGGED, 0.0, 0.0, 0.0), np.zeros(1, make_team("chaser").memory_dtype)[0], K[LEGGED]
+    sight["elapsed"], memory["kick"] = k["dt"], 1.0
+    steps = int((k["kicker_wind_up"] + FOILED) / k["dt"])
+    assert not any(is_foiled(sight, memory, k) for _ in range(steps - 1))
+    assert any(is_foiled(sight, memory, k) for _ in range(3))
+    sight["held"] = 0
+    assert not any(is_foiled(sight, memory, k) for _ in range(2 * steps)) and memory["kicking"] == 0.0
 
 
 @pytest.mark.parametrize(("kick", "side", "head", "pan"), [
