@@ -8,10 +8,10 @@ it. A ball farther away is kept in the lower part of the picture, the horizon in
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, pi
+from math import atan2, cos, pi, sin
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip
+from soccer_env.geometry import clip, point_of_frame
 from soccer_env.skills.searching import point_head, sweep_head
 from soccer_env.skills.sight import side_of
 
@@ -19,6 +19,7 @@ TILT = -8.0 * pi / 180.0  # [rad] of the sweep: goals and landmarks from near to
 SWEEP = 1.2  # [rad] to either side, assumed
 SEEN = 0.2  # [s] unseen at most before a player takes its eyes off the ball, assumed
 UNSEEN = 1.3  # [s] unseen after which the head searches for the ball, assumed: longer than a glance
+PHANTOM = 0.5  # [s] for which something beyond the boards may be taken for the ball, assumed
 FAR = 0.45  # [m] from which ball and horizon fit into one picture, assumed
 ROOM = 0.3  # [m] to a ball: nearer, a player looks away from it only if it is quite lost, assumed
 KEEPER_ROOM = 1.0  # [m] the same for a goalkeeper, assumed
@@ -34,7 +35,8 @@ def look_up(belief, command, memory, k, play):
         return
     memory.glance = min(memory.glance + k.dt, 0.0)
     ball = belief.ball
-    if play.sweeps > 0.0 and ball.age > UNSEEN:
+    time_phantom(belief, memory, k, play)
+    if play.sweeps > 0.0 and (ball.age > UNSEEN or memory.phantom > PHANTOM):
         sweep_head(belief, command, memory, k, play)
         return
     memory.look_side = 0.0
@@ -48,6 +50,17 @@ def look_up(belief, command, memory, k, play):
     elif ball.distance > FAR:
         tilt = -atan2(k.head_camera_height - k.ball_radius, ball.distance - k.head_camera_ahead)
         point_head(command, k, ball.bearing, tilt + play.raised)
+
+
+@compiled
+def time_phantom(belief, memory, k, play):
+    """Measure for how long the ball has been seen only beyond the boards, where it cannot be."""
+    if play.beyond <= 0.0 or belief.ball.age > 0.0 or belief.ball.confidence <= 0.0:
+        return
+    own, ball = belief.own, belief.ball
+    x, y = point_of_frame(own.x, own.y, ball.x, ball.y, cos(own.heading), sin(own.heading))
+    off = abs(x) > 0.5 * k.pitch_length + play.beyond or abs(y) > 0.5 * k.pitch_width + play.beyond
+    memory.phantom = memory.phantom + k.dt if off else 0.0
 
 
 @compiled

@@ -21,7 +21,7 @@ from math import atan2
 import numpy as np
 
 from soccer_env.baselines.chaser.attacking import attack
-from soccer_env.baselines.chaser.glancing import look_up
+from soccer_env.baselines.chaser.glancing import PHANTOM, look_up
 from soccer_env.baselines.chaser.goalkeeping import keep_goal
 from soccer_env.baselines.chaser.supporting import support
 from soccer_env.compiled import compiled
@@ -76,6 +76,7 @@ MEMORY = ranged_record(
         ("lookout", "f8", NUMBER),  # [m] x of it, team frame
         ("look_side", "f8", UNIT),  # +1 the head began to search on the left, -1 right, 0 knows the ball
         ("look_clock", "f8", NUMBER),  # [s] in the head's two sweeps
+        ("phantom", "f8", NUMBER),  # [s] for which the ball was seen only where it cannot be
         ("glance", "f8", NUMBER),  # [s] left of looking up from the ball; below 0 until the next look
         ("glance_side", "f8", UNIT),  # +1 the next look begins on the right, -1 on the left, 0 none yet
         ("forward", "f8", NUMBER),  # the command that is repeated until the next decision
@@ -108,6 +109,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "clears": (0.0, 1.0, 1.0),  # 1: kicks the ball away when it is pressed in its own half; 0: never
     "fetches": (1.0, 0.0, 0.0),  # 1: a goalkeeper goes for a ball that lies in its third; 0: near its goal alone
     "faces_ball": (1.2, 0.0, 0.0),  # [m] to a ball that a goalkeeper on legs faces even while it walks
+    "beyond": (0.3, 0.0, 0.0),  # [m] off the pitch from which a ball is taken for something else; 0: never
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out
     "wriggle_time": (3.0, 0.6, 0.8),  # [s]
     "patience": (3.0, 1.2, 1.5),  # [s]
@@ -184,7 +186,7 @@ def decide(belief, command, sight, memory, noise, k, play):
     keeps_out = may_not_enter(situation, k)
     if keeps_out and leave_area(command, sight, k, play, play.berth):
         return
-    if belief.ball.age > LOST:
+    if belief.ball.age > LOST or memory.phantom > PHANTOM:
         search_for_ball(belief, command, sight, memory, k, play)
         return
     end_search(memory)

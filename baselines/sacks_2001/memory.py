@@ -29,6 +29,7 @@ MEMORY = ranged_record(
         ("down", "f8", NUMBER),  # [s] since the head was last sent up
         ("glances", "i8", FLAG),  # 1: the head is sent up, away from the ball
         ("winding", "f8", NUMBER),  # [s] for which a kick has been asked for
+        ("kick_side", "f8", UNIT),  # of that kick: +1 to the left, -1 right, 0 ahead
         ("kicked", "f8", NUMBER),  # [s] left of looking after a kicked ball
         ("foiled", "f8", NUMBER),  # [s] left without shooting, after a shot that something stopped at once
         ("replan", "f8", NUMBER),  # [s] until the next decision on the way

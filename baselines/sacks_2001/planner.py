@@ -60,6 +60,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import wrap
 from soccer_env.skills.deciding import required_ball_distance
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, wait_at_area
+from soccer_env.skills.kicking import aim_kick, choose_kick_side, is_blocked_ahead
 from soccer_env.skills.sight import side_of
 
 REALLY_HAS = 1.0  # [s] of one behaviour with the ball after which an approach is over, with its counters, assumed
@@ -138,6 +139,11 @@ def is_kicking(memory):
 @compiled
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     """Choose an attacker's behaviour: approach the ball, recover when stuck, or play the ball.  MS22, MS26"""
+    memory.kick_side = 0.0
+    if play.plays_aside == 1 and sight.held == 1 and (memory.foiled > 0.0 or is_blocked_ahead(sight, k)):
+        memory.kick_side = choose_kick_side(sight, k)
+        if memory.kick_side != 0.0:
+            return SHOOT
     if not has_ball or is_ball_contested(belief, tracks, play):
         watch_approach(belief.ball, memory, k, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
@@ -234,6 +240,7 @@ def play_ball(belief, tracks, memory, command, sight, k, play, elapsed):
     if chosen == SHOOT:
         command.kick = 1.0
         command.forward = sight.pace * 0.5
+        aim_kick(command, k, memory.kick_side)
     elif chosen == PASS:
         pass_ball(command, memory, sight, k, play)
     elif chosen == ORBIT:

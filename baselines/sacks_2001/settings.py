@@ -92,6 +92,7 @@ class SacksSettings(Options):
     shot_range: float = 1.5  # [m] from which it shoots then, assumed  MS26
     shot_room: float = 2.0 * DEGREE  # [rad] that a shot must leave then beside posts and opponents, assumed  MS26
     foiled_time: float = 4.0  # [s] without another shot then after one that something stopped at once, assumed  MS26
+    plays_aside: bool = False  # ours: kicks aside, past an opponent right ahead or a board  MS26
     dribble_turn: float = 0.4  # [1] of the top turn rate, towards the goal while dribbling, assumed
     glance_period: float = 2.0  # [s] of looking at the ball and up in turn while dribbling, assumed
     glance_time: float = 0.9  # [s] of it looking up; 0: the head stays on the ball, assumed

@@ -68,7 +68,7 @@ def sweep_head(belief, command, memory, k, play):
     ball = belief.ball
     if memory.look_side == 0.0:
         memory.look_side = side_of(ball.bearing)
-        memory.look_clock = play.sweeps if 0.0 < ball.confidence and ball.distance < NEAR_BALL else 0.0
+        memory.look_clock = play.sweeps if ball.confidence > 0.0 and ball.distance < NEAR_BALL else 0.0
     far = memory.look_clock < play.sweeps
     share = memory.look_clock / play.sweeps - (0.0 if far else 1.0)
     pan = memory.look_side * k.head_pan_limit * (1.0 - 2.0 * share) * (1.0 if far else -1.0)

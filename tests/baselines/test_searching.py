@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.chaser.glancing import KEEPER_ROOM, ROOM, look_up
+from soccer_env.baselines.chaser.glancing import KEEPER_ROOM, PHANTOM, ROOM, look_up
 from soccer_env.baselines.chaser.team import MEMORY, NUMBERS, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -130,6 +130,7 @@ def tilts(confidence: float, distance: float, keeper: int = 0, age: float = 0.0,
     belief["situation"]["active"], belief["situation"]["keeper"] = 1, keeper
     belief["own"]["confidence"] = confidence
     belief["ball"]["distance"], belief["ball"]["bearing"], belief["ball"]["age"] = distance, bearing, age
+    belief["ball"]["x"], belief["ball"]["confidence"] = distance, 100.0
     told = []
     for _ in range(int(3.5 / k["dt"])):
         command["head"] = -1.0
@@ -145,6 +146,15 @@ def test_who_is_unsure_looks_up_for_a_moment_and_then_at_the_ball_again() -> Non
     assert len(looks) == 2
     assert {len(look) for look in looks} == {int(np.ceil(NUMBERS["glance_time"][0] / dt))}
     assert (looks[1][0] - looks[0][-1]) * dt == pytest.approx(NUMBERS["glance_rest"][0], abs=2.0 * dt)
+
+
+@pytest.mark.parametrize(("beyond", "searches"), [(0.35, True), (0.25, False)])
+def test_a_ball_seen_beyond_the_boards_is_searched_for_elsewhere(beyond: float, searches: bool) -> None:
+    """One of the orange patches round the field; half a second is left for a ball that only seems to be there."""
+    distance = 0.5 * K["pitch_length"] + beyond
+    head = tilts(100.0, distance, bearing=0.0)[:, 1]
+    late = int(PHANTOM / K["dt"]) + 2
+    assert np.ptp(head[: late - 2]) == 0.0 and (np.ptp(head[late:]) > 1.0) == searches
 
 
 @pytest.mark.parametrize("seen", [
