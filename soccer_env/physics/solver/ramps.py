@@ -17,6 +17,8 @@ A slow ball crosses the foot, climbs and turns within one substep, in which Chip
 loses follows from its way, not from the time; if it touches nothing, it is put back to where it turned; and it gets no
 faster than the height from which it rolls allows. Otherwise a ball that creeps onto a ramp would come back faster.
 
+At the mouth of a goal a ramp ends with an upright face: it stops a ball that would roll onto the ramp from the side.
+
 `k`: the league's constants.
 """
 
@@ -78,6 +80,11 @@ def roll_off_ramps(solver, k, dt):
         return beyond_x, beyond_y  # the floor, or a ball that the referee holds
     slope = GRAVITY * IN_PLAN / (1.0 + k.ball_shell)  # [m/s2]
     if up_end > 0.0:
+        speed, over = number_at(ball + BODY_VY), abs(y) - 0.5 * k.pitch_goal_width
+        if speed * y > 0.0 and over <= abs(speed) * dt:  # out of the mouth
+            store(ball + BODY_VY, 0.0)
+            solver.roll_y -= speed
+            return beyond_x, over if y > 0.0 else -over
         speed, end = number_at(ball + BODY_VX), 1.0 if x > 0.0 else -1.0
         turned, beyond = roll_on_ramp(end * speed, up_end, slope, dt)
         store(ball + BODY_VX, end * turned)
