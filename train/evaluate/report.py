@@ -44,7 +44,7 @@ def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
     _, low, high = wilson_interval(result.wins, matches)
     middle = interquartile_mean([line.goals_for - line.goals_against for line in result.lines])
     return [
-        ("matches", f"{matches}", f"{matches // 2} pairs, sides swapped"),
+        ("matches", f"{matches}", "a seed each" if conditions.self_play else f"{matches // 2} pairs, sides swapped"),
         ("won, drawn, lost", f"{result.wins}, {result.draws}, {result.losses}", ""),
         (
             "goals",
@@ -79,7 +79,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         "This command plays what is missing and writes this report again:",
         code_block(about.get("command", "")),
         "## Matches",
-        f"Score of {home} first, as home and as away.",
+        "Goals of the home team first." if result.conditions.self_play else f"Goals of {home} first.",
         table(head, pairs),
         rest,
     ]
@@ -145,11 +145,16 @@ def pair_rows(result: EvaluationResult) -> tuple[tuple[str, ...], list[tuple[str
     """Return the head of the table of pairs, a row for each of the first PAIRS_SHOWN, a sentence on those left out."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
-        (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
-        for first, second in both[:PAIRS_SHOWN]
+        (
+            f"{pair[0].pair}",
+            ", ".join(dict.fromkeys(f"{line.seed}" for line in pair)),  # two in self-play
+            *(f"{line.goals_for} : {line.goals_against}" for line in pair),
+        )
+        for pair in both[:PAIRS_SHOWN]
     ]
     rest = len(both) - len(cells)
-    return ("pair", "seed", "as home", "as away"), cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
+    scores = ("first match", "second match") if result.conditions.self_play else ("as home", "as away")
+    return ("pair", "seed", *scores), cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
 
 
 def escape_text(text: str) -> str:

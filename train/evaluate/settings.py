@@ -9,12 +9,16 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
+
 from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import Placement, Pose
+from soccer_env.random_numbers import seeds_for
 from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_line, split_players, split_senses
 
+SIDES = ("home", "away")
 FULL = "full"  # minutes: the league's own length of a match
 ALL, PAIRS = "all", 5  # values of --pairs: every finished pair; the default
 RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # usable with --recheck
@@ -24,9 +28,9 @@ RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "s
 class EvaluateSettings(CommandSettings):
     """Play one team against another and say how sure the result is.
 
-    Each of --matches/2 seeds is played twice, with sides swapped. Results are for --home; 95 % intervals are bootstraps
-    over the pairs of matches. The same settings give the same result for any --threads. To resume a run that was
-    stopped, give the same command again.
+    Each of --matches/2 seeds is played twice, with sides swapped; a team against itself plays every match from its own
+    seed. Results are for --home; 95 % intervals are bootstraps over the pairs of matches. The same settings give the
+    same result for any --threads. To resume a run that was stopped, give the same command again.
 
     --recheck FOLDER plays a random sample of the matches in a folder again, compares every line bit for bit, and exits
     with code 1 if one differs. It changes no file and runs no code that the folder names: if a team, league or scene is
@@ -135,6 +139,22 @@ class Conditions:
         """Return the senses as a text for the option --senses."""
         first, second = self.senses
         return first if first == second else f"home={first},away={second}"
+
+    @property
+    def self_play(self) -> bool:
+        """Tell whether a team plays itself under equal conditions, so that swapped sides give the same match again."""
+        return self.home == self.away and self.players[0] == self.players[1] and self.senses[0] == self.senses[1]
+
+    @property
+    def match_seeds(self) -> list[int]:
+        """Return the seed of each match: the two matches of a pair share one, except in self-play."""
+        if self.self_play:
+            return seeds_for(self.seed, self.matches).tolist()  # type: ignore[no-any-return]
+        return np.repeat(seeds_for(self.seed, self.matches // 2), 2).tolist()  # type: ignore[no-any-return]
+
+    def first_team_side(self, number: int) -> str:
+        """Return the side on which the first team plays match `number`: in turn, but always home in self-play."""
+        return SIDES[0 if self.self_play else number % 2]
 
 
 def command_of(settings: EvaluateSettings) -> str:

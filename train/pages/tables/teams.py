@@ -6,7 +6,6 @@ from threading import Event
 from typing import Any
 
 from soccer_env.leagues import find_league
-from soccer_env.random_numbers import seeds_for
 from soccer_env.train.evaluate.contest import contest_of, play
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.results import EvaluationResult
@@ -111,10 +110,9 @@ def first_pair(row: dict[str, Any]) -> list[list[Any]]:
     settings = replace(settings, rules=row.get("rules", settings.rules))
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
-    seeds = seeds_for(settings.seed, 1).tolist()
     results = []
     for number in (0, 1):
-        (line,) = play(contest, [number], seeds, "", 1, lambda steps: None, Event())
+        (line,) = play(contest, [number], "", 1, lambda steps: None, Event())
         results.append([line.goals_for, line.goals_against, line.state])
     return results
 
