@@ -16,7 +16,7 @@ ROW = 0.042  # of the width
 class Entry(NamedTuple):
     """An entry of a legend: a sign, as in the picture, and its meaning."""
 
-    sign: str  # "ring", "box", "axes", "polar", "dots" or "area"
+    sign: str  # "ring", "box", "axes", "polar" or "area"
     colour: Colour
     words: str
 
@@ -68,6 +68,3 @@ def draw_sign(canvas: Canvas, entry: Entry, x: float, y: float, radius: float) -
         canvas.box(x - 1.3 * radius, y - radius, 2.6 * radius, 2 * radius, FLOOR)
         corners = [(x - 1.3 * radius, y), (x + 1.3 * radius, y - radius), (x + 1.3 * radius, y + radius)]
         canvas.polygon(corners, entry.colour)
-    elif entry.sign == "dots":
-        for across, down in ((-0.9, -0.3), (-0.2, 0.6), (0.1, -0.7), (0.8, 0.2), (-0.4, 0.0)):
-            canvas.disc((x + across * radius, y + down * radius), 0.2 * radius, entry.colour)
