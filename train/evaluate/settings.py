@@ -150,7 +150,7 @@ class Conditions:
         """Return the seed of each match: the two matches of a pair share one, except in self-play."""
         if self.self_play:
             return seeds_for(self.seed, self.matches).tolist()  # type: ignore[no-any-return]
-        return np.repeat(seeds_for(self.seed, self.matches // 2), 2).tolist()  # type: ignore[no-any-return]
+        return np.repeat(seeds_for(self.seed, self.matches // 2), 2).tolist()
 
     def first_team_side(self, number: int) -> str:
         """Return the side on which the first team plays match `number`: in turn, but always home in self-play."""

@@ -21,7 +21,7 @@ from soccer_env.train.bench.settings import BenchSettings
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bench_loads, "WARM_UP", 0.5)
-    monkeypatch.setattr(bench_faces, "WARM_UP", 0.5)
+    monkeypatch.setattr(worker, "WARM_UP", 0.5)
 
 
 @pytest.mark.parametrize("league", bench.LEAGUES)
