@@ -97,6 +97,9 @@ def summarise(
     differences = pair_means(ordered, lambda line: line.goals_for - line.goals_against)
     points = Estimate(*paired_bootstrap(pair_means(ordered, lambda line: line.points)))
     difference = Estimate(*paired_bootstrap(differences))
+    maps = sum_maps([line.maps for line in ordered]) if all(line.maps for line in ordered) else {}
+    if maps and pitch is not None:
+        maps["pitch"] = to_plain_types(pitch)
     return EvaluationResult(
         conditions=conditions,
         made_with=made_with,
@@ -111,16 +114,9 @@ def summarise(
         matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
         verdict=SELF_PLAY if conditions.self_play else judge(difference, points, len(differences)),
         statistics=totals([line.statistics for line in ordered]),
-        maps=sum_maps_on_pitch(pitch, [line.maps for line in ordered]),
+        maps=maps,
         lines=ordered,
     )
-
-
-def sum_maps_on_pitch(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the sum of the maps of all matches, with the dimensions of `pitch`; {} if a match has no maps."""
-    if not all(maps):
-        return {}
-    return sum_maps(maps) | ({} if pitch is None else {"pitch": to_plain_types(pitch)})
 
 
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:

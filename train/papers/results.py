@@ -58,7 +58,8 @@ class ClaimResult:
     @property
     def alone(self) -> str:
         """Return each seed's verdict by its letter (reproduced, undecided, not): "r r u", or "r r n, they disagree"."""
-        return seeds_in_letters(self.by_seed)
+        letters = " ".join(verdict[0] for verdict in self.by_seed)
+        return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(self.by_seed) else letters
 
     def as_dict(self) -> dict[str, Any]:
         """Return the record for results.json, without figures; `shown` is the verdict, marked if it is quick."""
@@ -69,12 +70,6 @@ class ClaimResult:
             if name == "verdict":
                 record["shown"] = self.marked_verdict
         return record
-
-
-def seeds_in_letters(verdicts: Sequence[str]) -> str:
-    """Return the first letters of single seeds' verdicts, and whether the verdicts contradict each other."""
-    letters = " ".join(verdict[0] for verdict in verdicts)
-    return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(verdicts) else letters
 
 
 def rules_in_words(rules: Sequence[str]) -> str:

@@ -8,7 +8,7 @@ replays/kept.json                         the list
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
@@ -63,7 +63,8 @@ def keep_replays(
     between contests that share a folder. ValueError if a match ends in another state; OSError.
     """
     earlier_keep, listed = read_kept_list(folder)
-    others, earlier = split_replays(listed, lambda one: not Path(one.file).name.startswith(before))
+    earlier = [one for one in listed if Path(one.file).name.startswith(before)]
+    others = [one for one in listed if one not in earlier]
     keep = keep.joined_with(earlier_keep)
     if not keep.kinds_in_order:
         return []
@@ -109,14 +110,6 @@ def is_valid_entry(kept: Kept) -> bool:
 
 
 EXAMPLE = Kept("", "", 0, 0, 0, "", "", 0, 0, 0.0, 0.0, 0, "", "")
-
-
-def split_replays(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
-    """Divide replays into those that pass a test and all others."""
-    both: tuple[list[Kept], list[Kept]] = ([], [])
-    for one in kept:
-        both[0 if test(one) else 1].append(one)
-    return both
 
 
 def is_replay_of(kept: Kept, kind: str, line: MatchLine) -> bool:
@@ -231,7 +224,8 @@ def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
     if not kept:
         return
     page.section("Replays")
-    page.links(HEAD, [(row_of(one), links_of(one)) for one in kept])
+    links = [[*([("watch", one.page)] if one.page else []), ("file", one.file)] for one in kept]
+    page.links(HEAD, zip(map(row_of, kept), links, strict=True))
     page.say(f"{summary(kept)} {VERIFIED}")
 
 
@@ -241,11 +235,6 @@ def row_of(kept: Kept) -> list[str]:
     minutes, seconds = divmod(round(kept.start), 60)
     times = [f"{minutes}:{seconds:02d}", f"{kept.seconds:.0f} s", f"{kept.rate / 1e3:.0f} kB"]
     return [what, f"{kept.match}", score, f"{kept.home}, {kept.away}", *times]
-
-
-def links_of(kept: Kept) -> list[tuple[str, str]]:
-    """Return the links to a replay's files."""
-    return [("watch", kept.page), ("file", kept.file)] if kept.page else [("file", kept.file)]
 
 
 def summary(kept: Sequence[Kept]) -> str:

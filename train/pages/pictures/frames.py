@@ -33,15 +33,11 @@ def frames_picture(width: int = STILL_WIDTH) -> np.ndarray:
         staging.put(match, row, *pose)
     staging.put_ball(match, *BALL)
     size = width / 1000.0
-    overlays = [*axes_of_pitch(size), *axes_of_robot(size), *distance_and_bearing(size)]
+    overlays = [*axes(0.0, 0.0, 0.0, WHITE, size), *axes(0.0, 0.0, pi, TEAMS_LIGHT[1], size)]  # of the field, of away
+    overlays += [*axes_of_robot(size), *distance_and_bearing(size)]
     picture = Picture(match.league, width)
     frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=("home", "away"), overlays=overlays)
     return add_legend(frame, ENTRIES, columns=1)
-
-
-def axes_of_pitch(size: float) -> list[Overlay]:
-    """Return the drawn axes of the field frame and of the away team's frame, both at the centre spot."""
-    return [*axes(0.0, 0.0, 0.0, WHITE, size), *axes(0.0, 0.0, pi, TEAMS_LIGHT[1], size)]
 
 
 def axes_of_robot(size: float) -> list[Overlay]:

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from soccer_env.train.pages.tables.paper_page import verdict_counts
 from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
-from soccer_env.train.pages.tables.teams import PLAYERS
+from soccer_env.train.pages.tables.teams import PLAYERS, goals_of
 from soccer_env.types import WORLD
 
 MATCHES = (  # table, home, away, minutes of a match, words of the row
@@ -32,10 +32,11 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
     """Yield the rows of the headlines whose measurements are in `data`, the contents of tables.json."""
     for table, home, away, minutes, words in MATCHES:
         for row in data.get(table, {"rows": []})["rows"]:
-            played = (row["home"], row["away"], row["minutes"], row["senses"], row.get("players", PLAYERS))
+            played = (row["home"], row["away"], row["minutes"], row["senses"], row["players"])
             by = row["league"], row.get("rules", RULES)
             if played == (home, away, minutes, "sensors", PLAYERS) and by == (LEAGUE, RULES):
-                yield Headline(f"{words}, 3 v 3, {minutes:g} minutes", goals(row), row["command"])
+                value = f"{goals_of(row)} goals a match, {100 * row['points']['mean']:.0f} % of points"
+                yield Headline(f"{words}, 3 v 3, {minutes:g} minutes", value, row["command"])
     speeds = {row["name"]: row["text"] for row in data.get("speed", {"rows": []})["rows"]}
     for name, words in SPEEDS:
         if name in speeds:
@@ -44,15 +45,6 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
         "statements of the 2001 paper, each measured on three seeds",
         verdict_counts(SACKS_PAGE.stored(), SACKS_PAGE.claims),
         "make sacks-table",
-    )
-
-
-def goals(row: dict[str, Any]) -> str:
-    """Return the goal difference of an evaluation, with its interval, and its share of points, in words."""
-    difference, points = row["goal_difference"], row["points"]
-    return (
-        f"{difference['mean']:+.2f} goals a match ({difference['low']:+.2f} to {difference['high']:+.2f}), "
-        f"{100 * points['mean']:.0f} % of points"
     )
 
 

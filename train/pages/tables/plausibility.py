@@ -14,7 +14,14 @@ from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.report import table
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings
-from soccer_env.train.evaluate.statistics import Total, finite_or_none, sum_in_pairs, total_in_words
+from soccer_env.train.evaluate.statistics import (
+    Total,
+    divisor_name,
+    finite_or_none,
+    statistics_by_name,
+    sum_in_pairs,
+    total_in_words,
+)
 from soccer_env.train.pages.tables.teams import row_of, row_settings
 from soccer_env.train.statistics import Interval, paired_bootstrap, ratio_bootstrap
 
@@ -61,6 +68,7 @@ REMARKS = {  # without the figures of single games
     ("legged-2001", "in_corner"): ('scuffles in the corner "occurred so often" (1999)', "UNSW's diary"),
     ("legged-2001", "goals_pushed_in"): ("the champions of 2000 ran the ball in", "UNSW's diary"),
 }
+STATISTICS = dict(statistics_by_name())  # by the name of a number in a match's line
 RESTARTS = tuple(f"restarts_{phase.name.lower()}" for phase in figures.RESTARTS)
 FOULS = tuple(figure.name for figure in figures.FIGURES if figure.name.startswith("fouls_"))
 SHOWN: dict[str, tuple[str, tuple[str, ...]]] = {  # name -> words, and the statistics to add up
@@ -101,32 +109,18 @@ def measure_plausibility() -> dict[str, Any]:
 def statistics_of_play(result: EvaluationResult) -> dict[str, list[Any]]:
     """Return value, low, high and unit of each statistic of the table, for both teams together."""
     lines = [line.statistics for line in result.lines]
-    added = {name: columns_of(names) for name, (_, names) in SHOWN.items()}
+    added = {
+        name: [column for column, statistic in STATISTICS.items() if statistic.name in names]
+        for name, (_, names) in SHOWN.items()
+    }
     parts = sum_in_pairs([[sum(line[x] for x in columns) for columns in added.values()] for line in lines])
-    wholes = sum_in_pairs([[line[divisor_name(columns[0])] for columns in added.values()] for line in lines])
+    firsts = [(columns[0], STATISTICS[columns[0]]) for columns in added.values()]
+    wholes = sum_in_pairs([[line[divisor_name(*first)] for first in firsts] for line in lines])
     shown = {}
     for name, *numbers in zip(added, *ratio_bootstrap(parts, wholes), strict=True):
-        timed = find_statistic(added[name][0]).kind == figures.SHARE
+        timed = STATISTICS[added[name][0]].kind == figures.SHARE
         shown[name] = [*(finite_or_none((100.0 if timed else 60.0) * x) for x in numbers), "%" if timed else "/min"]
     return shown
-
-
-def columns_of(names: tuple[str, ...]) -> list[str]:
-    """Return the names of the numbers in a match's line that are summed for some statistics, over both teams."""
-    statistics = map(find_statistic, names)
-    return [
-        f"{x.name}_{side}" if x.team else x.name for x in statistics for side in (figures.SIDES if x.team else ("",))
-    ]
-
-
-def find_statistic(name: str) -> figures.Statistic:
-    """Return the Statistic of a number in a match's line: "kicks" for "kicks_for"."""
-    return next(x for x in figures.FIGURES if name in (x.name, f"{x.name}_for", f"{x.name}_against"))
-
-
-def divisor_name(name: str) -> str:
-    """Return the name of the quantity that a number in a match's line is divided by."""
-    return find_statistic(name).whole
 
 
 def verdict(league: str, name: str, low: float | None, high: float | None) -> str:
