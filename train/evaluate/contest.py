@@ -1,6 +1,7 @@
 """The matches of one team against another: pairs of matches from one seed with sides swapped, many at once.
 
-Every match follows from its own seed alone, so no result depends on the threads or on the other matches of its batch.
+Every match follows from its own seed alone, so no result depends on the threads, on the other matches of its batch, or
+on where a stopped run went on.
 The seed decides which side kicks off first: in a pair each team does so once. A team against itself would play the same
 match twice: its matches have a seed each.
 """
@@ -16,6 +17,7 @@ from soccer_env.agents.policy import Policy
 from soccer_env.agents.trained_with import training_differences
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.random_numbers import seeds_for
 from soccer_env.scenes import find_scene
 from soccer_env.statistics.maps import maps_of_team
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, is_module_team, make_team, registered_teams
@@ -36,6 +38,13 @@ class Contest:
     league: League
     first: str | Team
     second: str | Team
+
+    @property
+    def seeds(self) -> list[int]:
+        """Return the seed of each match: the two matches of a pair share one, except in self-play."""
+        one, matches = self.conditions.seed, self.conditions.matches
+        seeds = seeds_for(one, matches) if self.conditions.self_play else np.repeat(seeds_for(one, matches // 2), 2)
+        return seeds.tolist()  # type: ignore[no-any-return]
 
     def start(self, side: str, seeds: Sequence[int], threads: int = 1) -> Match:
         """Start one match for each seed; the first team plays on `side`, "home" or "away"."""
@@ -140,7 +149,7 @@ def play(
     stopped: Event,
 ) -> list[MatchLine]:  # fmt: skip
     """Play a batch of matches to the end, or until `stopped` is set; `advance` gets the control steps played."""
-    side, seeds = contest.conditions.first_team_side(batch[0]), contest.conditions.match_seeds
+    side, seeds = contest.conditions.first_team_side(batch[0]), contest.seeds
     match = contest.start(side, [seeds[number] for number in batch], threads)
     lines: dict[int, MatchLine] = {}
     steps = 0

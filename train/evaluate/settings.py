@@ -9,12 +9,9 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Literal
 
-import numpy as np
-
 from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import Placement, Pose
-from soccer_env.random_numbers import seeds_for
 from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_line, split_players, split_senses
 
@@ -145,13 +142,6 @@ class Conditions:
         """Tell whether a team plays itself under equal conditions, so that swapped sides give the same match again."""
         return self.home == self.away and self.players[0] == self.players[1] and self.senses[0] == self.senses[1]
 
-    @property
-    def match_seeds(self) -> list[int]:
-        """Return the seed of each match: the two matches of a pair share one, except in self-play."""
-        if self.self_play:
-            return seeds_for(self.seed, self.matches).tolist()  # type: ignore[no-any-return]
-        return np.repeat(seeds_for(self.seed, self.matches // 2), 2).tolist()
-
     def first_team_side(self, number: int) -> str:
         """Return the side on which the first team plays match `number`: in turn, but always home in self-play."""
         return SIDES[0 if self.self_play else number % 2]
@@ -171,15 +161,10 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         minutes = 2.0 * league.rules.half_minutes
     return Conditions(
         league=league.name,
-        home=settings.home,
-        away=settings.away,
-        matches=settings.matches,
         minutes=float(minutes),
         players=split_players(settings.players, league.team_size),
-        seed=settings.seed,
         senses=split_senses(SENSING if settings.senses is None else settings.senses),
         pose=settings.pose or POSES[0],
-        scene=settings.scene,
-        rules=settings.rules,
         placement=settings.placement or league.evaluation_placement,
+        **{name: getattr(settings, name) for name in ("home", "away", "matches", "seed", "scene", "rules")},
     )
