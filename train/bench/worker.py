@@ -95,7 +95,7 @@ def branch_timer(league: str, matches: int, steps: int, together: bool = False) 
     return sample
 
 
-def api_timer(league: str, resets: bool, matches: int, steps: int, observe: str = "truth") -> Sampler:
+def api_timer(league: str, resets: bool, matches: int, steps: int, observe: Any = "truth") -> Sampler:
     """Return a function that times `parallel_env.step`, or a reset after a step of play [s each]."""
     from soccer_env import soccer_v0
 
