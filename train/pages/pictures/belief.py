@@ -14,12 +14,12 @@ from soccer_env.train.pages.pictures.settings import STILL_WIDTH
 TEAMS, SEED, SECONDS, ROW = ("chaser", "sacks-2001"), 4, 12.0, 1  # of the match, [s] of play, of the robot
 
 ENTRIES = (
-    Entry("box", WHITE, "where red 1 believes it stands"),
-    Entry("ring", KEEPER, "two deviations of its particles"),
-    Entry("ring", BALL_SHINE, "where it believes the ball is"),
-    Entry("area", SIGHT, "what its camera has in view"),
-    Entry("ring", TEAMS_LIGHT[0], "a team-mate as it believes"),
-    Entry("ring", TEAMS_LIGHT[1], "an opponent, and how long ago it saw it"),
+    Entry(WHITE, "where red 1 believes it stands"),
+    Entry(KEEPER, "two deviations of its particles"),
+    Entry(BALL_SHINE, "where it believes the ball is"),
+    Entry(SIGHT, "what its camera has in view"),
+    Entry(TEAMS_LIGHT[0], "a team-mate as it believes"),
+    Entry(TEAMS_LIGHT[1], "an opponent, and how long ago it saw it"),
 )
 
 

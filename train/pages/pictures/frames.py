@@ -18,10 +18,10 @@ AXIS = 0.42  # [m] length of the arrows
 LETTERS = 24.0  # [px] in a picture of 1000 px
 
 ENTRIES = (
-    Entry("axes", WHITE, "field frame, origin at the centre spot: in the first half also home's team frame"),
-    Entry("axes", TEAMS_LIGHT[1], "away's team frame in the first half: half a turn, so its own goal lies at -x too"),
-    Entry("axes", KEEPER, "robot frame: x forward, y left; heading is its angle in the field frame"),
-    Entry("polar", BALL_SHINE, "bearing and distance: where a thing lies in the robot frame"),
+    Entry(WHITE, "field frame, origin at the centre spot: in the first half also home's team frame"),
+    Entry(TEAMS_LIGHT[1], "away's team frame in the first half: half a turn, so its own goal lies at -x too"),
+    Entry(KEEPER, "robot frame: x forward, y left; heading is its angle in the field frame"),
+    Entry(BALL_SHINE, "bearing and distance: where a thing lies in the robot frame"),
 )
 
 

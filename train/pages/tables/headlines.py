@@ -55,10 +55,6 @@ def headlines_table(data: dict[str, Any]) -> str:
     lines = ["| what | measured (95 % interval) | command |", "|---|---|---|"]
     lines += [f"| {row.words} | {row.value} | {commands.index(row.command) + 1} |" for row in rows]
     numbered = [f"{command}  # {number}" for number, command in enumerate(commands, 1)]
-    return "\n".join([*lines, "", *older_world_note(data), "```bash", *numbered, "```"])
-
-
-def older_world_note(data: dict[str, Any]) -> list[str]:
-    """Return lines that say in which older world the matches were measured; none for the present world."""
     worlds = {data[table]["about"].get("world", "1") for table, *_ in MATCHES if table in data} - {str(WORLD)}
-    return [f"Matches of world {', '.join(sorted(worlds))}: the present world is {WORLD}.", ""] if worlds else []
+    older = [f"Matches of world {', '.join(sorted(worlds))}: the present world is {WORLD}.", ""] if worlds else []
+    return "\n".join([*lines, "", *older, "```bash", *numbered, "```"])
