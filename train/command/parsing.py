@@ -77,7 +77,10 @@ def describe_error(event: Any, kind: type, words: list[str], pairs: bool) -> str
     """Return an error message for tyro's error record `event`; for an unknown record type, with the type's name."""
     record = type(event).__name__
     if record == "UnrecognizedArgs":
-        return unknown_word_message(event.tokens[0], kind, pairs)
+        word, flags = event.tokens[0], flags_of(kind, pairs)
+        if word.startswith("-"):
+            return unknown("option", word.partition("=")[0], flags)
+        return f"unexpected argument {word!r}; options: {', '.join(flags)}"
     if record == "MissingArgs":
         missing = [argument_name(item.arg) for item in event.missing_arguments]
         return f"{', '.join(missing)} must be given"
@@ -97,14 +100,6 @@ def argument_name(argument: Any) -> str:
     flags: tuple[str, ...] = argument.lowered.name_or_flags
     name = max(flags, key=len, default="")
     return name if name.startswith("-") else str(argument.field.intern_name).upper()
-
-
-def unknown_word_message(word: str, kind: type, pairs: bool) -> str:
-    """Return the error message for a command-line word that belongs to no option."""
-    flags = flags_of(kind, pairs)
-    if word.startswith("-"):
-        return unknown("option", word.partition("=")[0], flags)
-    return f"unexpected argument {word!r}; options: {', '.join(flags)}"
 
 
 def flags_of(kind: Any, pairs: bool) -> list[str]:

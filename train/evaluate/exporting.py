@@ -1,7 +1,7 @@
 """`soccer export`: turn a replay file into a film, a picture, a page for the browser, data, or a picture of maps."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import fields, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from soccer_env.data_out.collect import MatchRecording, collect_match
@@ -10,7 +10,7 @@ from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.data_out.table_files import require_writer, table_paths, write_tables
 from soccer_env.data_out.tables import match_tables
 from soccer_env.render import save_png
-from soccer_env.render.overlays.flags import OverlayFlags, select_flags
+from soccer_env.render.overlays.flags import select_flags
 from soccer_env.replay import Replay
 from soccer_env.shows import frame
 from soccer_env.shows.browser import write_page
@@ -69,27 +69,16 @@ def export_one(settings: ExportSettings, kind: str) -> str:
         with Progress(settings.target.name, len(replay)) as bar:
             write_page(replay, settings.target, settings.anew, bar.advance, select_flags(settings))
     elif kind == ".png":
-        return write_picture(replay, settings)
+        overlays = asdict(select_flags(settings))
+        save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
+        return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
     else:
-        write_film(replay, settings, rate)
+        with Progress(settings.target.name, len(drawn_steps(settings, kind, rate, len(replay))[0])) as bar:
+            make_film(replay, settings.target, settings, settings.anew, bar.advance)
     shown = len(replay) / rate - (settings.start if kind != ".html" else 0.0)
     minutes = (shown if kind == ".html" or settings.seconds is None else min(shown, settings.seconds)) / 60.0
     size = settings.target.stat().st_size
     return f"{settings.target}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
-
-
-def write_picture(replay: Replay, settings: ExportSettings) -> str:
-    """Write one frame of a replay as a picture; return name and size of the file in words."""
-    overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
-    save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
-    return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
-
-
-def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
-    """Write a replay as a film, and show a progress bar."""
-    count = len(drawn_steps(settings, settings.target.suffix.lower(), rate, len(replay))[0])
-    with Progress(settings.target.name, count) as bar:
-        make_film(replay, settings.target, settings, settings.anew, bar.advance)
 
 
 def export_data(settings: ExportSettings) -> list[Path]:

@@ -74,7 +74,8 @@ def keep_replays(
     missing = [(kind, line) for kind, line in wanted if not any(is_replay_of(one, kind, line) for one in ready)]
     for one in earlier:
         if one not in ready:
-            remove_files(folder, one)
+            for name in filter(None, (one.file, one.page)):
+                (folder / name).unlink(missing_ok=True)
     kept = ready + play_missing_replays(contest, missing, folder, before)
     if keep.pages:
         kept = [add_page(folder, one) for one in kept]
@@ -121,13 +122,6 @@ def is_complete(folder: Path, kept: Kept) -> bool:
     """Tell whether the file of a replay exists with its full size."""
     path = folder / kept.file
     return path.is_file() and path.stat().st_size == kept.bytes
-
-
-def remove_files(folder: Path, kept: Kept) -> None:
-    """Remove the replay's files from the folder."""
-    for name in (kept.file, kept.page):
-        if name:
-            (folder / name).unlink(missing_ok=True)
 
 
 def play_missing_replays(
