@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import cycle
 from time import perf_counter, process_time
 from typing import Any
 
@@ -103,15 +104,13 @@ def api_timer(league: str, resets: bool, matches: int, steps: int, observe: Any 
     env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS, observe=observe)
     agents = env.possible_agents
     actions = [dict(zip(agents, rng.uniform(-1.0, 1.0, (len(agents), 4)).astype("f4"))) for _ in range(DRAWS)]
+    upcoming = cycle(action for action in actions for _ in range(8))  # each is held for eight steps
     env.reset(seed=0)
-    done = 0
 
     def step() -> None:
-        nonlocal done
         if not env.agents:
             env.reset()
-        env.step(actions[done // 8 % DRAWS])
-        done += 1
+        env.step(next(upcoming))
 
     def sample_steps() -> float:
         start = process_time()
