@@ -62,13 +62,9 @@ def clustered_share(hits: ArrayLike, trials: ArrayLike, *, confidence: float = C
 
 
 def unit_bootstrap(
-    samples: Mapping[str, np.ndarray],
-    value: Callable[[dict[str, np.ndarray]], float],
-    *,
-    resamples: int = 1000,
-    confidence: float = CONFIDENCE,
-    seed: int = 0,
-) -> Interval:
+    samples: Mapping[str, np.ndarray], value: Callable[[dict[str, np.ndarray]], float], *, resamples: int = 1000,
+    confidence: float = CONFIDENCE, seed: int = 0,
+) -> Interval:  # fmt: skip
     """Return `value` of the samples with low and high end of its interval, by resampling units (percentile bootstrap).
 
     Each array of `samples` has the same independent units along its first axis (runs, pairs, matches); units are drawn

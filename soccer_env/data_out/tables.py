@@ -14,75 +14,59 @@ from soccer_env.data_out.events import NOBODY
 
 Table = dict[str, np.ndarray]  # a column (rows,) by name
 BALL = "ball"
+PLACES = ("x", "y", "end_x", "end_y")  # of an event
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table; kind: "text", "whole", "number" or "flag"; unit: of numbers, "" for none."""
+    """A column of a table: words (empty where they do not apply), whole numbers, numbers (else NaN) or flags."""
 
     name: str
-    kind: str
-    unit: str
     text: str
-
-
-def number_column(name: str, unit: str, text: str) -> Column:
-    """Return a column of numbers; NaN where the number does not apply."""
-    return Column(name, "number", unit, text)
-
-
-def whole_number_column(name: str, text: str) -> Column:
-    """Return a column of whole numbers."""
-    return Column(name, "whole", "", text)
-
-
-def word_column(name: str, text: str) -> Column:
-    """Return a column of words; empty where the word does not apply."""
-    return Column(name, "text", "", text)
+    kind: str = "text"  # or "whole", "number", "flag"
+    unit: str = ""  # of numbers
 
 
 WHEN = (
-    word_column("match", "name of the match: its file's, without the ending"),
-    whole_number_column("frame", "0 at the start of the recording, n after control step n"),
-    number_column("time", "s", "time since the recording began"),
-    whole_number_column("period", "1 first half, 2 second half, 5 penalty shoot-out"),
-    number_column("clock", "s", "time of play in this period"),
+    Column("match", "name of the match: its file's, without the ending"),
+    Column("frame", "0 at the start of the recording, n after control step n", "whole"),
+    Column("time", "time since the recording began", "number", "s"),
+    Column("period", "1 first half, 2 second half, 5 penalty shoot-out", "whole"),
+    Column("clock", "time of play in this period", "number", "s"),
 )
 TRACKING = (
     *WHEN,
-    word_column("phase", "phase of play: play, or the restart that is waited for"),
-    Column("in_play", "flag", "", "whether the ball is in play"),
-    whole_number_column("home_direction", "+1: home attacks +x in this frame, -1: it attacks -x"),
-    word_column("object", "ball, or the robot: home_0, away_2"),
-    word_column("team", "home or away; empty for the ball"),
-    whole_number_column("number", "of the robot in its team, from 0; -1 for the ball"),
-    number_column("x", "m", "along the pitch, from the centre spot"),
-    number_column("y", "m", "across the pitch, from the centre spot"),
-    number_column("heading", "rad", "where the robot faces, counter-clockwise from +x; missing for the ball"),
-    number_column("vx", "m/s", "velocity along x"),
-    number_column("vy", "m/s", "velocity along y"),
-    Column("on_pitch", "flag", "", "false for a robot that is sent off or serves a penalty"),
-    Column("has_ball", "flag", "", "whether the ball lies in the robot's pocket or at its kicker"),
+    Column("phase", "phase of play: play, or the restart that is waited for"),
+    Column("in_play", "whether the ball is in play", "flag"),
+    Column("home_direction", "+1: home attacks +x in this frame, -1: it attacks -x", "whole"),
+    Column("object", "ball, or the robot: home_0, away_2"),
+    Column("team", "home or away; empty for the ball"),
+    Column("number", "of the robot in its team, from 0; -1 for the ball", "whole"),
+    Column("x", "along the pitch, from the centre spot", "number", "m"),
+    Column("y", "across the pitch, from the centre spot", "number", "m"),
+    Column("heading", "where the robot faces, counter-clockwise from +x; missing for the ball", "number", "rad"),
+    Column("vx", "velocity along x", "number", "m/s"),
+    Column("vy", "velocity along y", "number", "m/s"),
+    Column("on_pitch", "false for a robot that is sent off or serves a penalty", "flag"),
+    Column("has_ball", "whether the ball lies in the robot's pocket or at its kicker", "flag"),
 )
 EVENTS = (
     *WHEN,
-    word_column(
-        "event", "kick, pass, interception, shot, save, goal, foul, restart, ball_out, in_play, separation, ..."
-    ),
-    word_column("team", "home or away, whose event it is: of a foul who committed it, of a restart who takes it"),
-    word_column("robot", "home_0, away_2; empty where no single robot did it"),
-    number_column("x", "m", "the ball along the pitch: of passes and shots where it was played"),
-    number_column("y", "m", "the ball across the pitch"),
-    word_column(
+    Column("event", "kick, pass, interception, shot, save, goal, foul, restart, ball_out, in_play, separation, ..."),
+    Column("team", "home or away, whose event it is: of a foul who committed it, of a restart who takes it"),
+    Column("robot", "home_0, away_2; empty where no single robot did it"),
+    Column("x", "the ball along the pitch: of passes and shots where it was played", "number", "m"),
+    Column("y", "the ball across the pitch", "number", "m"),
+    Column(
         "outcome",
         "pass: successful, intercepted; shot: goal, saved, blocked, off_target; goal, foul, restart: its kind",
     ),
-    whole_number_column("end_frame", "of passes and shots: the frame in which it was decided; -1 for others"),
-    number_column("end_x", "m", "where the ball was then"),
-    number_column("end_y", "m", "where the ball was then"),
-    word_column("receiver", "robot at which a pass arrived, a mate or an opponent"),
-    whole_number_column("home_score", "goals of home after the frame"),
-    whole_number_column("away_score", "goals of away after the frame"),
+    Column("end_frame", "of passes and shots: the frame in which it was decided; -1 for others", "whole"),
+    Column("end_x", "where the ball was then", "number", "m"),
+    Column("end_y", "where the ball was then", "number", "m"),
+    Column("receiver", "robot at which a pass arrived, a mate or an opponent"),
+    Column("home_score", "goals of home after the frame", "whole"),
+    Column("away_score", "goals of away after the frame", "whole"),
 )
 TABLES = {"tracking": TRACKING, "events": EVENTS}
 
@@ -136,15 +120,12 @@ def event_table(recording: MatchRecording) -> Table:
         "event": word_array([event.kind for event in events]),
         "team": word_array([SIDES.get(event.team, "") for event in events]),
         "robot": word_array([names.get(event.row, "") for event in events]),
-        "x": np.array([event.x for event in events], np.float64),
-        "y": np.array([event.y for event in events], np.float64),
         "outcome": word_array([event.outcome for event in events]),
         "end_frame": np.array([event.end_frame for event in events], np.int64),
-        "end_x": np.array([event.end_x for event in events], np.float64),
-        "end_y": np.array([event.end_y for event in events], np.float64),
         "receiver": word_array([names.get(event.receiver, "") for event in events]),
         "home_score": recording.score[frames, 0],
         "away_score": recording.score[frames, 1],
+        **{name: np.array([getattr(event, name) for event in events], np.float64) for name in PLACES},
     }
     return {column.name: table[column.name] for column in EVENTS}
 

@@ -208,6 +208,11 @@ class Canvas:
         x, y = enlarge(centre)
         self._touched.append(self.large.blit(image, (x - image.get_width() / 2, y - image.get_height() / 2)))
 
+    def pane(self, left: float, top: float, wide: float, high: float, colour: Colour, alpha: int) -> None:
+        """Fill a rectangle with a transparent colour; alpha from 0 to 255."""
+        right, bottom = left + wide, top + high
+        self.glass([(left, top), (right, top), (right, bottom), (left, bottom)], colour, alpha)
+
     def glass(self, points: Sequence[Point], colour: Colour, alpha: int) -> None:
         """Fill a polygon with a transparent colour; alpha from 0 to 255."""
         import pygame

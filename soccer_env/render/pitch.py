@@ -92,10 +92,8 @@ class Ground:
         self.canvas.ring(self.view.pixel(0.0, 0.0), pitch.circle * self.view.scale, self.line, colours.LINE)
         self.canvas.disc(self.view.pixel(0.0, 0.0), 1.6 * self.line, colours.LINE)
         for side in (-1.0, 1.0):
-            for depth, width in (
-                (pitch.penalty_depth, pitch.penalty_width),
-                (pitch.goal_area_depth, pitch.goal_area_width),
-            ):
+            areas = (pitch.penalty_depth, pitch.penalty_width), (pitch.goal_area_depth, pitch.goal_area_width)
+            for depth, width in areas:
                 if depth > 0.0 and width > 0.0:
                     inner, outer = side * (half_x - depth), side * half_x
                     self._frame(min(inner, outer), -width / 2, max(inner, outer), width / 2)
@@ -117,14 +115,10 @@ class Ground:
     def _draw_corner_arcs(self) -> None:
         half_x, half_y = self.pitch.length / 2, self.pitch.width / 2
         radius = min(CORNER_ARC, self.pitch.width / 10) * self.view.scale
-        for side, upper, quarter in (
-            (1.0, 1.0, "bottom left"),
-            (-1.0, 1.0, "bottom right"),
-            (1.0, -1.0, "top left"),
-            (-1.0, -1.0, "top right"),
-        ):
-            centre = self.view.pixel(side * half_x, upper * half_y)
-            self.canvas.ring(centre, radius, self.line, colours.LINE, quarter)
+        for upper, across in ((1.0, "bottom"), (-1.0, "top")):
+            for side, along in ((1.0, "left"), (-1.0, "right")):
+                centre = self.view.pixel(side * half_x, upper * half_y)
+                self.canvas.ring(centre, radius, self.line, colours.LINE, f"{across} {along}")
 
     def _draw_goal(self, side: float) -> None:
         """Draw the goal at -x or +x in its own colour, which does not change at half-time."""

@@ -58,6 +58,9 @@ class Figure(NamedTuple):
     paws: tuple[Point, ...] = ()  # [m] offset of each paw from its stance, robot frame
 
 
+cached_constants = lru_cache(maxsize=8)(constants_of)
+
+
 def figures_of(robots: np.ndarray, league: League, handedness: float) -> list[Figure]:
     """Return the robots of shape (R,) as plain numbers; ValueError names a robot whose pose is not finite."""
     for name in ("x", "y", "heading", "pan"):
@@ -71,12 +74,6 @@ def figures_of(robots: np.ndarray, league: League, handedness: float) -> list[Fi
     paws_off_stance(robots, cached_constants(league)[0], handedness, paws)
     swings = [tuple((x, y) for x, y in legs) for legs in paws.tolist()]
     return [Figure(*row)._replace(paws=swing) for row, swing in zip(rows, swings, strict=True)]
-
-
-@lru_cache(maxsize=8)
-def cached_constants(league: League) -> np.ndarray:
-    """Return the constants of a league, cached."""
-    return constants_of(league)
 
 
 class RobotPiece(NamedTuple):
@@ -162,7 +159,8 @@ class PlayerDrawer:
                     self._draw_walker(figure)
                 else:
                     self._draw_base(figure)
-                self._draw_number(figure)
+                place = self._pixels([(self.number_x, 0.0)], figure)[0]
+                self.canvas.text(str(figure.number), place, self.number_size, colours.WHITE)
         for figure in playing:
             self._draw_marks(figure)
 
@@ -249,10 +247,6 @@ class PlayerDrawer:
         self.canvas.polygon(self._pixels(self.kicker, figure), colours.AMBER if self._kicks(figure) else colours.STEEL)
         self.canvas.polygon(self._pixels(self.nose, figure), colours.WHITE)
 
-    def _draw_number(self, figure: Figure) -> None:
-        place = self._pixels([(self.number_x, 0.0)], figure)[0]
-        self.canvas.text(str(figure.number), place, self.number_size, colours.WHITE)
-
     def _draw_marks(self, figure: Figure) -> None:
         """Mark the robot that has the ball, the goalkeeper, and fallen robots."""
         x, y = self.view.pixel(figure.x, figure.y)
@@ -269,12 +263,10 @@ class PlayerDrawer:
             self.canvas.disc(place, radius, colours.KEEPER)
             self.canvas.text("K", place, 1.75 * radius, colours.INK)
         if figure.fallen > 0.0:
-            self._draw_tag(f"fallen {ceil(figure.fallen)} s", (x, y + 1.15 * reach), max(11.0, 0.4 * reach))
-
-    def _draw_tag(self, words: str, place: Point, size: float) -> None:
-        wide = 0.52 * size * len(words) + size
-        self.canvas.box(place[0] - wide / 2, place[1] - 0.62 * size, wide, 1.24 * size, colours.AMBER, 0.4 * size)
-        self.canvas.text(words, place, size, colours.INK, room=wide - 0.3 * size)
+            words, below, size = f"fallen {ceil(figure.fallen)} s", y + 1.15 * reach, max(11.0, 0.4 * reach)
+            wide = 0.52 * size * len(words) + size
+            self.canvas.box(x - wide / 2, below - 0.62 * size, wide, 1.24 * size, colours.AMBER, 0.4 * size)
+            self.canvas.text(words, (x, below), size, colours.INK, room=wide - 0.3 * size)
 
 
 def soft_shadow(radius: float) -> pygame.Surface:

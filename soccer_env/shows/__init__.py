@@ -1,7 +1,7 @@
 """Replays shown: pictures, films and pages for the browser.
 
 showing.py   `frame`, `video`, `html`: a picture, a film and a page of a replay
-film.py      the control steps that a film shows, and their times
+film.py      the control steps that a film shows, and their times       film_settings.py   the settings of a film
 browser/     a replay as one page for the browser
 """
 

@@ -4,45 +4,23 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.guards.checking import ABOVE_ZERO, FROM_ZERO, Range
-from soccer_env.render.frame import LEAST_WIDTH, MOST_WIDTH, Picture
-from soccer_env.render.overlays.flags import OverlayFlags, select_flags
+from soccer_env.render.frame import Picture
+from soccer_env.render.overlays.flags import select_flags
 from soccer_env.render.overlays.layers import make_overlays
 from soccer_env.render.overlays.onlooker import ReplaySnapshots, new_past_queue
 from soccer_env.render.video import gif_rate, video_kind, write_video
+from soccer_env.shows.film_settings import FilmSettings
 
 if TYPE_CHECKING:
     from soccer_env.replay.replay_file import Replay
 
 SMOOTH = {".mp4": 25.0, ".gif": 12.5, ".png": 25.0}  # [1/s] frames, unless there are fewer control steps
-
-
-@dataclass(frozen=True, kw_only=True)
-class FilmSettings(OverlayFlags):
-    """How a film shows a replay, with its overlays."""
-
-    BOUNDS = {
-        "fps": Range(0.0, 100.0, above=True), "speed": Range(0.0, 100.0, above=True),
-        "width": (LEAST_WIDTH, MOST_WIDTH), "start": FROM_ZERO, "seconds": ABOVE_ZERO,
-    }  # fmt: skip
-
-    fps: float | None = None
-    """Frames a second; None for 25 in an MP4 and 12.5 in a GIF, at most one for each control step."""
-    speed: float = 1.0
-    """How many times as fast as real time."""
-    width: int = 640
-    """Width of the picture [pixels]."""
-    start: float = 0.0
-    """Start of the film [s since the recording began]."""
-    seconds: float | None = None
-    """Length of the match that the film shows [s]; None for the rest of the match."""
 
 
 def drawn_steps(settings: FilmSettings, kind: str, rate: int, steps: int) -> tuple[np.ndarray, float]:

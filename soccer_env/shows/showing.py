@@ -12,15 +12,16 @@ from soccer_env.guards.checking import check_names
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.replay import Replay
 from soccer_env.shows.browser import write_page
-from soccer_env.shows.film import FilmSettings, film_frames, make_film
+from soccer_env.shows.film import film_frames, make_film
+from soccer_env.shows.film_settings import FilmSettings
 
 
 def video(replay: Replay, path: str | Path, *, anew: bool = False, **settings: Any) -> Path:
     """Write the first match of a replay as a film, MP4 or GIF by the path's ending; return the path.
 
-    settings: fps, speed, width, start, seconds and overlays, as in `film.FilmSettings`. ValueError for a wrong setting,
-    for an existing file (unless `anew`), and if the play differs; ImportError if the extra `video` is missing. Needs no
-    display.
+    settings: fps, speed, width, start, seconds and overlays, as in `film_settings.FilmSettings`. ValueError for a wrong
+    setting, for an existing file (unless `anew`), and if the play differs; ImportError if the extra `video` is missing.
+    Needs no display.
     """
     check_names("setting", settings, [item.name for item in fields(FilmSettings)], TypeError)
     return make_film(replay, path, FilmSettings(**settings), anew)

@@ -78,12 +78,8 @@ def planner_of(squad: Squad) -> Explanation | None:
 def copy_decision_inputs(match: Match, squad: Squad, place: int) -> DecisionInputs:
     """Return copies of the records from which a player of the first match decides; `place`: its index in the squad."""
     r, settings = int(squad.players[place]), squad.settings
-    beliefs, tracks, noise = (
-        match.beliefs[:1, r].copy(),
-        match.tracks[:1, r].copy(),
-        match.robots["noise"][:1, r].copy(),
-    )
-    memory = squad.memory[:1, place].copy()
+    beliefs, tracks = match.beliefs[:1, r].copy(), match.tracks[:1, r].copy()
+    memory, noise = squad.memory[:1, place].copy(), match.robots["noise"][:1, r].copy()
     # Teams that explain themselves are compiled, and have settings.
     return DecisionInputs(beliefs, tracks, memory, noise, match.batch.constants, settings)  # type: ignore[arg-type]
 

@@ -16,7 +16,8 @@ from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.onlooker import Onlooker
 from soccer_env.shows.browser.collect import collect_page_data
 from soccer_env.shows.browser.page import script_json
-from soccer_env.shows.film import FilmSettings, film_frames
+from soccer_env.shows.film import film_frames
+from soccer_env.shows.film_settings import FilmSettings
 from tests.render.staged_replays import StagedReplay
 from tests.scenes.staging import LEGGED, MIDDLE
 

@@ -11,7 +11,8 @@ import pytest
 from soccer_env import Match, shows
 from soccer_env.render import video
 from soccer_env.replay import Recorder, Replay
-from soccer_env.shows.film import FilmSettings, drawn_steps
+from soccer_env.shows.film import drawn_steps
+from soccer_env.shows.film_settings import FilmSettings
 
 pytest.importorskip("pygame")
 

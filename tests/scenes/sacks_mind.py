@@ -12,6 +12,7 @@ from soccer_env.types import NOISE_STREAMS
 
 LEAGUE = find_league("legged-2001")
 RATE = LEAGUE.control_rate
+FORWARD, LEFT, TURN, KICK = range(4)  # columns of its commands
 
 
 class Mind:

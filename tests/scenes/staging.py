@@ -123,3 +123,14 @@ def freeze(match: Match) -> Match:
     for name in ("traction", "thrust", "turn_traction", "turn_thrust"):
         running_constants(match)[f"drive_{name}"] = 1e-12
     return match
+
+
+def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) -> Match:
+    """Return matches in which one robot stands with the ball in its pocket, `ahead` of its front, and nobody else."""
+    match = stage(league, matches, **settings)
+    body, ball = match.league.body, match.league.ball
+    put(match, row, -0.3 * match.league.pitch.length, 0.1, 0.0)
+    place(match, ball=(match.robots["x"][:, row] + body.front + ball.radius + ahead, 0.1 + aside))
+    numbers = 7 if settings.get("actions") == "full" else 4
+    match.step(np.zeros((*match.robots.shape, numbers)))  # from now on it knows that it has the ball
+    return match

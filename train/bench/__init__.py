@@ -4,7 +4,7 @@ settings.py    the command's options
 benchmark.py   the rows of the report as medians of interleaved timings, and a description of the machine
 loads.py       timed loads: the core in random and chaser play, the physics alone, pictures with overlays
 plans.py       timed loads: one pass and one plan of the middle-size planner, and its team
-apis.py        timed loads: PettingZoo's step and reset, a branch; memory of a match; start-up times
+apis.py        memory of a match, start-up times, and loads that take turns
 against.py     --against: the ratio of two checkouts' times, with its interval
-worker.py      the process that times one checkout for --against
+worker.py      PettingZoo's step and reset, a branch; the process that times one checkout for --against
 """

@@ -149,7 +149,7 @@ def start_worker(checkout: Path, name: str, settings: BenchSettings, script: Pat
     """Run the process of a checkout for the time of a `with`. It imports the checkout's code, not an installed one."""
     with tempfile.TemporaryDirectory() as folder:
         link_packages(checkout, Path(folder))
-        command = [interpreter_of(checkout, settings), str(script), str(settings.matches), str(settings.steps)]
+        command = [interpreter_of(checkout), str(script), str(settings.matches), str(settings.steps)]
         variables = {**os.environ, "PYTHONPATH": folder, "OMP_NUM_THREADS": "1"}
         pipe = subprocess.PIPE
         with subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, cwd=checkout, env=variables) as process:
@@ -170,10 +170,10 @@ def link_packages(checkout: Path, folder: Path) -> None:
             (package / item.name).symlink_to(item.resolve())
 
 
-def interpreter_of(checkout: Path, settings: BenchSettings) -> str:
-    """Return the Python that runs a checkout: its .venv's, else that of --python, else the current one."""
+def interpreter_of(checkout: Path) -> str:
+    """Return the Python that runs a checkout: its .venv's, else the current one."""
     own = checkout / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    return str(own) if own.exists() else str(settings.python or sys.executable)
+    return str(own) if own.exists() else sys.executable
 
 
 def screen_table(report: dict[str, Any]) -> Table:

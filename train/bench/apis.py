@@ -1,4 +1,4 @@
-"""Benchmarks beside the core: the PettingZoo API, a branch, the memory of a match, and start-up times."""
+"""Benchmarks beside the core: the memory of a match, and start-up times; loads in turn."""
 
 import os
 import subprocess
@@ -8,14 +8,12 @@ import tracemalloc
 from collections.abc import Callable
 from statistics import median
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 
-from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.physics.engine.space import build_space
-from soccer_env.train.bench.loads import HOLD, PLAYERS, WARM_UP, senses_for
+from soccer_env.train.bench.loads import PLAYERS, senses_for
 
 START_TIMES = {  # name of the row: the Python program to time
     "import soccer_env": "import soccer_env",
@@ -23,75 +21,6 @@ START_TIMES = {  # name of the row: the Python program to time
     "start of an evaluation": "from soccer_env.train.command.command_line import main; "
     "main('evaluate --home chaser --away random@0.5 --matches 2 --minutes 0.02'.split())",
 }
-
-
-class ApiLoad:
-    """Time `parallel_env.step` with random actions: one match, dictionaries in and out."""
-
-    def __init__(self, league: str, seed: int, observe: Any = "truth") -> None:
-        from soccer_env import soccer_v0
-
-        rng, rate = np.random.default_rng(seed), find_league(league).control_rate
-        self.env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS, observe=observe)
-        agents = self.env.possible_agents
-        draws = rng.uniform(-1.0, 1.0, (32, len(agents), 4)).astype(np.float32)
-        self.actions = [dict(zip(agents, rows, strict=True)) for rows in draws]
-        self.hold = round(HOLD * rate)
-        self.steps = 0
-        self.seed = seed
-        self.env.reset(seed=seed)
-        self.sample(round(WARM_UP * rate))
-
-    def sample(self, steps: int) -> float:
-        """Return the seconds per step."""
-        env = self.env
-        actions = self.actions
-        hold = self.hold
-        start = perf_counter()
-        for step in range(self.steps, self.steps + steps):
-            env.step(actions[step // hold % 32])
-            if not env.agents:
-                env.reset()
-        self.steps += steps
-        return (perf_counter() - start) / steps
-
-
-class ResetLoad(ApiLoad):
-    """Time `parallel_env.reset` in mid-match."""
-
-    def sample(self, steps: int) -> float:
-        """Return the seconds per reset, averaged over `steps` resets, each after a step of play."""
-        spent = 0.0
-        for _ in range(steps):
-            self.env.step(self.actions[0])
-            self.seed += 1
-            start = perf_counter()
-            self.env.reset(seed=self.seed)
-            spent += perf_counter() - start
-        return spent / steps
-
-
-class BranchLoad:
-    """Time `Match.branch` of a running 3 v 3 match with sensors and its Space: into one match, or into 64 at once."""
-
-    def __init__(self, league: str, seed: int, matches: int = 64) -> None:
-        both = {"home": "chaser", "away": "chaser"}
-        settings: Any = {"home": PLAYERS, "away": PLAYERS, "controllers": both, "senses": "sensors"}
-        self.match = Match(league, seed=seed, **settings)
-        self.planner = Match(league, seed=seed + 1, matches=matches, **settings)
-        for _ in range(round(WARM_UP * find_league(league).control_rate)):
-            self.match.step()
-
-    def sample(self, branches: int, together: bool) -> float:
-        """Return the seconds per branched match; the overwritten matches are in mid-play as well."""
-        spent, at = 0.0, None if together else 0
-        for _ in range(branches):
-            self.planner.step()
-            self.match.step()
-            start = perf_counter()
-            self.match.branch(0, into=self.planner, at=at)
-            spent += perf_counter() - start
-        return spent / branches / (self.planner.count if together else 1)
 
 
 def record_bytes(league: str, pose: str | None = None, matches: int = 64) -> float:

@@ -17,9 +17,6 @@ from soccer_env.guards.whole_files import write_atomically
 from soccer_env.leagues import find_league
 from soccer_env.train.bench.apis import (
     START_TIMES,
-    ApiLoad,
-    BranchLoad,
-    ResetLoad,
     interleave_samples,
     process_start_time,
     record_bytes,
@@ -28,6 +25,7 @@ from soccer_env.train.bench.apis import (
 from soccer_env.train.bench.loads import CoreLoad, Load, OwnPhysicsLoad, PictureLoad, ReferencePhysicsLoad
 from soccer_env.train.bench.plans import PlanLoad, TeamLoad
 from soccer_env.train.bench.settings import BenchSettings
+from soccer_env.train.bench.worker import api_timer, branch_timer
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, commit, version_of
 
@@ -128,18 +126,14 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
 
 def measure_apis(league: str, settings: BenchSettings) -> Samples:
     """Return the samples [s] of a step and of a reset of the PettingZoo API, and of a branch of a match."""
-    step, reset = ApiLoad(league, settings.seed), ResetLoad(league, settings.seed)
-    belief, branch = ApiLoad(league, settings.seed, observe="belief"), BranchLoad(league, settings.seed)
-    return interleave_samples(
-        {
-            "step": partial(step.sample, 1000),
-            "belief": partial(belief.sample, 1000),
-            "reset": partial(reset.sample, 50),
-            "branch": partial(branch.sample, 50, False),
-            "branches": partial(branch.sample, 20, True),
-        },
-        settings.repetitions,
-    )
+    loads = {
+        "step": api_timer(league, False, 1, 125),
+        "belief": api_timer(league, False, 1, 125, observe="belief"),
+        "reset": api_timer(league, True, 1, 50),
+        "branch": branch_timer(league, 1, 50),
+        "branches": branch_timer(league, 1, 20, together=True),
+    }
+    return interleave_samples(loads, settings.repetitions)
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:
@@ -211,7 +205,7 @@ def team_rows(settings: BenchSettings) -> Iterator[Row]:
     tries = 3 if settings.quick else 9
     decision = median(load.decide(20) for _ in range(tries))
     yield row_with_maximum("heinemann-2006: a robot's decision", decision, "us", TEAM_TIME, 1e6)
-    speed = 1 / median(load.run(25) for _ in range(tries))
+    speed = 1 / median(load.sample(25) for _ in range(tries))
     yield row_with_minimum("heinemann-2006: 5 v 5 by sensors and particles", speed, "match steps/s", TEAM_SPEED)
 
 

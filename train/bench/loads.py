@@ -55,17 +55,17 @@ class CoreLoad:
     kind: type[Match] = Match
 
     def __init__(
-        self, league: str, team: str | None, matches: int, threads: int, seed: int, pose: str | None = None
-    ) -> None:
+        self, league: str, team: str | None, matches: int, threads: int, seed: int, pose: str | None = None,
+        players: int = PLAYERS,
+    ) -> None:  # fmt: skip
         self.rng = np.random.default_rng(seed)
         settings = find_league(league)
         self.match = self.kind(
-            league, home=PLAYERS, away=PLAYERS, matches=matches, threads=threads, seed=seed, autoreset="same_step",
+            league, home=players, away=players, matches=matches, threads=threads, seed=seed, autoreset="same_step",
             controllers=None if team is None else {"home": team, "away": team}, minutes=settings.evaluation_minutes,
             **senses_for(pose),
         )  # fmt: skip
-        rows = 2 * PLAYERS
-        self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, rows, 4))
+        self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, 2 * players, 4))
         self.hold, self.steps = round(HOLD * settings.control_rate), 0
         self.match.matches["clock"] = self.rng.uniform(0.0, self.match.settings.half_length, matches)
         self.run(round(WARM_UP * settings.control_rate))

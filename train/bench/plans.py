@@ -11,14 +11,14 @@ from soccer_env.baselines.weigel_2001.planner.records import OBSTACLE, PLAN, SCR
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.baselines.weigel_2001.planner.walking import plan_pass
 from soccer_env.compiled import compiled
-from soccer_env.match import Match
 from soccer_env.teams import TeamRandom, View
+from soccer_env.train.bench.loads import CoreLoad
 from soccer_env.types import NOISE_STREAMS
 
 DISTANCE, OBSTACLES = 5.0, 9  # [m] of the straight way, [1]
 FASTEST, ROOM = 2.0, 0.6  # [m/s] of an obstacle, [m] free around robot and target
 LENGTH, WIDTH, RADIUS = 12.0, 8.0, 0.25  # [m] of the pitch, [m] of an obstacle
-MATCHES, PLAYERS, WARM_UP = 16, 5, 250  # of the team's play: matches, players a side, steps before anything is timed
+MATCHES, PLAYERS = 16, 5  # of the team's play: matches, players a side
 TRIES = 5  # a scene's time is the median of these
 
 
@@ -70,22 +70,11 @@ class PlanLoad:
         return perf_counter() - start
 
 
-class TeamLoad:
+class TeamLoad(CoreLoad):
     """The team of 2006 against itself, 5 v 5, by sensors and particles; every robot plans in every cycle."""
 
-    def __init__(self, seed: int, matches: int = MATCHES, team: str = "heinemann-2006") -> None:
-        self.match = Match(
-            "middle-size-2006", home=PLAYERS, away=PLAYERS, matches=matches, seed=seed, autoreset="same_step",
-            controllers={"home": team, "away": team}, senses="sensors", minutes=4.0,
-        )  # fmt: skip
-        self.run(WARM_UP)
-
-    def run(self, steps: int) -> float:
-        """Step all matches; return the seconds per match step."""
-        start = perf_counter()
-        for _ in range(steps):
-            self.match.step()
-        return (perf_counter() - start) / (steps * self.match.count)
+    def __init__(self, seed: int, matches: int = MATCHES) -> None:
+        super().__init__("middle-size-2006", "heinemann-2006", matches, 1, seed, "particles", PLAYERS)
 
     def decide(self, times: int) -> float:
         """Let both teams decide `times` times from their current beliefs; return the seconds per robot and decision."""

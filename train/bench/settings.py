@@ -24,8 +24,6 @@ class BenchSettings(CommandSettings):
     """Compare with another checkout of this repository in this folder, such as one made by `git worktree add`: time
     each row in both checkouts by turns and print the ratio with its 95 % interval; above 1 means slower here. Times are
     processor times of one thread."""
-    python: Path | None = None
-    """Python interpreter for the other checkout; leave out for the one in its .venv."""
     rows: str = ""
     """With --against: time only rows whose names contain all these words; all rows take most of an hour."""
 
@@ -33,8 +31,6 @@ class BenchSettings(CommandSettings):
         super().__post_init__()
         if self.against is not None and not self.against.is_dir():
             raise ValueError(f"against must be the folder of a checkout, got {self.against}")
-        if self.python is not None and self.against is None:
-            raise ValueError("python is the interpreter of another checkout: give against as well")
         if self.rows and self.against is None:
             raise ValueError("rows chooses among the rows of two checkouts: give against as well")
 

@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import cycle
 from time import perf_counter, process_time
 from typing import Any
 
@@ -72,41 +73,44 @@ def save_timer(league: str, matches: int, steps: int) -> Sampler:
     return sample
 
 
-def branch_timer(league: str, matches: int, steps: int) -> Sampler:
-    """Return a function that times a branch of a running match with sensors into one of 64 matches [s]."""
+def branch_timer(league: str, matches: int, steps: int, together: bool = False) -> Sampler:
+    """Return a function that times a branch of a match with sensors, into one of 64 in play or into all [s a match]."""
     from soccer_env import Match
 
-    settings: Any = {"home": PLAYERS, "away": PLAYERS, "senses": "sensors", "observe": "belief"}
+    both = {"home": "chaser", "away": "chaser"}
+    settings: Any = {"home": PLAYERS, "away": PLAYERS, "controllers": both, "senses": "sensors"}
     match, planner = Match(league, seed=0, **settings), Match(league, matches=64, seed=1, **settings)
-    match.step(np.zeros((1, 2 * PLAYERS, 4)))
-    match.branch(0, into=planner, at=0)
+    for _ in range(round(WARM_UP * LEAGUES[league])):
+        match.step()
 
     def sample() -> float:
-        start = process_time()
-        for m in range(64):
-            match.branch(0, into=planner, at=m)
-        return (process_time() - start) / 64
+        spent = 0.0
+        for _ in range(steps):
+            planner.step()
+            match.step()
+            start = process_time()
+            match.branch(0, into=planner, at=None if together else 0)
+            spent += process_time() - start
+        return spent / (steps * (64 if together else 1))
 
     return sample
 
 
-def api_timer(league: str, resets: bool, matches: int, steps: int) -> Sampler:
+def api_timer(league: str, resets: bool, matches: int, steps: int, observe: Any = "truth") -> Sampler:
     """Return a function that times `parallel_env.step`, or a reset after a step of play [s each]."""
     from soccer_env import soccer_v0
 
     rng = np.random.default_rng(0)
-    env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS)
+    env: Any = soccer_v0.parallel_env(league=league, home=PLAYERS, away=PLAYERS, observe=observe)
     agents = env.possible_agents
     actions = [dict(zip(agents, rng.uniform(-1.0, 1.0, (len(agents), 4)).astype("f4"))) for _ in range(DRAWS)]
+    upcoming = cycle(action for action in actions for _ in range(8))  # each is held for eight steps
     env.reset(seed=0)
-    done = 0
 
     def step() -> None:
-        nonlocal done
         if not env.agents:
             env.reset()
-        env.step(actions[done // 8 % DRAWS])
-        done += 1
+        env.step(next(upcoming))
 
     def sample_steps() -> float:
         start = process_time()
@@ -123,6 +127,8 @@ def api_timer(league: str, resets: bool, matches: int, steps: int) -> Sampler:
             spent += process_time() - start
         return spent / steps
 
+    for _ in range(round(WARM_UP * LEAGUES[league])):
+        step()
     return sample_resets if resets else sample_steps
 
 

@@ -19,6 +19,7 @@ What = Literal[
     "leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "statistics",
     "claims",
 ]  # fmt: skip
+MIRRORED = {1: "", -1: "sign", None: "place"}  # by the mirror of an entry: what a left-right mirror changes
 
 
 @dataclass(frozen=True)
@@ -180,7 +181,7 @@ def observations(league: str, observe: str) -> Iterator[Table]:
     entries = layout(named, observe)
     title = f"Observation of a robot in {league}, observe={observe}: {len(entries)} numbers (float32) in [-1, 1]"
     rows = [
-        (f"{index}", x.name, x.meaning, x.scale, scale_in_numbers(x, named), frame_of(x), mirror_effect(x))
+        (f"{index}", x.name, x.meaning, x.scale, scale_in_numbers(x, named), frame_of(x), MIRRORED[x.mirror])
         for index, x in enumerate(entries)
     ]
     yield Table(title, ("", "name", "meaning", "of", "1 is", "frame", "mirror changes"), rows)
@@ -189,11 +190,6 @@ def observations(league: str, observe: str) -> Iterator[Table]:
 def frame_of(entry: Entry) -> str:
     """Return the coordinate frame and axis of an observation entry, as text for a table."""
     return "" if entry.frame in (None, "none") else f"{entry.frame} {entry.axis}".strip()
-
-
-def mirror_effect(entry: Entry) -> str:
-    """Return as table text how a left-right mirror changes an entry: its sign, its place, or nothing."""
-    return {1: "", -1: "sign", None: "place"}[entry.mirror]
 
 
 def sensors(league: str) -> Iterator[Table]:

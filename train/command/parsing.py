@@ -77,7 +77,10 @@ def describe_error(event: Any, kind: type, words: list[str], pairs: bool) -> str
     """Return an error message for tyro's error record `event`; for an unknown record type, with the type's name."""
     record = type(event).__name__
     if record == "UnrecognizedArgs":
-        return unknown_word_message(event.tokens[0], kind, pairs)
+        word, flags = event.tokens[0], flags_of(kind, pairs)
+        if word.startswith("-"):
+            return unknown("option", word.partition("=")[0], flags)
+        return f"unexpected argument {word!r}; options: {', '.join(flags)}"
     if record == "MissingArgs":
         missing = [argument_name(item.arg) for item in event.missing_arguments]
         return f"{', '.join(missing)} must be given"
@@ -99,14 +102,6 @@ def argument_name(argument: Any) -> str:
     return name if name.startswith("-") else str(argument.field.intern_name).upper()
 
 
-def unknown_word_message(word: str, kind: type, pairs: bool) -> str:
-    """Return the error message for a command-line word that belongs to no option."""
-    flags = flags_of(kind, pairs)
-    if word.startswith("-"):
-        return unknown("option", word.partition("=")[0], flags)
-    return f"unexpected argument {word!r}; options: {', '.join(flags)}"
-
-
 def flags_of(kind: Any, pairs: bool) -> list[str]:
     """Return the flags of a settings class; `pairs`: yes-or-no settings have both --mirror and --no-mirror."""
     flags = []
@@ -118,15 +113,17 @@ def flags_of(kind: Any, pairs: bool) -> list[str]:
     return flags
 
 
-def wrong_value_message(flag: str, kind: Callable[..., Any], words: list[str]) -> str:
+def wrong_value_message(flag: str, kind: Any, words: list[str]) -> str:
     """Return the settings' error message for the value of a flag, "" if they accept the value."""
     at = [index for index, word in enumerate(words) if word.partition("=")[0] == flag]
     if not flag or not at:
         return ""
     value = words[at[-1]].partition("=")[2] or "".join(words[at[-1] + 1 : at[-1] + 2])
     name = flag.removeprefix("--").replace("-", "_")
+    defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
+    placeholders = {field: Path() for field, default in defaults.items() if default == (MISSING, MISSING)}
     try:
-        kind(**{**required_placeholders(kind), name: value})
+        kind(**{**placeholders, name: value})
     except ValueError as error:
         return (
             f"{error}".replace(name, flag, 1) if f"{error}".startswith(name) else f"{flag} {short_repr(value)}: {error}"
@@ -134,12 +131,6 @@ def wrong_value_message(flag: str, kind: Callable[..., Any], words: list[str]) -
     except TypeError:  # settings that cannot be made from one value alone
         pass
     return ""
-
-
-def required_placeholders(kind: Any) -> dict[str, Path]:
-    """Return a placeholder value, an empty path, for each required field of a settings class."""
-    defaults = {field.name: (field.default, field.default_factory) for field in fields(kind)}
-    return {name: Path() for name, default in defaults.items() if default == (MISSING, MISSING)}
 
 
 def reason_of(error: Exception) -> str:
@@ -166,12 +157,9 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
         tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config, registry=REGISTRY)
     text = flatten_descriptions(script.getvalue())
-    return make_sourceable(text) if shell == "zsh" else text
-
-
-def make_sourceable(script: str) -> str:
-    """Change tyro's zsh completion script so that it can be sourced, not only placed in $fpath."""
-    return re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, script, flags=re.MULTILINE)
+    if shell == "zsh":  # so that it can be sourced, not only placed in $fpath
+        text = re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, text, flags=re.MULTILINE)
+    return text
 
 
 def flatten_descriptions(script: str) -> str:

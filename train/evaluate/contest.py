@@ -1,7 +1,9 @@
 """The matches of one team against another: pairs of matches from one seed with sides swapped, many at once.
 
-Every match follows from its own seed alone, so no result depends on the threads or on the other matches of its batch.
-The seed decides which side kicks off first: in a pair each team does so once.
+Every match follows from its own seed alone, so no result depends on the threads, on the other matches of its batch, or
+on where a stopped run went on.
+The seed decides which side kicks off first: in a pair each team does so once. A team against itself would play the same
+match twice: its matches have a seed each.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -21,12 +23,11 @@ from soccer_env.statistics.maps import maps_of_team
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, is_module_team, make_team, registered_teams
 from soccer_env.teams.function_teams import FunctionTeam
 from soccer_env.train.evaluate.results import MatchLine
-from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings
+from soccer_env.train.evaluate.settings import SIDES, Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import match_statistics
 
 BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
 REPORT_EVERY = 50  # steps between two updates of the progress bar
-SIDES = ("home", "away")
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,13 @@ class Contest:
     league: League
     first: str | Team
     second: str | Team
+
+    @property
+    def seeds(self) -> list[int]:
+        """Return the seed of each match: the two matches of a pair share one, except in self-play."""
+        one, matches = self.conditions.seed, self.conditions.matches
+        seeds = seeds_for(one, matches) if self.conditions.self_play else np.repeat(seeds_for(one, matches // 2), 2)
+        return seeds.tolist()  # type: ignore[no-any-return]
 
     def start(self, side: str, seeds: Sequence[int], threads: int = 1) -> Match:
         """Start one match for each seed; the first team plays on `side`, "home" or "away"."""
@@ -114,13 +122,9 @@ def play_batches(
     """Play batches of matches; `take` is called with the result lines of each batch, in order."""
     compiled = all(isinstance(make_team(team), CompiledTeam) for team in (contest.first, contest.second))
     at_once = threads if compiled else 1
-    seeds = seeds_for(contest.conditions.seed, contest.conditions.matches // 2).tolist()
     stopped = Event()
     with ThreadPoolExecutor(at_once) as pool:
-        jobs = [
-            pool.submit(play, contest, batch, seeds, settings, threads // at_once, advance, stopped)
-            for batch in batches
-        ]
+        jobs = [pool.submit(play, contest, batch, settings, threads // at_once, advance, stopped) for batch in batches]
         try:
             for job in jobs:
                 take(job.result())
@@ -141,12 +145,12 @@ def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
 
 
 def play(
-    contest: Contest, batch: Sequence[int], seeds: Sequence[int], settings: str, threads: int,
-    advance: Callable[[float], None], stopped: Event,
+    contest: Contest, batch: Sequence[int], settings: str, threads: int, advance: Callable[[float], None],
+    stopped: Event,
 ) -> list[MatchLine]:  # fmt: skip
     """Play a batch of matches to the end, or until `stopped` is set; `advance` gets the control steps played."""
-    side = first_team_side(batch[0])
-    match = contest.start(side, [seeds[number // 2] for number in batch], threads)
+    side, seeds = contest.conditions.first_team_side(batch[0]), contest.seeds
+    match = contest.start(side, [seeds[number] for number in batch], threads)
     lines: dict[int, MatchLine] = {}
     steps = 0
     try:
@@ -157,28 +161,23 @@ def play(
                 advance(REPORT_EVERY * len(batch))
             for m in np.flatnonzero(terminated | truncated).tolist():
                 if m not in lines:  # read it now: a finished match plays on until its whole batch ends
-                    lines[m] = line_of_match(match, m, batch[m], settings)
+                    lines[m] = line_of_match(match, m, batch[m], side, settings)
         advance((steps % REPORT_EVERY) * len(batch))
     finally:
         match.close()
     return [lines[m] for m in sorted(lines)]
 
 
-def first_team_side(number: int) -> str:
-    """Return the side on which the first team plays match `number`."""
-    return SIDES[number % 2]
-
-
-def line_of_match(match: Match, m: int, number: int, settings: str) -> MatchLine:
-    """Return the result line of match m of a batch at its end; `number` is its number in the evaluation."""
+def line_of_match(match: Match, m: int, number: int, side: str, settings: str) -> MatchLine:
+    """Return the result line of match m of a batch at its end: match `number`, the first team on `side`."""
     record = match.matches[m]
     scored = record["score"].tolist()
-    ours = number % 2  # the score's column
+    ours = SIDES.index(side)  # the score's column
     return MatchLine(
         match=number,
         pair=number // 2,
         seed=int(match.seeds[m]),
-        side=first_team_side(number),
+        side=side,
         goals_for=scored[ours],
         goals_against=scored[1 - ours],
         steps=int(record["step"]),

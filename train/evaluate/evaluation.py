@@ -1,9 +1,6 @@
 """Evaluate one team against another by pairs of matches from one seed, with sides swapped, many at once.
 
-    result = evaluate(EvaluateSettings(home="chaser", away="random@0.5", matches=20))
-
-Every match follows from its own seed alone, so the result does not depend on threads, on how many matches run side
-by side, or on where a stopped run went on.
+result = evaluate(EvaluateSettings(home="chaser", away="random@0.5", matches=20))
 """
 
 import json

@@ -1,7 +1,7 @@
 """`soccer export`: turn a replay file into a film, a picture, a page for the browser, data, or a picture of maps."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import fields, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from soccer_env.data_out.collect import MatchRecording, collect_match
@@ -10,11 +10,11 @@ from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.data_out.table_files import require_writer, table_paths, write_tables
 from soccer_env.data_out.tables import match_tables
 from soccer_env.render import save_png
-from soccer_env.render.overlays.flags import OverlayFlags, select_flags
+from soccer_env.render.overlays.flags import select_flags
 from soccer_env.replay import Replay
 from soccer_env.shows import frame
 from soccer_env.shows.browser import write_page
-from soccer_env.shows.film import FilmSettings, drawn_steps, make_film
+from soccer_env.shows.film import drawn_steps, make_film
 from soccer_env.train.evaluate.map_pictures import KINDS as MAPS
 from soccer_env.train.evaluate.map_pictures import export_maps
 from soccer_env.train.evaluate.play_settings import ExportSettings
@@ -39,27 +39,24 @@ def export(settings: ExportSettings) -> str:
         check_target(
             settings.target.with_suffix(".tmp")
         )  # only the folder above: `check_targets_free` checks NAME.cdf itself
-        targets = export_data(settings)
-        total = sum(size_in_bytes(path) for path in targets)
-        return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
+        return names_and_size(export_data(settings))
     if settings.file.is_dir():
-        return export_each(settings)
+        return names_and_size(export_each(settings))
     check_target(settings.target)
     if settings.target.exists() and not settings.anew:
         raise ValueError(f"{settings.target} exists already; give another --out, or --anew to write over it")
     return export_one(settings, kind)
 
 
-def export_each(settings: ExportSettings) -> str:
-    """Export every replay below a folder to a film, page or picture; return names and size of the files in words."""
+def export_each(settings: ExportSettings) -> list[Path]:
+    """Export every replay below a folder to a film, page or picture; return the files written."""
     sources = find_replay_files(settings.file)
     targets = targets_of(settings.target, sources)
     check_target(targets[0])
     check_targets_free(targets, settings.anew)
     for source, target in zip(sources.values(), targets, strict=True):
         export_one(replace(settings, file=source, out=target), settings.target.suffix.lower())
-    total = sum(target.stat().st_size for target in targets)
-    return f"{', '.join(str(path) for path in targets)}, {total / 1e6:.2f} MB"
+    return targets
 
 
 def export_one(settings: ExportSettings, kind: str) -> str:
@@ -72,28 +69,16 @@ def export_one(settings: ExportSettings, kind: str) -> str:
         with Progress(settings.target.name, len(replay)) as bar:
             write_page(replay, settings.target, settings.anew, bar.advance, select_flags(settings))
     elif kind == ".png":
-        return write_picture(replay, settings)
+        overlays = asdict(select_flags(settings))
+        save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
+        return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
     else:
-        write_film(replay, settings, rate)
+        with Progress(settings.target.name, len(drawn_steps(settings, kind, rate, len(replay))[0])) as bar:
+            make_film(replay, settings.target, settings, settings.anew, bar.advance)
     shown = len(replay) / rate - (settings.start if kind != ".html" else 0.0)
     minutes = (shown if kind == ".html" or settings.seconds is None else min(shown, settings.seconds)) / 60.0
     size = settings.target.stat().st_size
     return f"{settings.target}, {size / 1e6:.2f} MB, {size / 1e3 / max(minutes, 1e-9):.0f} kB a minute of play"
-
-
-def write_picture(replay: Replay, settings: ExportSettings) -> str:
-    """Write one frame of a replay as a picture; return name and size of the file in words."""
-    overlays = {item.name: getattr(settings, item.name) for item in fields(OverlayFlags)}
-    save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
-    return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
-
-
-def write_film(replay: Replay, settings: ExportSettings, rate: int) -> None:
-    """Write a replay as a film, and show a progress bar."""
-    film = FilmSettings(**{item.name: getattr(settings, item.name) for item in fields(FilmSettings)})
-    count = len(drawn_steps(film, settings.target.suffix.lower(), rate, len(replay))[0])
-    with Progress(settings.target.name, count) as bar:
-        make_film(replay, settings.target, film, settings.anew, bar.advance)
 
 
 def export_data(settings: ExportSettings) -> list[Path]:
@@ -161,6 +146,7 @@ def check_targets_free(targets: list[Path], anew: bool) -> None:
             raise ValueError(f"{target} exists already; give another --out, or --anew to write over it")
 
 
-def size_in_bytes(path: Path) -> int:
-    """Return the size of a file, or the total size of a folder's files [bytes]."""
-    return sum(file.stat().st_size for file in path.iterdir()) if path.is_dir() else path.stat().st_size
+def names_and_size(paths: list[Path]) -> str:
+    """Return the names of files and folders, and their total size, in words."""
+    files = [file for path in paths for file in (path.iterdir() if path.is_dir() else (path,))]
+    return f"{', '.join(map(str, paths))}, {sum(file.stat().st_size for file in files) / 1e6:.2f} MB"

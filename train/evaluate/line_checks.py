@@ -31,7 +31,7 @@ def check_line(line: MatchLine, players: tuple[int, int]) -> None:
             raise ValueError(f"{part} of match {number} lack or add {short_repr(wrong)}")
         for name, value in values.items():
             sound = (
-                are_shots(value)
+                isinstance(value, list) and len(value) <= SHOTS and all(map(is_shot, value))
                 if name.startswith("shots_") and part == "maps"
                 else has_same_shape(value, example[name])
             )
@@ -52,11 +52,6 @@ def has_same_shape(value: Any, example: Any) -> bool:
         same = isinstance(value, list) and len(value) == len(example)
         return same and all(has_same_shape(one, other) for one, other in zip(value, example, strict=True))
     return is_number(value) and abs(value) < 1e15 and isfinite(value)
-
-
-def are_shots(value: Any) -> bool:
-    """Tell whether a value is a list of valid shots."""
-    return isinstance(value, list) and len(value) <= SHOTS and all(is_shot(shot) for shot in value)
 
 
 def is_shot(value: Any) -> bool:

@@ -81,7 +81,6 @@ def checked_array(values: Any, shape: tuple[int, ...]) -> np.ndarray:
 
 SIDES = ("for", "against")
 THIRDS = ("in its own third", "in the middle third", "in the opponents' third")
-MOST_PASSES = 5  # shown for each player
 MOST_PAIRS = 12  # of players, shown for both teams
 
 
@@ -105,16 +104,6 @@ def share_by_third(heat: np.ndarray) -> list[float]:
     return [100.0 * float(part.sum()) / total for part in np.split(heat, 3, axis=1)]
 
 
-def player_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return a row for each player number: mean place and passes of that player in the first and the second team."""
-    teams = [(np.array(maps[f"players_{side}"]), np.array(maps[f"passes_{side}"])) for side in SIDES]
-    rows = []
-    for number in range(max(len(players) for players, _ in teams)):
-        ours, theirs = (player_words(players, passes, number) for players, passes in teams)
-        rows.append((f"{number}", ours, theirs))
-    return rows
-
-
 def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
     """Return rows (pair, both teams' passes) of the most frequent pairs of passer and receiver, and of the total."""
     teams = [np.array(maps[f"passes_{side}"]) for side in SIDES]
@@ -123,13 +112,3 @@ def pass_rows(maps: dict[str, Any]) -> list[tuple[str, str, str]]:
     shown = sorted((pair for pair in counts if any(counts[pair])), key=lambda pair: (-sum(counts[pair]), pair))
     rows = [(f"{a} to {b}", *map(str, counts[a, b])) for a, b in shown[:MOST_PAIRS]]
     return [*rows, ("all", *(f"{one.sum()}" for one in teams))]  # type: ignore[list-item]
-
-
-def player_words(players: np.ndarray, passes: np.ndarray, number: int) -> str:
-    """Return the mean place of a player [m] and its passes; "-" if the team has no such player."""
-    if number >= len(players) or players[number, 2] <= 0.0:
-        return "-"
-    x, y = players[number, :2] / players[number, 2]
-    best = np.argsort(-passes[number], kind="stable")[:MOST_PASSES]
-    receivers = ", ".join(f"{passes[number, mate]} to {mate}" for mate in best if passes[number, mate] > 0)
-    return f"({x:+.2f}, {y:+.2f})" + (f"; {receivers}" if receivers else "")

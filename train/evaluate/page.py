@@ -9,7 +9,7 @@ from soccer_env.train.evaluate.report import conditions_rows, needed_matches_sen
 from soccer_env.train.evaluate.results import EvaluationResult, pair_means
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_bars, draw_curves
-from soccer_env.train.report.pitch_maps import draw_network, draw_presence, draw_shots
+from soccer_env.train.report.pitch_maps import draw_map
 from soccer_env.train.statistics import paired_bootstrap
 
 LOOKS = 24  # points of the curve of the mean over pairs
@@ -64,8 +64,8 @@ def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, s
     page.section("Where it happened")
     if can_draw() and "pitch" in result.maps:
         maps = check_maps(result.maps, (result.conditions.home, result.conditions.away))
-        for draw, caption in MAPS:
-            page.figure(draw(maps, form="svg"), caption)
+        for kind, caption in MAPS:
+            page.figure(draw_map(maps, kind, form="svg"), caption)
     page.table(head, map_rows(result.maps))
     page.heading("Completed passes")
     page.table(("from, to", *head[1:]), pass_rows(result.maps))
@@ -122,9 +122,9 @@ def draw_mean(result: EvaluationResult) -> Iterator[Drawn]:
 
 
 MAPS = (
-    (draw_presence, "Where robots and the ball were; each team attacks to the right, the ball is seen with the first."),
-    (draw_network, "Mean places of players, and completed passes from one to another. Discs that would hide each other "
+    ("presence", "Where robots and the ball were; each team attacks to the right, the ball is seen with the first."),
+    ("network", "Mean places of players, and completed passes from one to another. Discs that would hide each other "
      "are moved apart."),
-    (draw_shots, "From where shots were taken, and what became of them; each team attacks to the right."),
+    ("shots", "From where shots were taken, and what became of them; each team attacks to the right."),
 )  # fmt: skip
 FIGURE_MAKERS: list[FigureMaker] = [draw_differences, draw_mean]  # pictures of the page, in order

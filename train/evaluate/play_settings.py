@@ -8,9 +8,7 @@ from typing import Literal
 
 import tyro
 
-from soccer_env.guards.checking import FROM_ZERO, Range
-from soccer_env.render.frame import LEAST_WIDTH, MOST_WIDTH
-from soccer_env.render.overlays.flags import OverlayFlags
+from soccer_env.shows.film_settings import FilmSettings
 from soccer_env.train.written_settings import CommandSettings, split_players
 
 
@@ -70,7 +68,7 @@ class ReplaySettings(CommandSettings):
 
 
 @dataclass(frozen=True)
-class ExportSettings(OverlayFlags, CommandSettings):
+class ExportSettings(FilmSettings, CommandSettings):
     """Make a film, a browser page, data or pictures from a replay.
 
     .mp4, .gif   a film
@@ -83,14 +81,6 @@ class ExportSettings(OverlayFlags, CommandSettings):
     With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also from a result.json.
     """
 
-    BOUNDS = {
-        "fps": Range(0.0, 100.0, above=True),
-        "speed": Range(0.0, 100.0, above=True),
-        "width": Range(LEAST_WIDTH, MOST_WIDTH),
-        "start": FROM_ZERO,
-        "seconds": Range(0.0, above=True),
-    }
-
     file: tyro.conf.Positional[Path]
     """Replay file, or a folder of replays; with --maps also a result.json. A replay holds no code."""
     out: Path | None = None
@@ -100,17 +90,6 @@ class ExportSettings(OverlayFlags, CommandSettings):
     """Draw heat maps, pass networks and shot maps: .png, .svg or .pdf."""
     anew: bool = False
     """Overwrite an existing file."""
-    fps: float | None = None
-    """Frames per second of a film; leave out for 25 in an MP4 and 12.5 in a GIF, or the rate of control steps if that
-    is lower."""
-    speed: float = 1.0
-    """Speed of a film, as a multiple of real time."""
-    width: int = 640
-    """Width of a film or picture [pixels]."""
-    start: float = 0.0
-    """Time at which a film begins, or that a picture shows [s from the start of the recording]."""
-    seconds: float | None = None
-    """Length of play that a film shows [s]; leave out for the rest of the match."""
 
     @property
     def target(self) -> Path:

@@ -178,7 +178,7 @@ def differences(there: dict[str, Any], again: dict[str, Any]) -> list[Difference
     result = []
     for places in fields.values():
         place, before, now = places[0]
-        name = ".".join(map(printable_key, place))
+        name = ".".join(key if isinstance(key, str) and key.isidentifier() else short_repr(key) for key in place)
         result.append(Difference(again["pair"], again["match"], name, before, now, len(places) - 1))
     return result
 
@@ -195,8 +195,3 @@ def leaves(value: Any, place: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any,
 def exact_text(value: Any) -> str:
     """Convert a value to text that is equal only for values that are equal bit for bit."""
     return short_repr(value) if isinstance(value, str) and len(value) < 60 else json.dumps(value)[:200]
-
-
-def printable_key(key: Any) -> str:
-    """Return a key of a record as printable text."""
-    return key if isinstance(key, str) and key.isidentifier() else short_repr(key)

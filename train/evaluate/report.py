@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.train.evaluate.map_pictures import map_rows, player_rows
+from soccer_env.train.evaluate.map_pictures import map_rows, pass_rows
 from soccer_env.train.evaluate.results import HALF_WIDTH, EvaluationResult
 from soccer_env.train.evaluate.statistics import goal_rows, play_rows
 from soccer_env.train.statistics import interquartile_mean, wilson_interval
@@ -44,7 +44,7 @@ def rows(result: EvaluationResult) -> list[tuple[str, str, str]]:
     _, low, high = wilson_interval(result.wins, matches)
     middle = interquartile_mean([line.goals_for - line.goals_against for line in result.lines])
     return [
-        ("matches", f"{matches}", f"{matches // 2} pairs, sides swapped"),
+        ("matches", f"{matches}", "a seed each" if conditions.self_play else f"{matches // 2} pairs, sides swapped"),
         ("won, drawn, lost", f"{result.wins}, {result.draws}, {result.losses}", ""),
         (
             "goals",
@@ -79,7 +79,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         "This command plays what is missing and writes this report again:",
         code_block(about.get("command", "")),
         "## Matches",
-        f"Score of {home} first, as home and as away.",
+        "Goals of the home team first." if result.conditions.self_play else f"Goals of {home} first.",
         table(head, pairs),
         rest,
     ]
@@ -135,8 +135,8 @@ def map_tables_markdown(result: EvaluationResult, head: tuple[str, ...]) -> list
     return [
         "Where it happened; the middle of three thirds is a third of the pitch's length:",
         table(head, map_rows(result.maps)),
-        "Mean places in play (x, y) in metres, as each team attacks +x, and completed passes to mates:",
-        table(("player", *head[1:]), player_rows(result.maps)),
+        "Completed passes; players are numbered from 0, the goalkeeper:",
+        table(("from, to", *head[1:]), pass_rows(result.maps)),
         "`soccer export result.json --maps --out maps.png` draws heat maps, pass networks and shot maps.",
     ]
 
@@ -145,11 +145,16 @@ def pair_rows(result: EvaluationResult) -> tuple[tuple[str, ...], list[tuple[str
     """Return the head of the table of pairs, a row for each of the first PAIRS_SHOWN, a sentence on those left out."""
     both = list(zip(result.lines[::2], result.lines[1::2], strict=True))
     cells = [
-        (f"{first.pair}", f"{first.seed}", *(f"{line.goals_for} : {line.goals_against}" for line in (first, second)))
-        for first, second in both[:PAIRS_SHOWN]
+        (
+            f"{pair[0].pair}",
+            ", ".join(dict.fromkeys(f"{line.seed}" for line in pair)),  # two in self-play
+            *(f"{line.goals_for} : {line.goals_against}" for line in pair),
+        )
+        for pair in both[:PAIRS_SHOWN]
     ]
     rest = len(both) - len(cells)
-    return ("pair", "seed", "as home", "as away"), cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
+    scores = ("first match", "second match") if result.conditions.self_play else ("as home", "as away")
+    return ("pair", "seed", *scores), cells, f"{rest} more pairs stand in matches.jsonl." if rest else ""
 
 
 def escape_text(text: str) -> str:
@@ -180,33 +185,21 @@ def screen_tables(result: EvaluationResult) -> Iterator[Table]:
     """Yield tables for the terminal: the numbers of a result, statistics of play, and kinds of goals."""
     from rich.table import Table
 
-    yield screen_table(result)
-    parts = (("Play", play_rows), ("How goals fell", goal_rows)) if result.statistics else ()
-    for title, rows_of in parts:
-        drawn = Table(title=title)
+    conditions, statistics = result.conditions, result.statistics
+    title = (
+        f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
+        f"{conditions.minutes:g} min"
+    )
+    trained = [f"{name} was trained with {setting}." for name, setting in result.trained.items()]
+    parts = [(title, " ".join([verdict_sentence(result), *trained]), ("value", "95 % interval"), rows(result))]
+    if statistics:
+        teams = (conditions.home, conditions.away)
+        parts += [("Play", "", teams, play_rows(statistics)), ("How goals fell", "", teams, goal_rows(statistics))]
+    for title, caption, heads, cells in parts:
+        drawn = Table(title=title, caption=caption or None)
         drawn.add_column("")
-        for team in (result.conditions.home, result.conditions.away):
-            drawn.add_column(team, justify="right")
-        for row in rows_of(result.statistics):
+        for head in heads:
+            drawn.add_column(head, justify="right")
+        for row in cells:
             drawn.add_row(*row)
         yield drawn
-
-
-def screen_table(result: EvaluationResult) -> Table:
-    """Return the numbers of a result as a table for the terminal."""
-    from rich.table import Table
-
-    conditions, trained = result.conditions, result.trained.items()
-    drawn = Table(
-        title=f"{conditions.home} against {conditions.away}, {conditions.league}, {conditions.sizes}, "
-        f"{conditions.minutes:g} min",
-        caption=" ".join(
-            [verdict_sentence(result), *(f"{name} was trained with {setting}." for name, setting in trained)]
-        ),
-    )
-    drawn.add_column("")
-    drawn.add_column("value", justify="right")
-    drawn.add_column("95 % interval", justify="right")
-    for row in rows(result):
-        drawn.add_row(*row)
-    return drawn

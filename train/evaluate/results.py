@@ -14,7 +14,7 @@ from soccer_env.train.statistics import paired_bootstrap, required_matches
 
 CLEAR_POINTS = 0.95  # [1] share of the points for "beats clearly"
 LEAST_PAIRS = 5  # fewer pairs say nothing about the scatter of results: no verdict
-MIRRORED = "no verdict: a team against itself plays each match of a pair twice, which says nothing"
+SELF_PLAY = "no verdict on a team against itself: the goal difference is home less away"
 MATCHES = "matches.jsonl"  # of a folder: a line for each finished match
 LEFT_OUT = ("settings", "statistics", "maps")  # fields of a line that result.json omits: matches.jsonl has them
 FILES = (MATCHES, "result.json", "report.md", "report.html", "match.png")
@@ -28,7 +28,7 @@ HALF_WIDTH = 0.25  # [goals a match] half width of the interval for which the nu
 class MatchLine:
     """The result of a finished match, a line of matches.jsonl; goals are counted from the first team's side."""
 
-    match: int  # 0, 1, ...; matches 2 p and 2 p + 1 are pair p
+    match: int  # 0, 1, ...; matches 2 p and 2 p + 1 are pair p, from one seed except in self-play
     pair: int
     seed: int  # of the match
     side: str  # the first team played as "home" or as "away"
@@ -97,6 +97,9 @@ def summarise(
     differences = pair_means(ordered, lambda line: line.goals_for - line.goals_against)
     points = Estimate(*paired_bootstrap(pair_means(ordered, lambda line: line.points)))
     difference = Estimate(*paired_bootstrap(differences))
+    maps = sum_maps([line.maps for line in ordered]) if all(line.maps for line in ordered) else {}
+    if maps and pitch is not None:
+        maps["pitch"] = to_plain_types(pitch)
     return EvaluationResult(
         conditions=conditions,
         made_with=made_with,
@@ -109,29 +112,16 @@ def summarise(
         win_rate=Estimate(*paired_bootstrap(pair_means(ordered, lambda line: float(line.points == 1.0)))),
         points=points,
         matches_needed=required_matches(differences, HALF_WIDTH) if len(set(differences)) > 1 else None,
-        verdict=MIRRORED if is_self_play(conditions) else judge(difference, points, len(differences)),
+        verdict=SELF_PLAY if conditions.self_play else judge(difference, points, len(differences)),
         statistics=totals([line.statistics for line in ordered]),
-        maps=sum_maps_on_pitch(pitch, [line.maps for line in ordered]),
+        maps=maps,
         lines=ordered,
     )
-
-
-def sum_maps_on_pitch(pitch: Pitch | None, maps: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the sum of the maps of all matches, with the dimensions of `pitch`; {} if a match has no maps."""
-    if not all(maps):
-        return {}
-    return sum_maps(maps) | ({} if pitch is None else {"pitch": to_plain_types(pitch)})
 
 
 def pair_means(lines: Sequence[MatchLine], value: Callable[[MatchLine], float]) -> list[float]:
     """Return, for each pair of matches, the mean of the function `value` over its two lines; lines sorted by match."""
     return [(value(first) + value(second)) / 2 for first, second in zip(lines[::2], lines[1::2], strict=True)]
-
-
-def is_self_play(conditions: Conditions) -> bool:
-    """Tell whether a team plays itself under equal conditions, so that both matches of a pair are identical."""
-    sizes, senses = conditions.players, conditions.senses
-    return conditions.home == conditions.away and sizes[0] == sizes[1] and senses[0] == senses[1]
 
 
 def judge(difference: Estimate, points: Estimate, pairs: int) -> str:

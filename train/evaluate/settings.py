@@ -15,6 +15,7 @@ from soccer_env.match.arguments import Placement, Pose
 from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_line, split_players, split_senses
 
+SIDES = ("home", "away")
 FULL = "full"  # minutes: the league's own length of a match
 ALL, PAIRS = "all", 5  # values of --pairs: every finished pair; the default
 RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # usable with --recheck
@@ -24,9 +25,9 @@ RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "s
 class EvaluateSettings(CommandSettings):
     """Play one team against another and say how sure the result is.
 
-    Each of --matches/2 seeds is played twice, with sides swapped. Results are for --home; 95 % intervals are bootstraps
-    over the pairs of matches. The same settings give the same result for any --threads. To resume a run that was
-    stopped, give the same command again.
+    Each of --matches/2 seeds is played twice, with sides swapped; a team against itself plays every match from its own
+    seed. Results are for --home; 95 % intervals are bootstraps over the pairs of matches. The same settings give the
+    same result for any --threads. To resume a run that was stopped, give the same command again.
 
     --recheck FOLDER plays a random sample of the matches in a folder again, compares every line bit for bit, and exits
     with code 1 if one differs. It changes no file and runs no code that the folder names: if a team, league or scene is
@@ -136,6 +137,15 @@ class Conditions:
         first, second = self.senses
         return first if first == second else f"home={first},away={second}"
 
+    @property
+    def self_play(self) -> bool:
+        """Tell whether a team plays itself under equal conditions, so that swapped sides give the same match again."""
+        return self.home == self.away and self.players[0] == self.players[1] and self.senses[0] == self.senses[1]
+
+    def first_team_side(self, number: int) -> str:
+        """Return the side on which the first team plays match `number`: in turn, but always home in self-play."""
+        return SIDES[0 if self.self_play else number % 2]
+
 
 def command_of(settings: EvaluateSettings) -> str:
     """Return the command line of `soccer evaluate` that has these settings."""
@@ -151,15 +161,10 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         minutes = 2.0 * league.rules.half_minutes
     return Conditions(
         league=league.name,
-        home=settings.home,
-        away=settings.away,
-        matches=settings.matches,
         minutes=float(minutes),
         players=split_players(settings.players, league.team_size),
-        seed=settings.seed,
         senses=split_senses(SENSING if settings.senses is None else settings.senses),
         pose=settings.pose or POSES[0],
-        scene=settings.scene,
-        rules=settings.rules,
         placement=settings.placement or league.evaluation_placement,
+        **{name: getattr(settings, name) for name in ("home", "away", "matches", "seed", "scene", "rules")},
     )

@@ -105,11 +105,6 @@ class Ablation:
     measure: Callable[[Batch], Samples]
 
 
-def no_figures(samples: Samples) -> Sequence[Figure]:
-    """Return no figures: the default of claims without any."""
-    return ()
-
-
 @dataclass(frozen=True)
 class Claim:
     """A claim and its measurement.
@@ -132,7 +127,7 @@ class Claim:
     seconds: float = 3.0  # [s] of one batch on one core, compiled: --minutes derives the number of batches from it
     ingredients: tuple[str, ...] = ()  # settings and models that the result depends on
     without: Ablation | None = None  # by construction
-    figures: Callable[[Samples], Sequence[Figure]] = no_figures
+    figures: Callable[[Samples], Sequence[Figure]] = lambda samples: ()
     note: str | Callable[[Samples], str] = ""  # for readers of the result
     pose: Literal["", "percept", "particles"] = ""  # the localisation that the claim is about; "": the run's --pose
     study: bool = False  # no claim of a paper: measured only by name, not by --all

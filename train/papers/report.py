@@ -113,28 +113,22 @@ def section(result: ClaimResult, plots: Sequence[str]) -> str:
 
 
 def claim_result_markdown(result: ClaimResult) -> str:
-    """Return the result of one claim as Markdown: every criterion, the ingredients, the note."""
+    """Return the result of one claim as Markdown."""
+    parts = (part if isinstance(part, str) else table(FINDINGS, part) for part in claim_parts(result) if part)
+    return "\n\n".join([f"## {result.id}: {result.marked_verdict}", *parts])
+
+
+def claim_parts(result: ClaimResult) -> Iterator[str | list[tuple[str, ...]]]:
+    """Yield the texts on one claim's result, and the rows of its tables: criteria, and those without an ingredient."""
     n = f"n = {result.n}" + (f" (cap {result.cap})" if result.verdict == UNDECIDED else "")
-    seeds = ", ".join(f"{seed}: {verdict}" for seed, verdict in zip(result.seeds, result.by_seed, strict=True))
-    source = f"{result.paper}, {result.section}" if result.section else result.paper
-    parts = [
-        f"## {result.id}: {result.marked_verdict}",
-        f"{result.statement} [{source}]",
-        f"Measured: {result.method} {n}. Own pose: {result.pose}. {rules_sentence(result)}",
-        f"Each seed alone: {seeds}.",
-        findings_table(result.findings, result.n),
-        f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else "",
-        f"With the ingredient off ({result.without}):" if result.without else "",
-        findings_table(result.without_findings, result.n),
-        result.note,
-    ]
-    return "\n\n".join(part for part in parts if part)
-
-
-def findings_table(findings: Sequence[dict[str, Any]], units: int) -> str:
-    """Return the criteria of a claim with their findings as a table; "" without findings."""
-    cells = finding_rows(findings, units)
-    return table(FINDINGS, cells) if cells else ""
+    yield f"{result.statement} [{result.paper}{', ' if result.section else ''}{result.section}]"
+    yield f"Measured: {result.method} {n}. Own pose: {result.pose}. {rules_sentence(result)}"
+    yield f"Each seed alone: {', '.join(f'{s}: {v}' for s, v in zip(result.seeds, result.by_seed, strict=True))}."
+    yield finding_rows(result.findings, result.n)
+    yield f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else ""
+    yield f"With the ingredient off ({result.without}):" if result.without else ""
+    yield finding_rows(result.without_findings, result.n)
+    yield result.note
 
 
 def finding_rows(findings: Sequence[dict[str, Any]], units: int) -> list[tuple[str, ...]]:
@@ -248,16 +242,11 @@ def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
 def add_claim(page: ReportPage, result: ClaimResult) -> None:
     """Add the section of one claim's result to the page."""
     page.heading(f"{result.id}: {result.marked_verdict}")
-    page.say(f"{result.statement} [{result.paper}{', ' if result.section else ''}{result.section}]")
-    page.say(f"Measured: {result.method} n = {result.n}. Own pose: {result.pose}. {rules_sentence(result)}")
-    if result.findings:
-        page.table(FINDINGS, finding_rows(result.findings, result.n))
-    if result.ingredients:
-        page.say(f"Rests on: {'; '.join(result.ingredients)}.")
-    if result.without:
-        page.say(f"With the ingredient off ({result.without}):")
-        page.table(FINDINGS, finding_rows(result.without_findings, result.n))
-    page.say(result.note)
+    for part in claim_parts(result):
+        if isinstance(part, str):
+            page.say(part)
+        elif part:
+            page.table(FINDINGS, part)
     for figure in result.figures if can_draw() else ():
         page.figure(draw_curves(figure, form="svg"), figure["title"])
     page.command(result.command)

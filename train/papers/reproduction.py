@@ -87,9 +87,6 @@ def measure_missing(
     return done
 
 
-__all__ = ["ReproduceSettings", "reproduce"]
-
-
 def draw_all(results: Sequence[ClaimResult], folder: ResultsFolder) -> tuple[dict[str, list[str]], str]:
     """Plot every figure into the folder; return the files of each claim, and the reason if nothing was plotted."""
     if folder.path is None or not any(result.figures for result in results):

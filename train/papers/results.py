@@ -58,7 +58,8 @@ class ClaimResult:
     @property
     def alone(self) -> str:
         """Return each seed's verdict by its letter (reproduced, undecided, not): "r r u", or "r r n, they disagree"."""
-        return seeds_in_letters(self.by_seed)
+        letters = " ".join(verdict[0] for verdict in self.by_seed)
+        return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(self.by_seed) else letters
 
     def as_dict(self) -> dict[str, Any]:
         """Return the record for results.json, without figures; `shown` is the verdict, marked if it is quick."""
@@ -69,12 +70,6 @@ class ClaimResult:
             if name == "verdict":
                 record["shown"] = self.marked_verdict
         return record
-
-
-def seeds_in_letters(verdicts: Sequence[str]) -> str:
-    """Return the first letters of single seeds' verdicts, and whether the verdicts contradict each other."""
-    letters = " ".join(verdict[0] for verdict in verdicts)
-    return f"{letters}, they disagree" if {REPRODUCED, NOT} <= set(verdicts) else letters
 
 
 def rules_in_words(rules: Sequence[str]) -> str:
@@ -92,15 +87,11 @@ def plot_name(claim: str, number: object) -> str:
     return f"plots/{re.sub(r'[^A-Za-z0-9]', '-', claim)}-{number}.png"
 
 
-def plots_of(conditions: dict[str, Any]) -> list[str]:
-    """Return glob patterns for the figure files of a run with these conditions."""
-    return [plot_name(str(claim), "[0-9]*") for claim in conditions.get("claims", ())]
-
-
 CLAIMS = "claims.jsonl"  # of a folder: a line for each claim that has been measured
 REPRODUCTION = RunKind(
-    "a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md", "report.html"), plots_of
-)
+    "a reproduction run", ("claims", "budget"), (CLAIMS, "results.json", "report.md", "report.html"),
+    lambda conditions: [plot_name(str(claim), "[0-9]*") for claim in conditions.get("claims", ())],
+)  # fmt: skip
 
 
 FILE = "claims.json"

@@ -1,14 +1,4 @@
-"""Verdicts on claims: criteria, and the comparison of intervals with them.
-
-    reproduced        the whole interval satisfies the criterion
-    not               the whole interval violates it
-    undecided         neither, after the claim's cap on samples
-    by construction   satisfied, but because of an ingredient of the model: never counted as reproduced
-    context           nothing to decide
-
-A claim with several criteria is reproduced if all of them are, and not reproduced if one of them is not. Intervals
-are 95 %: the looks at a claim while its samples grow share the 5 %.
-"""
+"""Verdicts on claims: criteria, and the comparison of intervals with them; `EXPLANATION` of report.py defines them."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

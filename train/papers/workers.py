@@ -2,8 +2,8 @@
 
     python -m soccer_env.train.papers.workers     the program of a worker, which reads requests line by line
 
-A worker reads JSON lines: first the settings of the run, then the id and cap of each claim to examine. It answers each
-claim with one line, the result. No result depends on the process that measured it.
+A request is a line of JSON: the settings of the run, the hash of them, and the id and cap of a claim to examine. The
+answer is one line, the result. No result depends on the process that measured it.
 """
 
 import json
@@ -12,8 +12,8 @@ import queue
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict
 from typing import Any
 
@@ -22,7 +22,8 @@ from soccer_env.train.papers.examination import examine
 from soccer_env.train.papers.results import ClaimResult
 from soccer_env.train.papers.settings import ReproduceSettings
 
-DONE = None  # in the queue of results: a worker has ended
+COMMAND = (sys.executable, "-m", "soccer_env.train.papers.workers")
+Workers = queue.SimpleQueue[subprocess.Popen[str]]  # that wait for a request
 
 
 def examine_in_processes(
@@ -33,73 +34,41 @@ def examine_in_processes(
 
     `finished` is called with each id. Raises RuntimeError if a process fails; its own message is on the screen.
     """
-    waiting: queue.SimpleQueue[tuple[str, int]] = queue.SimpleQueue()
-    for claim in caps.items():
-        waiting.put(claim)
-    answers: queue.SimpleQueue[Any] = queue.SimpleQueue()
-    head = json.dumps({"settings": as_json(settings), "hash": settings_hash})
-    workers = [start_worker() for _ in range(min(settings.threads, len(caps)))]
-    threads = [
-        threading.Thread(target=feed_worker, args=(worker, head, waiting, answers), daemon=True) for worker in workers
-    ]
+    run, pipe = {"settings": as_json(settings), "hash": settings_hash}, subprocess.PIPE
+    count = min(settings.threads, len(caps))
+    workers = [subprocess.Popen(COMMAND, stdin=pipe, stdout=pipe, text=True) for _ in range(count)]
+    waiting, pool = Workers(), ThreadPoolExecutor(count)
+    for worker in workers:
+        waiting.put(worker)
     try:
-        for thread in threads:
-            thread.start()
-        running = len(workers)
-        while running:
-            answer = answers.get()
-            running -= answer is DONE
-            if isinstance(answer, Exception):
-                raise answer
-            if answer is not DONE:
-                finished(answer["id"])
-                yield ClaimResult(**answer)
+        requests = [{**run, "claim": claim, "cap": cap} for claim, cap in caps.items()]
+        for answer in as_completed([pool.submit(ask_worker, waiting, request) for request in requests]):
+            result = answer.result()
+            finished(result.id)
+            yield result
     finally:
-        for worker, thread in zip(workers, threads, strict=True):
-            kill_worker(worker, thread)
+        pool.shutdown(wait=False, cancel_futures=True)
+        for worker in workers:
+            worker.kill()
+        pool.shutdown()
+        for worker in workers:
+            with worker:  # closes its pipes
+                pass
 
 
-def start_worker() -> subprocess.Popen[str]:
-    """Start a worker process that examines claims."""
-    command = [sys.executable, "-m", "soccer_env.train.papers.workers"]
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-
-def kill_worker(worker: subprocess.Popen[str], thread: threading.Thread) -> None:
-    """Kill a worker, and join the thread that talks to it."""
-    worker.kill()
-    if thread.is_alive():
-        thread.join()
-    with worker:  # closes its pipes
-        pass
-
-
-def feed_worker(
-    worker: subprocess.Popen[str], head: str, waiting: queue.SimpleQueue[tuple[str, int]],
-    answers: queue.SimpleQueue[Any],
-) -> None:  # fmt: skip
-    """Send a worker one claim after another until none is left, and put its answers into the queue `answers`."""
+def ask_worker(waiting: Workers, request: dict[str, Any]) -> ClaimResult:
+    """Send a request to a worker that waits, and return the result; RuntimeError if the process has ended."""
+    worker = waiting.get()
     assert worker.stdin is not None and worker.stdout is not None
-    claim = ""
     try:
-        write_line(worker, head)
-        while True:
-            try:
-                claim, cap = waiting.get_nowait()
-            except queue.Empty:
-                break
-            write_line(worker, json.dumps([claim, cap]))
-            answers.put(json.loads(worker.stdout.readline()))
-    except (OSError, ValueError):
-        answers.put(RuntimeError(f"the process that measured claim {claim} ended with code {worker.wait()}"))
-    answers.put(DONE)
-
-
-def write_line(worker: subprocess.Popen[str], line: str) -> None:
-    """Write a line to the standard input of a worker."""
-    assert worker.stdin is not None
-    worker.stdin.write(line + "\n")
-    worker.stdin.flush()
+        worker.stdin.write(json.dumps(request) + "\n")
+        worker.stdin.flush()
+        return ClaimResult(**json.loads(worker.stdout.readline()))
+    except (OSError, ValueError) as error:
+        ended = f"the process that measured claim {request['claim']} ended with code {worker.wait()}"
+        raise RuntimeError(ended) from error
+    finally:
+        waiting.put(worker)
 
 
 def as_json(settings: ReproduceSettings) -> dict[str, Any]:
@@ -111,14 +80,9 @@ def as_json(settings: ReproduceSettings) -> dict[str, Any]:
 def answer_requests(lines: Sequence[str] | Iterator[str], say: Any) -> None:
     """Examine the claims that the lines request, and print each result as a line of JSON to `say`."""
     claims = all_claims()
-    rest = iter(lines)
-    head = json.loads(next(rest, "{}"))
-    if not head:  # the parent process was killed
-        return
-    settings = ReproduceSettings(**head["settings"])
-    for line in rest:
-        claim, cap = json.loads(line)
-        result = examine(claims[claim], settings, cap, head["hash"])
+    for request in map(json.loads, lines):
+        settings = ReproduceSettings(**request["settings"])
+        result = examine(claims[request["claim"]], settings, request["cap"], request["hash"])
         print(json.dumps(asdict(result)), file=say, flush=True)
 
 

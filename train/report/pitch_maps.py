@@ -1,12 +1,10 @@
 """Maps of play on a pitch: presence of robots and ball, mean positions with completed passes, and shots.
 
-Each team attacks to the right on its own pitches. mplsoccer 1.8 was tried: its pitch "custom" has the penalty areas
-and goals of grass pitches (16.5 m deep, on our 3 m), ours need a class of its dimensions with the arcs switched off;
-then it draws what matplotlib draws here, and brings pandas, scipy, seaborn and requests.
-`soccer_env/data_out/README.md` has that class, for those who use mplsoccer.
+Each team attacks to the right on its own pitches. `soccer_env/data_out/README.md` has a class for those who use
+mplsoccer, which draws the same and brings pandas, scipy, seaborn and requests.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,7 +22,6 @@ FEW = 5
 LONGEST = 20  # letters of a team's name
 BEND = 0.25  # [1] of an arrow: its height over its length is half of it
 ROUNDS = 200  # of moving discs apart, at most; eleven players in one place need 60
-HEIGHTS = {2: 2.5, 3: 2.25}  # [inch] of a row of so many pitches
 
 
 @dataclass(frozen=True)
@@ -44,26 +41,11 @@ class Maps:
 
 
 @picture_maker
-def draw_presence(maps: Maps) -> Any:
-    """Draw heat maps: the presence of each team's robots and of the ball over the pitch."""
-    drawn, axes = canvas(HEIGHTS[3], columns=3)
-    plot_presence(drawn, axes, maps)
-    return drawn
-
-
-@picture_maker
-def draw_network(maps: Maps) -> Any:
-    """Draw pass networks: each team's players at their mean positions, with their completed passes."""
-    drawn, axes = canvas(HEIGHTS[2], columns=2)
-    plot_network(drawn, axes, maps)
-    return drawn
-
-
-@picture_maker
-def draw_shots(maps: Maps) -> Any:
-    """Draw shot maps: each team's shots and their outcomes."""
-    drawn, axes = canvas(HEIGHTS[2] + 0.2, columns=2)
-    plot_shots(drawn, axes, maps)
+def draw_map(maps: Maps, kind: str) -> Any:
+    """Draw one of KINDS: the "presence" of robots and ball, the "network" of completed passes, or "shots"."""
+    plot, columns, height = KINDS[kind]
+    drawn, axes = canvas(height, columns=columns)
+    plot(drawn, axes, maps)
     return drawn
 
 
@@ -75,11 +57,11 @@ def draw_maps(maps: Maps, form: str) -> bytes:
     from matplotlib.figure import Figure
 
     with matplotlib.rc_context(STYLE):
-        heights = [HEIGHTS[3], HEIGHTS[2], HEIGHTS[2] + 0.2]
+        heights = [height for _, _, height in KINDS.values()]
         drawn = Figure(figsize=(7.6, 1.19 * sum(heights)), layout="constrained")
         parts: Any = drawn.subfigures(3, 1, height_ratios=heights)
-        for part, columns, fill in zip(parts, (3, 2, 2), (plot_presence, plot_network, plot_shots), strict=True):
-            fill(part, part.subplots(1, columns), maps)
+        for part, (plot, columns, _) in zip(parts, KINDS.values(), strict=True):
+            plot(part, part.subplots(1, columns), maps)
         file = io.BytesIO()
         unstamped: Any = {"png": {"Software": ""}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[form]
         drawn.savefig(file, format=form, metadata=unstamped)
@@ -182,6 +164,11 @@ def plot_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:
             words = outcome.replace("_", " ")
             one.scatter(*places.T, marker=mark, s=size, zorder=3, linewidths=1.2, label=words, **look)
     part.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=len(MARKS))
+
+
+KINDS: dict[str, tuple[Callable[..., None], int, float]] = {  # function, pitches in a row, [inch] of its height
+    "presence": (plot_presence, 3, 2.25), "network": (plot_network, 2, 2.5), "shots": (plot_shots, 2, 2.7),
+}  # fmt: skip
 
 
 def draw_pitch(axes: Any, pitch: dict[str, float], title: str) -> None:

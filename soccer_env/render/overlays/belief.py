@@ -29,9 +29,10 @@ def belief_overlays(cast: Cast, shot: Snapshot, row: int, thought: Thought, unit
     overlays = particle_ellipse(thought, unit)
     overlays.append(Polyline([true, thought.pose[:2]], WHITE, 1.4 * unit))
     overlays += trunk_outline(cast.league, thought.pose, WHITE, 2.6 * unit)
+    ring = (15.0 if cast.league.body.legs else 12.0) * unit  # [px]
     for player in thought.players:
         team = int(robot["team"]) if player.mate else 1 - int(robot["team"])
-        overlays.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring_radius(cast.league, unit), hollow=True))
+        overlays.append(Points([(player.x, player.y)], TEAMS_LIGHT[team], ring, hollow=True))
         if player.age >= JUST_SEEN:
             away = (13.0 * unit, -13.0 * unit)
             words = f"{player.age:.0f} s" if player.age >= WHOLE else f"{player.age:.1f} s"
@@ -47,11 +48,6 @@ def belief_overlays(cast: Cast, shot: Snapshot, row: int, thought: Thought, unit
 def letter_height(unit: float) -> float:
     """Return the height of letters [px], legible in small pictures too."""
     return max(15.0, 19.0 * unit)
-
-
-def ring_radius(league: League, unit: float) -> float:
-    """Return the radius of the ring around a believed player [px]."""
-    return (15.0 if league.body.legs else 12.0) * unit
 
 
 def particle_ellipse(thought: Thought, unit: float) -> list[Overlay]:

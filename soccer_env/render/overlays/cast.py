@@ -148,19 +148,9 @@ def cast_of_replay(replay: RecordedMatch, match: Match, reader: NoteReader | Non
         if name is not None:
             parts[row] = TeamPart(name, None if team is None else explanation_of(team), getattr(team, "settings", None))
     why = "this replay keeps no thoughts: soccer record does"
-    ranger = bool(match.league.body.legs)  # the legged robots, which have a head with a ranger in it
-    constants = constants_of(match.league)
-    return Cast(
-        match.league,
-        match.agents,
-        camera_of(sensors),
-        ranger,
-        parts,
-        reader,
-        constants,
-        why,
-        count_line_directions(sensors),
-    )
+    league, camera, directions = match.league, camera_of(sensors), count_line_directions(sensors)
+    ranger = bool(league.body.legs)  # the legged robots, which have a head with a ranger in it
+    return Cast(league, match.agents, camera, ranger, parts, reader, constants_of(league), why, directions)
 
 
 def count_line_directions(sensors: object) -> int:

@@ -35,8 +35,7 @@ class TextPanel:
         for at, line in enumerate(reversed(self.lines)):
             middle = canvas.height - (view.margin if self.above_bench else GAP) - (at + 0.5) * 1.15 * size
             wide = min(room, canvas.word_width(line, size)) + 2.0 * GAP
-            top, bottom = middle - 0.58 * size, middle + 0.58 * size
-            canvas.glass([(0.0, top), (wide, top), (wide, bottom), (0.0, bottom)], INK, SHADE)
+            canvas.pane(0.0, middle - 0.58 * size, wide, 1.16 * size, INK, SHADE)
             canvas.text(line, (GAP, middle), size, WHITE, "left", room)
 
 
@@ -53,8 +52,7 @@ class HelpPanel:
         wide = max(canvas.word_width(line, size) for line in self.lines) + 4.0 * GAP
         high = (1.2 * len(self.lines) + 0.6) * size
         left, top = (canvas.width - wide) / 2, (canvas.height - high) / 2
-        corners = [(left, top), (left + wide, top), (left + wide, top + high), (left, top + high)]
-        canvas.glass(corners, INK, 225)
+        canvas.pane(left, top, wide, high, INK, 225)
         for at, line in enumerate(self.lines):
             canvas.text(line, (left + 2.0 * GAP, top + (1.2 * at + 0.9) * size), size, WHITE, "left")
 
@@ -75,7 +73,7 @@ class CameraPicture:
         scale = wide / camera.width
         high = scale * camera.height
         left, top = self._corner(canvas, view, wide, high)
-        canvas.glass([(left, top), (left + wide, top), (left + wide, top + high), (left, top + high)], INK, SHADE)
+        canvas.pane(left, top, wide, high, INK, SHADE)
         robot = self.look.shot.robots[self.look.row]
         tints = thing_colours(int(robot["team"]), float(self.look.shot.match["home_direction"]))
         for name in ("landmarks", "own_goal", "opponent_goal", "teammates", "opponents", "ball"):
@@ -89,9 +87,7 @@ class CameraPicture:
         for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
             canvas.stroke(start, end, 1.2, DIM)
         tall = 0.8 * letter_height(self.look.unit)
-        canvas.glass(
-            [(left, top), (left + wide, top), (left + wide, top + 1.2 * tall), (left, top + 1.2 * tall)], INK, SHADE
-        )
+        canvas.pane(left, top, wide, 1.2 * tall, INK, SHADE)
         canvas.text(f"camera of {self.look.name}", (left + 3.0, top + 0.6 * tall), tall, WHITE, "left", wide - 6.0)
 
     def _corner(self, canvas: Canvas, view: View, wide: float, high: float) -> tuple[float, float]:

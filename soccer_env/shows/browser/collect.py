@@ -73,7 +73,7 @@ def page_tables(rows: list[np.ndarray], notes: Notes | None, fields: ForceFrames
     """Return the tables of places, thoughts and fields by name, packed as text."""
     tables = {"places": pack_table(np.stack(rows))}
     if notes is not None:
-        tables["thoughts"] = pack_table(flatten_notes(notes.numbers))
+        tables["thoughts"] = pack_table(notes.numbers.reshape(len(notes.numbers), -1))  # (T, R * C)
     if fields.any:
         tables["fields"] = fields.packed()
     return tables
@@ -83,11 +83,6 @@ def note_columns(notes: Notes) -> dict[str, Any]:
     """Return the control steps of the notes, and the meaning of the columns of their table."""
     about = {"steps": notes.steps.tolist(), "slots": notes.slots, "fields": notes.fields, "groups": notes.groups}
     return about | {"table": TABLE, "track": TRACK, "sees": SEES}
-
-
-def flatten_notes(numbers: np.ndarray) -> np.ndarray:
-    """Flatten notes (T, R, C) to a table (T, R * C)."""
-    return numbers.reshape(len(numbers), -1)
 
 
 def place_row(match: Match, robots: np.ndarray | None = None) -> np.ndarray:

@@ -117,7 +117,7 @@ class EventCollector:
         team, r = int(match.events["goal"][0]), int(match.events["scorer"][0])
         kinds = np.flatnonzero(match.statistics["goals"][0, team] > self._goals[team])
         kind = GoalKind(int(kinds[0])) if len(kinds) else GoalKind.SCRUM
-        side = self._side_in_words(team)
+        side = f"{TEAM_NAMES[team]} ({self._teams[team]})"
         if not 0 <= r < len(before):
             play, how = BallPlay(NOBODY, step, 0.0, 0.0, kicked=False), "nobody is known to have touched it"
             self._add_goal(match, step, NOBODY, f"a goal for {side}", kind, how, play)
@@ -160,10 +160,6 @@ class EventCollector:
         if kick is None or step - kick.step > KICK_COUNTS * self.rate or kick.step < touch.step - self.rate:
             return touch, "it touched the ball last, and no kick of the other team came before that"
         return kick, f"it kicked the ball {(step - kick.step) / self.rate:.1f} s before"
-
-    def _side_in_words(self, team: int) -> str:
-        """Return a side in words: the colour, and the name of its team."""
-        return f"{TEAM_NAMES[team]} ({self._teams[team]})"
 
     def _add_goal(self, match: Match, step: int, r: int, words: str, kind: GoalKind, how: str, play: BallPlay) -> None:
         """Add a goal to the events, with the details that the page shows."""

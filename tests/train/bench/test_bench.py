@@ -21,7 +21,7 @@ from soccer_env.train.bench.settings import BenchSettings
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bench_loads, "WARM_UP", 0.5)
-    monkeypatch.setattr(bench_faces, "WARM_UP", 0.5)
+    monkeypatch.setattr(worker, "WARM_UP", 0.5)
 
 
 @pytest.mark.parametrize("league", bench.LEAGUES)
@@ -120,7 +120,7 @@ def test_the_team_of_2006_is_timed_as_it_decides_and_plays() -> None:
     before = [squad.memory.copy() for squad in load.match.squads]
     assert load.match.robots.shape == (2, 10) and load.decide(2) > 0.0
     assert all((squad.memory == old).all() for squad, old in zip(load.match.squads, before, strict=True))
-    assert load.run(2) > 0.0
+    assert load.sample(2) > 0.0
 
 
 ROOT = Path(__file__).parents[3]
@@ -214,20 +214,17 @@ def test_each_checkout_runs_its_own_code_wherever_its_folders_stand(tmp_path: Pa
         assert started.rows == [str(other / name / "__init__.py") for name in ("soccer_env", "baselines", "train")]
 
 
-def test_a_checkout_has_its_own_interpreter_or_the_one_that_is_given(tmp_path: Path) -> None:
-    plain = checkout(tmp_path / "plain")
+def test_a_checkout_has_its_own_interpreter_or_the_present_one(tmp_path: Path) -> None:
     own = checkout(tmp_path / "own", ".venv/bin/python", ".venv/Scripts/python.exe")
-    assert against.interpreter_of(plain, BenchSettings(against=plain)) == sys.executable
-    assert against.interpreter_of(plain, BenchSettings(against=plain, python=Path("/python"))) == "/python"
-    found = against.interpreter_of(own, BenchSettings(against=own, python=Path("/python")))
-    assert found.startswith(str(own / ".venv"))
+    assert against.interpreter_of(checkout(tmp_path / "plain")) == sys.executable
+    assert against.interpreter_of(own).startswith(str(own / ".venv"))
 
 
 def test_what_is_no_checkout_is_refused(tmp_path: Path, soccer: Any) -> None:
     for words, complaint in (
         (["--against", str(tmp_path / "nowhere")], "against must be the folder of a checkout"),
         (["--against", str(tmp_path)], "is no checkout: it has no soccer_env/__init__.py"),
-        (["--python", "python3"], "give against as well"),
+        (["--rows", "chaser"], "give against as well"),
     ):
         assert complaint in soccer("bench", *words, code=2)
 

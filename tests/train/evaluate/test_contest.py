@@ -108,5 +108,5 @@ def test_a_batch_that_is_stopped_ends_at_once() -> None:
         steps.append(amount)
         stopped.set()
 
-    assert contest.play(played, [0], [1], "", 1, advance, stopped) == []
+    assert contest.play(played, [0], "", 1, advance, stopped) == []
     assert steps == [contest.REPORT_EVERY, 0]

@@ -87,6 +87,15 @@ def test_pairs_share_a_seed_and_swap_sides() -> None:
     assert found == [(n, seed, side) for n, seed in enumerate(seeds_for(5, 5).tolist()) for side in ("home", "away")]
 
 
+def test_a_team_against_itself_plays_no_match_twice() -> None:
+    """With sides swapped the second match of a pair would be the first one again."""
+    result = short(home="chaser", away="chaser", players=2)
+    assert [(line.seed, line.side) for line in result.lines] == [(seed, "home") for seed in seeds_for(5, 10).tolist()]
+    assert len({line.state for line in result.lines}) == 10
+    assert result.verdict == "no verdict on a team against itself: the goal difference is home less away"
+    assert {line.side for line in short(home="chaser", away="chaser", players="1v2").lines} == {"home", "away"}
+
+
 def test_goals_count_for_the_team_that_scored_them() -> None:
     """5 : 2 for the side called home is 5 : 2 for the first team in an even match and 2 : 5 in an odd one."""
     record = np.zeros(1, [("score", "i8", (2,)), ("step", "i8")])
@@ -95,7 +104,7 @@ def test_goals_count_for_the_team_that_scored_them() -> None:
         matches=record, seeds=[7], statistics=np.full(1, FRESH), state_hash=lambda m: "f",
         settings=SimpleNamespace(rows=(1, 1)),
     )  # fmt: skip
-    first, second = (module.line_of_match(match, 0, number, "s") for number in (8, 9))
+    first, second = (module.line_of_match(match, 0, number, side, "s") for number, side in ((8, "home"), (9, "away")))
     assert (first.side, first.goals_for, first.goals_against) == ("home", 5, 2)
     assert (second.side, second.goals_for, second.goals_against) == ("away", 2, 5)
 

@@ -83,6 +83,14 @@ def test_the_verdict(scores: list[tuple[int, int]], verdict: str) -> None:
     assert result_of(scores).verdict == verdict
 
 
+def test_home_less_away_of_a_team_against_itself_has_an_interval_and_no_verdict() -> None:
+    scores = [(3, 0), (1, 0), (0, 1), (2, 1)] * 5
+    result = summarise(replace(conditions(len(scores)), away="chaser"), MADE, lines(scores))
+    assert result.goal_difference.mean == 1.0 and result.goal_difference.low < 1.0 < result.goal_difference.high
+    assert verdict_sentence(result).startswith("There is no verdict on a team against itself")
+    assert "| matches | 20 | a seed each |" in markdown(result, ABOUT)
+
+
 def test_a_swapped_evaluation_is_the_negative() -> None:
     scores = [(3, 0), (1, 1), (0, 2), (2, 1)] * 5
     there, back = result_of(scores), result_of([(theirs, ours) for ours, theirs in scores])

@@ -25,11 +25,10 @@ from soccer_env.train.report import (
     draw_curves,
     draw_heat_table,
     draw_intervals,
-    pitch_maps,
 )
 from soccer_env.train.report.charts import Row
 from soccer_env.train.report.page import alignment
-from soccer_env.train.report.pitch_maps import LONGEST, Maps, cut_team_name, draw_network, draw_shots, spread_places
+from soccer_env.train.report.pitch_maps import LONGEST, Maps, cut_team_name, draw_map, spread_places
 from soccer_env.train.report.style import COLOURS, LINES, MARKERS, adapt_svg, shorten_svg_path
 from tests.render.chromium import Chromium, needs_chromium
 
@@ -217,9 +216,9 @@ PICTURES = {
     "bands": lambda form: draw_curves(curves(("a", "b"), 40), form=form),
     "bars": lambda form: draw_bars(NAME, "goals", "matches", [(NAME, [0, 1], [3, 4])], ("mean", 0.5, 0, 1), form=form),
     "intervals": lambda form: draw_intervals(NAME, [Row(NAME, "3 %", 3.0, 2.0, float("inf"), least=1.0)], form=form),
-    "presence": lambda form: pitch_maps.draw_presence(replace(MAPS, teams=(NAME, "b")), form=form),
-    "network": lambda form: draw_network(replace(MAPS, teams=(NAME, "b")), form=form),
-    "shots": lambda form: draw_shots(replace(MAPS, teams=(NAME, "b")), form=form),
+    "presence": lambda form: draw_map(replace(MAPS, teams=(NAME, "b")), "presence", form=form),
+    "network": lambda form: draw_map(replace(MAPS, teams=(NAME, "b")), "network", form=form),
+    "shots": lambda form: draw_map(replace(MAPS, teams=(NAME, "b")), "shots", form=form),
     "table": lambda form: draw_heat_table(NAME, [NAME, "b"], ["c"], [[None], [-1.0]], "x", "y", form=form),
 }
 

@@ -93,14 +93,9 @@ class PlaybackControls:
     """The state that keys control; `rate`: tape shots per second of play; `agents`: robots that keys select."""
 
     def __init__(
-        self,
-        tape: Tape,
-        rate: float,
-        speed: float,
-        flags: OverlayFlags | None = None,
-        agents: tuple[str, ...] = (),
+        self, tape: Tape, rate: float, speed: float, flags: OverlayFlags | None = None, agents: tuple[str, ...] = (),
         follow: str = "",
-    ) -> None:
+    ) -> None:  # fmt: skip
         if not 0.0 < speed <= FASTEST:
             raise ValueError(f"speed must be above 0 and at most {FASTEST:g}, got {speed}")
         self.tape, self.rate, self.speed = tape, rate, speed

@@ -8,7 +8,7 @@ replays/kept.json                         the list
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 
@@ -63,7 +63,8 @@ def keep_replays(
     between contests that share a folder. ValueError if a match ends in another state; OSError.
     """
     earlier_keep, listed = read_kept_list(folder)
-    others, earlier = split_replays(listed, lambda one: not Path(one.file).name.startswith(before))
+    earlier = [one for one in listed if Path(one.file).name.startswith(before)]
+    others = [one for one in listed if one not in earlier]
     keep = keep.joined_with(earlier_keep)
     if not keep.kinds_in_order:
         return []
@@ -73,7 +74,8 @@ def keep_replays(
     missing = [(kind, line) for kind, line in wanted if not any(is_replay_of(one, kind, line) for one in ready)]
     for one in earlier:
         if one not in ready:
-            remove_files(folder, one)
+            for name in filter(None, (one.file, one.page)):
+                (folder / name).unlink(missing_ok=True)
     kept = ready + play_missing_replays(contest, missing, folder, before)
     if keep.pages:
         kept = [add_page(folder, one) for one in kept]
@@ -111,14 +113,6 @@ def is_valid_entry(kept: Kept) -> bool:
 EXAMPLE = Kept("", "", 0, 0, 0, "", "", 0, 0, 0.0, 0.0, 0, "", "")
 
 
-def split_replays(kept: Iterable[Kept], test: Callable[[Kept], bool]) -> tuple[list[Kept], list[Kept]]:
-    """Divide replays into those that pass a test and all others."""
-    both: tuple[list[Kept], list[Kept]] = ([], [])
-    for one in kept:
-        both[0 if test(one) else 1].append(one)
-    return both
-
-
 def is_replay_of(kept: Kept, kind: str, line: MatchLine) -> bool:
     """Tell whether a replay is of this kind and shows the match of a result line, up to its final state."""
     return (kept.kind, kept.match, kept.state) == (kind, line.match, line.state)
@@ -128,13 +122,6 @@ def is_complete(folder: Path, kept: Kept) -> bool:
     """Tell whether the file of a replay exists with its full size."""
     path = folder / kept.file
     return path.is_file() and path.stat().st_size == kept.bytes
-
-
-def remove_files(folder: Path, kept: Kept) -> None:
-    """Remove the replay's files from the folder."""
-    for name in (kept.file, kept.page):
-        if name:
-            (folder / name).unlink(missing_ok=True)
 
 
 def play_missing_replays(
@@ -231,7 +218,8 @@ def add_replays(page: ReportPage, kept: Sequence[Kept]) -> None:
     if not kept:
         return
     page.section("Replays")
-    page.links(HEAD, [(row_of(one), links_of(one)) for one in kept])
+    links = [[*([("watch", one.page)] if one.page else []), ("file", one.file)] for one in kept]
+    page.links(HEAD, zip(map(row_of, kept), links, strict=True))
     page.say(f"{summary(kept)} {VERIFIED}")
 
 
@@ -241,11 +229,6 @@ def row_of(kept: Kept) -> list[str]:
     minutes, seconds = divmod(round(kept.start), 60)
     times = [f"{minutes}:{seconds:02d}", f"{kept.seconds:.0f} s", f"{kept.rate / 1e3:.0f} kB"]
     return [what, f"{kept.match}", score, f"{kept.home}, {kept.away}", *times]
-
-
-def links_of(kept: Kept) -> list[tuple[str, str]]:
-    """Return the links to a replay's files."""
-    return [("watch", kept.page), ("file", kept.file)] if kept.page else [("file", kept.file)]
 
 
 def summary(kept: Sequence[Kept]) -> str:

@@ -6,5 +6,5 @@ rules.py      a sheet of the rules of a league, each staged and drawn in one fra
 rules_legged.py  the situations of the legged league
 rules_middle_size.py  the situations of the middle size
 legend.py     the strip of words under a picture
-settings.py   settings of the pictures, and the moments of the gallery
+settings.py   sizes of the pictures, and the moments of the gallery
 """

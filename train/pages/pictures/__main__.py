@@ -4,7 +4,6 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-import tyro
 
 from soccer_env import Match
 from soccer_env.render import Picture, contact_sheet, save_png
@@ -16,19 +15,18 @@ from soccer_env.train.pages.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pages.pictures.belief import belief_picture
 from soccer_env.train.pages.pictures.frames import frames_picture
 from soccer_env.train.pages.pictures.rules import rules_sheet, ruling_frame
-from soccer_env.train.pages.pictures.settings import MOMENTS, WIDTH, PictureSettings
+from soccer_env.train.pages.pictures.settings import FOLDER, MOMENTS, RULING_WIDTH, WIDTH
 
 
-def make_pictures(settings: PictureSettings) -> None:
-    """Write belief.png, frames.png, the sheets of rules and the recorded moments into the folder."""
-    settings.out.mkdir(parents=True, exist_ok=True)
-    save_png(belief_picture(settings), settings.out / "belief.png")
-    save_png(frames_picture(settings), settings.out / "frames.png")
-    save_png(rules_sheet(rules_legged.RULINGS, settings.ruling_width), settings.out / "rules-legged.png")
-    save_png(rules_sheet(rules_middle_size.RULINGS, settings.ruling_width), settings.out / "rules-middle-size.png")
-    save_png(ruling_frame(rules_legged.RULINGS[0], WIDTH), settings.out / "ruling.png")
-    save_png(many_matches(), settings.out / "many.png")
-    write_moments(settings.out)
+def make_pictures(out: Path = FOLDER) -> None:
+    """Write belief.png, frames.png, the sheets of rules and the recorded moments into a folder."""
+    save_png(belief_picture(), out / "belief.png")
+    save_png(frames_picture(), out / "frames.png")
+    save_png(rules_sheet(rules_legged.RULINGS, RULING_WIDTH), out / "rules-legged.png")
+    save_png(rules_sheet(rules_middle_size.RULINGS, RULING_WIDTH), out / "rules-middle-size.png")
+    save_png(ruling_frame(rules_legged.RULINGS[0], WIDTH), out / "ruling.png")
+    save_png(many_matches(), out / "many.png")
+    write_moments(out)
 
 
 def many_matches() -> np.ndarray:
@@ -51,4 +49,4 @@ def write_moments(out: Path) -> None:
 
 
 if __name__ == "__main__":
-    make_pictures(tyro.cli(PictureSettings))
+    make_pictures()

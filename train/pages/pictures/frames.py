@@ -8,7 +8,7 @@ from soccer_env.match import Match, staging
 from soccer_env.render import Arrows, Label, Overlay, Picture, Polyline
 from soccer_env.render.colours import BALL_SHINE, KEEPER, TEAMS_LIGHT, WHITE, Colour
 from soccer_env.train.pages.pictures.legend import Entry, add_legend
-from soccer_env.train.pages.pictures.settings import PictureSettings
+from soccer_env.train.pages.pictures.settings import STILL_WIDTH
 from soccer_env.types import Phase
 
 ROBOT = (-0.70, -0.60, 0.45)  # [m, m, rad] pose of red 0 in the field frame
@@ -18,30 +18,26 @@ AXIS = 0.42  # [m] length of the arrows
 LETTERS = 24.0  # [px] in a picture of 1000 px
 
 ENTRIES = (
-    Entry("axes", WHITE, "field frame, origin at the centre spot: in the first half also home's team frame"),
-    Entry("axes", TEAMS_LIGHT[1], "away's team frame in the first half: half a turn, so its own goal lies at -x too"),
-    Entry("axes", KEEPER, "robot frame: x forward, y left; heading is its angle in the field frame"),
-    Entry("polar", BALL_SHINE, "bearing and distance: where a thing lies in the robot frame"),
+    Entry(WHITE, "field frame, origin at the centre spot: in the first half also home's team frame"),
+    Entry(TEAMS_LIGHT[1], "away's team frame in the first half: half a turn, so its own goal lies at -x too"),
+    Entry(KEEPER, "robot frame: x forward, y left; heading is its angle in the field frame"),
+    Entry(BALL_SHINE, "bearing and distance: where a thing lies in the robot frame"),
 )
 
 
-def frames_picture(settings: PictureSettings) -> np.ndarray:
+def frames_picture(width: int = STILL_WIDTH) -> np.ndarray:
     """Return the drawing of the frames, (H, W, 3) uint8."""
-    match = Match(settings.league, home=1, away=1, seed=0)
+    match = Match(home=1, away=1, seed=0)
     staging.set_phase(match, Phase.PLAY)
     for row, pose in enumerate((ROBOT, OTHER)):
         staging.put(match, row, *pose)
     staging.put_ball(match, *BALL)
-    size = settings.still_width / 1000.0
-    overlays = [*axes_of_pitch(size), *axes_of_robot(size), *distance_and_bearing(size)]
-    picture = Picture(match.league, settings.still_width)
+    size = width / 1000.0
+    overlays = [*axes(0.0, 0.0, 0.0, WHITE, size), *axes(0.0, 0.0, pi, TEAMS_LIGHT[1], size)]  # of the field, of away
+    overlays += [*axes_of_robot(size), *distance_and_bearing(size)]
+    picture = Picture(match.league, width)
     frame = picture.draw(match.matches[0], match.balls[0], match.robots[0], title=("home", "away"), overlays=overlays)
     return add_legend(frame, ENTRIES, columns=1)
-
-
-def axes_of_pitch(size: float) -> list[Overlay]:
-    """Return the drawn axes of the field frame and of the away team's frame, both at the centre spot."""
-    return [*axes(0.0, 0.0, 0.0, WHITE, size), *axes(0.0, 0.0, pi, TEAMS_LIGHT[1], size)]
 
 
 def axes_of_robot(size: float) -> list[Overlay]:

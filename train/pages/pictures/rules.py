@@ -34,16 +34,10 @@ class Ruling(NamedTuple):
 
 
 def stage_rule(
-    league: League,
-    places: Sequence[Pose],
-    ball: tuple[float, ...],
-    robots: Mapping[int, Pose],
-    ahead: Mapping[int, float],
-    running: bool = False,
-    rules: str = "league",
-    red_2: Mapping[str, float] | None = None,
-    **records: float,
-) -> Staged:
+    league: League, places: Sequence[Pose], ball: tuple[float, ...], robots: Mapping[int, Pose],
+    ahead: Mapping[int, float], running: bool = False, rules: str = "league",
+    red_2: Mapping[str, float] | None = None, **records: float,
+) -> Staged:  # fmt: skip
     """Return a match in play, half of its robots in each team, and the actions to step it with.
 
     `ball`: place [m, m] and, if it rolls, velocity [m/s, m/s]; `robots`: pose by row, the others at their `places`;

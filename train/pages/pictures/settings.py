@@ -1,34 +1,11 @@
-"""The settings of the pictures, and the moments of the gallery."""
+"""The sizes of the pictures, and the moments of the gallery."""
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
 FOLDER = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
-
-
-@dataclass(frozen=True)
-class PictureSettings:
-    """Redraw the pictures of the pages: the belief of a robot, the frames, the rules, and recorded moments."""
-
-    out: Path = FOLDER
-    """Folder to write belief.png, frames.png, the sheets of rules and the recorded moments into."""
-    league: str = "legged-2001"
-    """League of all pictures."""
-    home: str = "chaser"
-    """Home team in the picture of a robot's belief."""
-    away: str = "sacks-2001"
-    """Away team in the picture of a robot's belief."""
-    belief_seed: int = 4
-    """Seed of the match in the picture of a robot's belief."""
-    belief_time: float = 28.0
-    """Time of play at which the belief is drawn [s]."""
-    belief_robot: int = 2
-    """Row of the robot whose belief is drawn."""
-    ruling_width: int = 360
-    """Width of one rule's frame in the sheets of rules [pixels]."""
-    still_width: int = 1280
-    """Width of the pictures that are not films [pixels]."""
+STILL_WIDTH = 1280  # [px] of the pictures that are not films
+RULING_WIDTH = 360  # [px] of one rule's frame in the sheets of rules
 
 
 class Moment(NamedTuple):

@@ -40,21 +40,17 @@ def measure_drills() -> dict[str, Any]:
 def drills_table(table: dict[str, Any]) -> str:
     """Return the shares of success [%] in Markdown: a table per league, with a row per drill and a column per team."""
     rows = table["rows"]
-    parts = [
-        crosstable(
-            f"{league} [%]",
-            {(f"`{row['drill']}`", f"`{row['team']}`"): success_share(row) for row in rows if row["league"] == league},
-        )
-        for league in dict.fromkeys(row["league"] for row in rows)
-    ]
+    parts = []
+    for league in dict.fromkeys(row["league"] for row in rows):
+        shares = {
+            (f"`{row['drill']}`", f"`{row['team']}`"): f"{100 * row['successes'] / row['runs']:.0f}"
+            for row in rows
+            if row["league"] == league
+        }
+        parts.append(crosstable(f"{league} [%]", shares))
     widest = max(half_width(row) for row in rows)
     runs = f"{rows[0]['runs']} runs each by sensors, seed {table['seed']}"
     return "\n\n".join([*parts, f"{runs}; 95 % intervals (Wilson) are at most {widest:.0f} points to either side."])
-
-
-def success_share(row: dict[str, Any]) -> str:
-    """Return the share of successful runs of a team in a drill [%]."""
-    return f"{100 * row['successes'] / row['runs']:.0f}"
 
 
 def half_width(row: dict[str, Any]) -> float:

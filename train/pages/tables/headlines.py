@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from soccer_env.train.pages.tables.paper_page import verdict_counts
 from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
-from soccer_env.train.pages.tables.teams import PLAYERS
+from soccer_env.train.pages.tables.teams import PLAYERS, goals_of
 from soccer_env.types import WORLD
 
 MATCHES = (  # table, home, away, minutes of a match, words of the row
@@ -32,10 +32,11 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
     """Yield the rows of the headlines whose measurements are in `data`, the contents of tables.json."""
     for table, home, away, minutes, words in MATCHES:
         for row in data.get(table, {"rows": []})["rows"]:
-            played = (row["home"], row["away"], row["minutes"], row["senses"], row.get("players", PLAYERS))
+            played = (row["home"], row["away"], row["minutes"], row["senses"], row["players"])
             by = row["league"], row.get("rules", RULES)
             if played == (home, away, minutes, "sensors", PLAYERS) and by == (LEAGUE, RULES):
-                yield Headline(f"{words}, 3 v 3, {minutes:g} minutes", goals(row), row["command"])
+                value = f"{goals_of(row)} goals a match, {100 * row['points']['mean']:.0f} % of points"
+                yield Headline(f"{words}, 3 v 3, {minutes:g} minutes", value, row["command"])
     speeds = {row["name"]: row["text"] for row in data.get("speed", {"rows": []})["rows"]}
     for name, words in SPEEDS:
         if name in speeds:
@@ -47,15 +48,6 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
     )
 
 
-def goals(row: dict[str, Any]) -> str:
-    """Return the goal difference of an evaluation, with its interval, and its share of points, in words."""
-    difference, points = row["goal_difference"], row["points"]
-    return (
-        f"{difference['mean']:+.2f} goals a match ({difference['low']:+.2f} to {difference['high']:+.2f}), "
-        f"{100 * points['mean']:.0f} % of points"
-    )
-
-
 def headlines_table(data: dict[str, Any]) -> str:
     """Return the headlines in Markdown, their commands numbered below."""
     rows = list(headlines(data))
@@ -63,10 +55,6 @@ def headlines_table(data: dict[str, Any]) -> str:
     lines = ["| what | measured (95 % interval) | command |", "|---|---|---|"]
     lines += [f"| {row.words} | {row.value} | {commands.index(row.command) + 1} |" for row in rows]
     numbered = [f"{command}  # {number}" for number, command in enumerate(commands, 1)]
-    return "\n".join([*lines, "", *older_world_note(data), "```bash", *numbered, "```"])
-
-
-def older_world_note(data: dict[str, Any]) -> list[str]:
-    """Return lines that say in which older world the matches were measured; none for the present world."""
     worlds = {data[table]["about"].get("world", "1") for table, *_ in MATCHES if table in data} - {str(WORLD)}
-    return [f"Matches of world {', '.join(sorted(worlds))}: the present world is {WORLD}.", ""] if worlds else []
+    older = [f"Matches of world {', '.join(sorted(worlds))}: the present world is {WORLD}.", ""] if worlds else []
+    return "\n".join([*lines, "", *older, "```bash", *numbered, "```"])

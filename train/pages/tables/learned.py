@@ -47,13 +47,13 @@ def learned_row(
     return replace(settings, rules=rules)
 
 
-def measure_learned(evaluations: Iterable[EvaluateSettings]) -> list[dict[str, Any]]:
+def measure_learned(evaluations: Iterable[EvaluateSettings]) -> dict[str, Any]:
     """Play evaluations and return their rows, with the rules, the whistles and the number of clean goals."""
     rows = []
     for settings in evaluations:
         result = evaluate(settings)
         rows.append(row_of(settings, result) | whistles_and_goals(result.statistics) | {"rules": settings.rules})
-    return rows
+    return {"rows": rows}
 
 
 def whistles_and_goals(statistics: Mapping[str, Any]) -> dict[str, Any]:
@@ -70,7 +70,10 @@ def learned_table(table: dict[str, Any]) -> str:
     """Return the table of the learned team in Markdown: a row for each kind of match, a column for each opponent."""
     rows = [row for row in table["rows"] if row["away"] not in LADDER]
     cells = {(match_kind(row), f"`{row['away']}`"): goals_of(row) for row in rows}
-    cells |= {(match_kind(row), WHISTLED): whistles_of(row) for row in rows if row["away"] == "chaser"}
+    for row in rows:
+        if row["away"] == "chaser":
+            whistles = " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
+            cells[match_kind(row), WHISTLED] = whistles
     ladder = [f"`{row['away']}` {goals_of(row)}" for row in table["rows"] if row["away"] in LADDER]
     weaker = [f"Against weaker teams at 3v3: {', '.join(ladder)}."] if ladder else []
     shown = f"Goal difference a match in {MATCHES} matches a cell, of {MINUTES:g} minutes unless a row says otherwise."
@@ -86,11 +89,6 @@ def match_kind(row: dict[str, Any]) -> str:
     unusual += [f"rules {row['rules']}"] * (row["rules"] != "league")
     unusual += [f"`{row['league']}`"] * (row["league"] != LEAGUE)
     return ", ".join([sizes, *unusual])
-
-
-def whistles_of(row: dict[str, Any]) -> str:
-    """Return the whistles a match against the learned team and against its opponent."""
-    return " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
 
 
 # The reference run: the speed of training, and the time of its stages

@@ -1,6 +1,6 @@
 """The tables of the pages: measured by commands, stored as JSON beside this file, written between markers.
 
-PAGES gives the page of each table; the headlines of the main README are taken from the other tables.
+TABLES has all tables; the headlines of the main README are taken from the other tables.
 
     python -m soccer_env.train.pages.tables [NAME]     measure all tables, or one, and write file and pages
     python -m soccer_env.train.pages.tables write      write the pages again from the file, without measuring
@@ -19,7 +19,7 @@ import sys
 from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.bench.benchmark import run_benchmark as run_bench
@@ -53,18 +53,6 @@ from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]
-PAGES = {  # the page that shows a table, seen from the checkout's root
-    "headlines": "README.md",
-    "sensors": "soccer_env/perception/README.md",
-    "scripted": "baselines/README.md",
-    "sacks": "baselines/README.md",
-    "heinemann": "baselines/README.md",
-    "drills": "baselines/README.md",
-    "learned": "agents/policies/README.md",
-    "training": "train/MEASURED.md",
-    "speed": "train/MEASURED.md",
-    "plausibility": "train/MEASURED.md",
-}
 PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
 LIBRARIES = ("pymunk", "numba", "numpy")
 SAME = (*LIBRARIES, "machine", "world")  # facts with which the same match ends in the same state
@@ -78,35 +66,10 @@ def measure_sensors() -> dict[str, Any]:
     return {"command": command_of(settings), "n": result.n, "note": result.note}
 
 
-def measure_speed(quick: bool = False) -> dict[str, Any]:
+def measure_speed() -> dict[str, Any]:
     """Measure the speed."""
-    bench = run_bench(BenchSettings(quick=quick))
-    command = "soccer bench --quick" if quick else "soccer bench"
-    return {"about": about(), "command": command, "machine": bench["machine"], "rows": bench["rows"]}
-
-
-MEASURE: dict[str, Callable[[], dict[str, Any]]] = {
-    "sensors": lambda: {"about": about(), **measure_sensors()},
-    "scripted": lambda: {"about": about(), "rows": measure_rows(scripted_rows())},
-    "sacks": lambda: {"about": about(), "rows": measure_rows(sacks_rows())},
-    "heinemann": lambda: {"about": about(), "rows": measure_rows(heinemann_rows())},
-    "drills": lambda: {"about": about(), **measure_drills()},
-    "learned": lambda: {"about": about(), "rows": measure_learned(learned_rows())},
-    "training": lambda: {"about": about(), **measure_training()},
-    "speed": measure_speed,
-    "plausibility": lambda: {"about": about(), **measure_plausibility()},
-}
-SHOW: dict[str, Callable[[dict[str, Any]], str]] = {  # a measured table in Markdown
-    "sensors": lambda table: add_footer(sensors_table(table), table),
-    "scripted": lambda table: add_footer(scripted_table(table), table),
-    "sacks": lambda table: add_footer(sacks_table(table), table),
-    "heinemann": lambda table: add_footer(heinemann_table(table), table),
-    "drills": lambda table: add_footer(drills_table(table), table),
-    "learned": lambda table: add_footer(learned_table(table), table),
-    "training": lambda table: add_footer(training_table(table), table),
-    "speed": lambda table: speed_table(table),
-    "plausibility": lambda table: add_footer(plausibility_table(table), table),
-}
+    bench = run_bench(BenchSettings())
+    return {"command": "soccer bench", "machine": bench["machine"], "rows": bench["rows"]}
 
 
 def about() -> dict[str, str]:
@@ -136,7 +99,29 @@ def speed_table(table: dict[str, Any]) -> str:
         lines.append(f"| {row['name']} | {row['text']}{missed} | {row['target']} |")
     host = table["machine"]
     where = f"{host['processor']}, {host['cores']} cores, load before {host['load before']}, Python {host['python']}"
-    return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}.", footer(table["about"])])
+    return "\n".join([*lines, "", f"Command: `{table['command']}`. {where}."])
+
+
+class PageTable(NamedTuple):
+    """A table: the page that shows it, seen from the checkout's root, and the functions that measure and show it."""
+
+    page: str
+    measure: Callable[[], dict[str, Any]]  # without `about`
+    show: Callable[[dict[str, Any]], str]  # in Markdown, without footer
+
+
+TABLES = {
+    "sensors": PageTable("soccer_env/perception/README.md", measure_sensors, sensors_table),
+    "scripted": PageTable("baselines/README.md", lambda: measure_rows(scripted_rows()), scripted_table),
+    "sacks": PageTable("baselines/README.md", lambda: measure_rows(sacks_rows()), sacks_table),
+    "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
+    "drills": PageTable("baselines/README.md", measure_drills, drills_table),
+    "learned": PageTable("agents/policies/README.md", lambda: measure_learned(learned_rows()), learned_table),
+    "training": PageTable("train/MEASURED.md", measure_training, training_table),
+    "speed": PageTable("train/MEASURED.md", measure_speed, speed_table),
+    "plausibility": PageTable("train/MEASURED.md", measure_plausibility, plausibility_table),
+}
+PAGES = {"headlines": "README.md"} | {name: table.page for name, table in TABLES.items()}
 
 
 def add_footer(text: str, table: dict[str, Any]) -> str:
@@ -161,7 +146,7 @@ def fill_page_tables(text: str, page: str, data: dict[str, Any]) -> str:
         if name == "headlines":
             text = replace_between_markers(text, name, headlines_table(data))
         elif name in data:
-            text = replace_between_markers(text, name, SHOW[name](data[name]))
+            text = replace_between_markers(text, name, add_footer(TABLES[name].show(data[name]), data[name]))
     return text
 
 
@@ -230,9 +215,9 @@ def write_pages(data: dict[str, Any]) -> None:
 
 def main(arguments: list[str]) -> int:
     """Measure and write the tables, or check them; return the exit code."""
-    names = [name for name in arguments if name in MEASURE]
+    names = [name for name in arguments if name in TABLES]
     if arguments not in (names, ["write"], ["states"], ["--check"], ["--check", "--quick"]):
-        choices = f"[{'|'.join(MEASURE)}|write|states] [--check [--quick]]"
+        choices = f"[{'|'.join(TABLES)}|write|states] [--check [--quick]]"
         print(f"usage: python -m soccer_env.train.pages.tables {choices}", file=sys.stderr)
         return 2
     if arguments == ["write"]:
@@ -240,7 +225,7 @@ def main(arguments: list[str]) -> int:
         return 0
     if arguments == names:
         data = read_measurements() if names else {}
-        data |= {name: MEASURE[name]() for name in names or MEASURE}
+        data |= {name: {"about": about(), **TABLES[name].measure()} for name in names or TABLES}
         write_atomically(DATA, json.dumps(data, indent=1) + "\n")
         write_pages(data)
         return 0

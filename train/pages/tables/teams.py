@@ -6,7 +6,6 @@ from threading import Event
 from typing import Any
 
 from soccer_env.leagues import find_league
-from soccer_env.random_numbers import seeds_for
 from soccer_env.train.evaluate.contest import contest_of, play
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.results import EvaluationResult
@@ -72,9 +71,9 @@ def row_settings(
     )  # fmt: skip
 
 
-def measure_rows(evaluations: Iterator[EvaluateSettings]) -> list[dict[str, Any]]:
+def measure_rows(evaluations: Iterator[EvaluateSettings]) -> dict[str, Any]:
     """Play evaluations and return their rows."""
-    return [row_of(settings, evaluate(settings)) for settings in evaluations]
+    return {"rows": [row_of(settings, evaluate(settings)) for settings in evaluations]}
 
 
 def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, Any]:
@@ -104,17 +103,14 @@ def replay_row(row: dict[str, Any]) -> list[str]:
 
 def first_pair(row: dict[str, Any]) -> list[list[Any]]:
     """Play the first pair of a row again; return goals for, goals against and the final state of both matches."""
-    home, minutes = row.get("home", "chaser"), row.get("asked_minutes")
-    players = row.get("players", PLAYERS)
-    seed = row.get("seed", SEED)
-    settings = row_settings(row["league"], home, row["away"], row["senses"], row["matches"], minutes, players, seed)
+    names = ("league", "home", "away", "senses", "matches", "asked_minutes", "players", "seed")
+    settings = row_settings(*(row[name] for name in names))
     settings = replace(settings, rules=row.get("rules", settings.rules))
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
-    seeds = seeds_for(settings.seed, 1).tolist()
     results = []
     for number in (0, 1):
-        (line,) = play(contest, [number], seeds, "", 1, lambda steps: None, Event())
+        (line,) = play(contest, [number], "", 1, lambda steps: None, Event())
         results.append([line.goals_for, line.goals_against, line.state])
     return results
 
@@ -136,24 +132,24 @@ def result_of(row: dict[str, Any]) -> str:
 
 def sacks_table(table: dict[str, Any]) -> str:
     """Return the table of sacks-2001 in Markdown."""
-    rows = [row | {"team": f"`{row['home']}`"} for row in table["rows"]]
-    return table_with_command({"team": "team", "against": "away", "matches": "matches"}, rows)
+    return table_with_command({"team": "team", "against": "away", "matches": "matches"}, table["rows"])
 
 
 def heinemann_table(table: dict[str, Any]) -> str:
     """Return the table of the teams of 2006 in Markdown."""
     names = {"team": "team", "against": "away", "players": "sizes", "matches": "matches", PASSES: "passed"}
-    return table_with_command(names, [row | heinemann_words(row) for row in table["rows"]])
-
-
-def heinemann_words(row: dict[str, Any]) -> dict[str, str]:
-    """Return the cells of a row of the teams of 2006: the team, the sizes, and completed passes a minute."""
-    passed = " : ".join(f"{passes:.2f}" for passes in row["passes"]) if "passes" in row else "-"
-    return {"team": f"`{row['home']}`", "sizes": f"{row['players']}v{row['players']}", "passed": passed}
+    passed = [" : ".join(f"{passes:.2f}" for passes in row["passes"]) for row in table["rows"]]
+    sizes = [f"{row['players']}v{row['players']}" for row in table["rows"]]
+    rows = [row | {"sizes": size, "passed": both} for row, size, both in zip(table["rows"], sizes, passed, strict=True)]
+    return table_with_command(names, rows)
 
 
 def table_with_command(names: dict[str, str], rows: list[dict[str, Any]]) -> str:
-    """Return evaluations as a table in Markdown: the columns `names` (title: key), then MEASURED, and one command."""
+    """Return evaluations as a table in Markdown: the columns `names` (title: key), then MEASURED, and one command.
+
+    The key "team" stands for the home team.
+    """
+    rows = [row | {"team": f"`{row['home']}`"} for row in rows]
     head = [*names, *MEASURED]
     lines = [f"| {' | '.join(head)} |", "|" + "---|" * len(head)]
     lines += [f"| {' | '.join(str(row[name]) for name in names.values())} | {measured_cells(row)} |" for row in rows]
