@@ -243,14 +243,24 @@ def actions() -> Iterator[Table]:
 
 
 def rewards() -> Iterator[Table]:
-    """Yield the table of reward terms, with their weights in each preset."""
-    from soccer_env.rewards import PRESETS, TERMS
+    """Yield the tables of reward terms: their weights in each preset, and earnings a minute by formula."""
+    from soccer_env.rewards import KINDS_OF_PLAYERS, PRESETS, TERMS, earnings
 
     rows = [(x.name, x.kind, x.text, *(f"{getattr(y, x.name):g}" for y in PRESETS.values())) for x in TERMS]
     yield Table("Reward terms and their weights", ("term", "kind", "meaning", *PRESETS), rows)
     shaping = "discount of the potentials; a learner with this discount keeps its best policies"
     gammas = [("gamma", shaping, *(f"{y.gamma:g}" for y in PRESETS.values()))]
     yield Table("Discount of one action", ("name", "meaning", *PRESETS), gammas)
+    title = (
+        "Earnings of a robot a minute, by formula: it stands; walks straight ahead at top speed; or walks so and wins, "
+        "by one goal of its own in five minutes (assumed). The discounted sum of a potential depends on the start "
+        "alone, so it is left out"
+    )
+    columns = ("term", *(f"{name}: {player}" for name in PRESETS for player in KINDS_OF_PLAYERS))
+    paid = {(name, player): earnings(y, player) for name, y in PRESETS.items() for player in KINDS_OF_PLAYERS}
+    names = [x.name for x in TERMS if x.kind != "potential"]
+    rows = [(name, *(f"{sums[name] + 0.0:g}" for sums in paid.values())) for name in names]
+    yield Table(title, columns, [*rows, ("sum", *(f"{sum(sums.values()):g}" for sums in paid.values()))])
 
 
 def statistics() -> Iterator[Table]:
