@@ -3,14 +3,15 @@
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
     layers, kind and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
-    layer's inputs in front | with attention its shape | signs of a mirror | normalised: limit, means, deviations
-    | with attention Q, W, b of both kinds | weights and biases
+    layer's inputs in front | with attention its shape | places of the inputs in an observation | signs of a mirror
+    | normalised: limit, means, deviations | with attention Q, W, b of both kinds | weights and biases
 
 An action depends bit for bit on its own observation alone, and not on other rows.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import tanh
 from typing import TYPE_CHECKING
 
@@ -33,8 +34,11 @@ NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("atten
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
 
-def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
-    """Return the network of a policy as numbers (n,) float64; `at_once`: decide in an episode's first step."""
+def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | None = None) -> np.ndarray:
+    """Return the network of a policy as numbers (n,) float64; `at_once`: decide in an episode's first step.
+
+    columns: the place of each input in an observation; None: the policy's inputs are the observation.
+    """
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
     output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
@@ -44,7 +48,8 @@ def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
         head += shape_numbers(layout_of(policy.entries), len(policy.attention[1]))
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
     turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
-    parts = [np.array(head, np.float64), signs, turned, scaled]
+    places = np.arange(len(policy.inputs)) if columns is None else np.array(columns)
+    parts = [np.array(head, np.float64), places.astype(np.float64), signs, turned, scaled]
     parts += flatten_tensors(policy.attention)
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
@@ -55,15 +60,17 @@ def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
 def act(numbers, row, action, scratch):
     """Write the action (a,) for one observation (n,), in [-1, 1]; scratch (3, widest) is working space.
 
+    Entries of the observation that the network does not read have no effect.
     With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = input_size(numbers), int(numbers[SIZES + layers])
-    signs = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
+    places = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
+    signs = places + inputs
     scale = signs + inputs + outputs
     start = scale + (1 + 2 * inputs if numbers[NORMALISED] != 0.0 else 0)
     for i in range(inputs):
-        scratch[2, i] = row[i]
+        scratch[2, i] = row[int(numbers[places + i])]
     normalise(numbers, scale, inputs, scratch)
     forward(numbers, layers, start, scratch)
     if numbers[OUTPUT] == CHOSEN:
@@ -73,7 +80,7 @@ def act(numbers, row, action, scratch):
         action[i] = scratch[0, i]
     if numbers[MIRROR] != 0.0:
         for i in range(inputs):
-            scratch[2, i] = numbers[signs + i] * row[i]
+            scratch[2, i] = numbers[signs + i] * row[int(numbers[places + i])]
         normalise(numbers, scale, inputs, scratch)
         forward(numbers, layers, start, scratch)
         for i in range(outputs):
@@ -128,7 +135,7 @@ def forward(numbers, layers, start, scratch):
 
 @compiled
 def input_size(numbers):
-    """Return the number of entries of an observation of this network."""
+    """Return the number of entries of an observation that this network reads."""
     if numbers[NETWORK] >= ATTENTION:
         return observation_size(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES])

@@ -58,7 +58,7 @@ class Policy:
     family: str  # of that league: it plays every league of the family with the same layout and control rate
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
-    inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
+    inputs: tuple[str, ...]  # names of the entries that it reads, in order; an observation may have more
     actions: str  # "box" (4 numbers), "full" (7) or "discrete" (a value for each action)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
     kind: str  # architecture: "slots" (a plain MLP over the flat observation) or "attention" (over other players)
@@ -126,7 +126,7 @@ class Policy:
         tell_of_rules(self.name, self.rules, league.rules)
 
     def check_plays(self, league: League) -> None:
-        """Raise ValueError unless family, control rate and observation layout of a league agree with the policy.
+        """Raise ValueError unless family and control rate of a league agree, and it has every entry that is read.
 
         Name and numbers of the league do not matter: a policy may play variants.
         """
@@ -139,17 +139,17 @@ class Policy:
                     f"policy {self.name!r} was trained in {self.league!r} of {what} {own}, "
                     f"{league.name!r} is of {what} {other}"
                 )
-        names = entry_names(league, self.observe)
-        if list(self.inputs) == names:
-            return
-        pairs = zip(self.inputs, names)
-        differs = next((i for i, (own, other) in enumerate(pairs) if own != other), min(len(self.inputs), len(names)))
-        own, other = (repr(row[differs]) if differs < len(row) else "none" for row in (self.inputs, names))
-        raise ValueError(
-            f"policy {self.name!r} takes {len(self.inputs)} inputs of {self.observe!r}, "
-            f"{league.name!r} has {len(names)}; "
-            f"the first that differs is input {differs}: {own} in the policy, {other} in the league"
-        )
+        self.columns(league)
+
+    def columns(self, league: League) -> list[int]:
+        """Return the place of each input in a league's observation; ValueError names a missing entry."""
+        places = {name: place for place, name in enumerate(entry_names(league, self.observe))}
+        for name in self.inputs:
+            if name not in places:
+                raise ValueError(
+                    f"policy {self.name!r} reads the entry {name!r}, which {self.observe!r} of {league.name!r} lacks"
+                )
+        return [places[name] for name in self.inputs]
 
 
 def training_fields(league: League) -> dict[str, Any]:

@@ -208,10 +208,10 @@ class MatchBatch:
             self.senses.observe_percepts(out, rows, first, last)
         elif observe == "belief":
             rows = rows[self.believing[rows]]
-            half_length = self.settings.half_length
             observe_belief_slice(
-                self.beliefs, self.tracks, self.robots, out, self.constants, half_length, rows, first, last
-            )
+                self.beliefs, self.tracks, self.matches, self.robots, out, self.constants,
+                self.settings.half_length, rows, first, last,
+            )  # fmt: skip
 
     @property
     def believing(self) -> np.ndarray:

@@ -280,7 +280,9 @@ class Match(Views, Branching):
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
         self.final = truth_state.FinalRecords(
-            self.settings, {name: index_arrays(getattr(self, name), self.ended) for name in FINAL}
+            self.settings,
+            {name: index_arrays(getattr(self, name), self.ended) for name in FINAL}
+            | {"beliefs": self.batch.beliefs[self.ended]},
         )
         self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated

@@ -53,8 +53,7 @@ class Views:
         field; None: the setting `state_side`. ValueError for anything else.
         """
         side = self.settings.state_side if side is None else truth_state.check_side(side)
-        records = {"matches": self.matches, "balls": self.balls, "robots": self.robots}
-        return truth_state.states(self.settings, records, side)
+        return truth_state.states(self.settings, truth_state.records_of(self), side)
 
     def state_entries(self, side: str | None = None) -> list[Entry]:
         """Return name, meaning, scale and frame of each number of `state(side)`."""

@@ -32,9 +32,10 @@ from soccer_env.guards.names import Made
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
 from soccer_env.match.saving import calls_python, reduce_by_save, signals_wait
+from soccer_env.match.truth_state import records_of
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
-from soccer_env.train.ppo.critic_state import append_state, records_of
+from soccer_env.train.ppo.critic_state import append_state
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
 
 
