@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.actions import BOX, DISCRETE_TABLE
+from soccer_env.actions import BOX, DISCRETE_TABLE, FULL, KICK_TABLE, LEVEL_TABLE, WALK
 from soccer_env.agents.attention import SHAPE, attend, flatten_tensors, layout_of, observation_size, shape_numbers
 from soccer_env.agents.normalising import pack_table
 from soccer_env.compiled import compiled
@@ -28,8 +28,9 @@ if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
 LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  # places in the head; the first size
-CLIPPED, SQUASHED, CHOSEN = range(3)  # use of the outputs: clipped, tanh, or the action of the largest
-CHOICE = len(BOX)  # numbers of a discrete action
+CLIPPED, SQUASHED, CHOSEN, PARTS_CHOSEN = range(4)  # use of the outputs: clipped, tanh, the largest, that of each part
+OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN}
+CHOICE, CHOICES = len(BOX), len(FULL)  # numbers of an action of the kind "discrete", and of "multi"
 NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
@@ -41,7 +42,7 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
     """
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
-    output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
+    output = OUTPUTS.get(policy.actions, SQUASHED if policy.squash else CLIPPED)
     scaled = pack_table(policy.normalise)
     head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
     if policy.attention:
@@ -76,6 +77,9 @@ def act(numbers, row, action, scratch):
     if numbers[OUTPUT] == CHOSEN:
         choose_action(outputs, action, scratch)
         return
+    if numbers[OUTPUT] == PARTS_CHOSEN:
+        choose_parts(action, scratch)
+        return
     for i in range(outputs):
         action[i] = scratch[0, i]
     if numbers[MIRROR] != 0.0:
@@ -103,13 +107,31 @@ def normalise(numbers, scale, inputs, scratch):
 
 @compiled
 def choose_action(outputs, action, scratch):
-    """Write the discrete action with the largest output in scratch[0]; the first of equal outputs wins."""
-    best = 0
-    for i in range(1, outputs):
-        if scratch[0, i] > scratch[0, best]:
-            best = i
+    """Write the discrete action with the largest output in scratch[0]."""
+    best = index_of_largest(scratch, 0, outputs)
     for i in range(CHOICE):
         action[i] = DISCRETE_TABLE[best, i]
+
+
+@compiled
+def choose_parts(action, scratch):
+    """Write the action of the kind "multi" whose parts have the largest outputs in scratch[0]."""
+    levels, kicks = len(LEVEL_TABLE), len(KICK_TABLE)
+    for part in range(WALK):
+        action[part] = LEVEL_TABLE[index_of_largest(scratch, part * levels, levels)]
+    kick = index_of_largest(scratch, WALK * levels, kicks)
+    action[WALK], action[WALK + 1], action[WALK + 2] = KICK_TABLE[kick, 0], KICK_TABLE[kick, 1], KICK_TABLE[kick, 2]
+    action[WALK + 3] = 0.0
+
+
+@compiled
+def index_of_largest(scratch, first, count):
+    """Return the index, from `first` on, of the largest of `count` outputs in scratch[0]; the first of equal ones."""
+    best = first
+    for i in range(first + 1, first + count):
+        if scratch[0, i] > scratch[0, best]:
+            best = i
+    return best - first
 
 
 @compiled
@@ -144,6 +166,8 @@ def input_size(numbers):
 @compiled
 def action_size(numbers):
     """Return the length of an action of this network."""
+    if numbers[OUTPUT] == PARTS_CHOSEN:
+        return CHOICES
     return CHOICE if numbers[OUTPUT] == CHOSEN else int(numbers[SIZES + int(numbers[LAYERS])])
 
 

@@ -7,7 +7,8 @@
       -> ...
       -> weights[-1] x + biases[-1]                                        no activation
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
-         or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played
+         or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played, or for
+         each choice of the parts of "multi", of which the largest of each part is played
 
 Every policy is checked when it is made: a checked policy can neither overflow nor give NaN.
 """
@@ -19,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import BOX, DISCRETE, FULL
+from soccer_env.actions import BOX, FULL, PARTS
 from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
 from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
@@ -30,7 +31,7 @@ from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, entry_names
 from soccer_env.observations.reflection import observation_signs
 
-ACTIONS = {"box": len(BOX), "full": len(FULL), "discrete": len(DISCRETE)}  # number of outputs
+ACTIONS = {"box": len(BOX), "full": len(FULL), **{kind: sum(parts) for kind, parts in PARTS.items()}}  # of outputs
 KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
@@ -59,7 +60,7 @@ class Policy:
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
     inputs: tuple[str, ...]  # names of the entries that it reads, in order; an observation may have more
-    actions: str  # "box" (4 numbers), "full" (7) or "discrete" (a value for each action)
+    actions: str  # "box" (4 numbers), "full" (7), "discrete" or "multi" (a value for each choice)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
     kind: str  # architecture: "slots" (a plain MLP over the flat observation) or "attention" (over other players)
     activation: str  # "tanh" or "relu", behind every layer but the last
@@ -87,7 +88,7 @@ class Policy:
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
                 raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
-        if self.actions == "discrete" and (self.mirror or self.squash):
+        if self.actions in PARTS and (self.mirror or self.squash):
             raise ValueError("mirror and squash must be False where actions are discrete")
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")

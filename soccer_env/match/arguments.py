@@ -97,8 +97,10 @@ class MatchSettings(CheckedFields):
         'frame of `state()`: that of "home" or "away", which then always attacks +x, or of the "field"',
         free=True,
     )
-    actions: Literal["box", "full", "discrete"] | ActionKind = declare_setting(
-        "box", 'kind: "box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
+    actions: Literal["box", "full", "discrete", "multi"] | ActionKind = declare_setting(
+        "box",
+        'kind: "box" (4 numbers), "full" (7, with the head), "discrete" or "multi" (indices, with masks)',
+        free=True,
     )
     scene: str | Scene = declare_setting(
         "kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene'

@@ -155,11 +155,11 @@ class Match(Views, Branching):
     def step(self, actions: Any = None, *, last: bool = True) -> Transition:
         """Advance all matches by `action_repeat` control steps.
 
-        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R) integers,
-        or None if teams play all robots. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
-        truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong shape or
-        with numbers that are not finite. With autoreset "off" a terminated match stands still, a truncated match goes
-        on. last=False: the action goes on in the next call; shaping discounts once, in the call that ends the action.
+        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), indices (M, R) or
+        (M, R, 4), or None if teams play all robots. Returns observations (M, R, n) float32, rewards (M, R), terminated
+        (M,) and truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong
+        shape or not finite. With autoreset "off" a terminated match stands still, a truncated match goes on.
+        last=False: the action goes on in the next call; shaping discounts once, in the call that ends the action.
         """
         numbers = self._check_actions(actions)
         self.started = False  # until the end

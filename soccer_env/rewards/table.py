@@ -135,10 +135,11 @@ KINDS_OF_PLAYERS: dict[str, dict[str, float]] = {  # amounts a minute of the ter
 
 
 def earnings(rewards: Rewards, player: str) -> dict[str, float]:
-    """Return what a player of KINDS_OF_PLAYERS earns a minute, by event and cost term."""
+    """Return what a player of KINDS_OF_PLAYERS earns a minute, by event and cost term, and their "sum"."""
     amounts = KINDS_OF_PLAYERS[player]
     names = [term.name for term in TERMS if term.kind != "potential"]
-    return {name: getattr(rewards, name) * amounts.get(name, 0.0) for name in names}
+    paid = {name: getattr(rewards, name) * amounts.get(name, 0.0) + 0.0 for name in names}  # no -0
+    return {**paid, "sum": sum(paid.values())}
 
 
 def find_rewards(rewards: str | Rewards) -> Rewards:

@@ -23,6 +23,7 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "box": ({}, {}),
     "full": ({"actions": "full"}, {}),
     "values of discrete actions": ({"actions": "discrete"}, {}),
+    "values of the choices of multi": ({"actions": "multi"}, {}),
     "a chosen discrete action": ({"actions": "discrete"}, {"chosen": True}),
     "one robot at a time": ({}, {"batch": 1}),
     "double precision": ({}, {"double": True}),
