@@ -103,7 +103,8 @@ class MatchSettings(CheckedFields):
         free=True,
     )
     scene: str | Scene = declare_setting(
-        "kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene'
+        "kick-off",
+        'a name of `soccer list scenes`, several as "a:0.6,b:0.4", saved ones as "states:FILE", or a Scene',
     )
     episode: Literal["match", "goal", "drill"] = declare_setting(
         "match", 'it ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True

@@ -18,12 +18,11 @@ from soccer_env.physics.kicker import holds_ball
 from soccer_env.physics.parking import parking_place
 from soccer_env.random_numbers import draw_uniform, start_streams
 from soccer_env.referee.restarts import carry_out_restart
-from soccer_env.scenes import SCENES, SceneRandom
+from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
 WHO_KICKS_OFF = int(MatchStream.KICK_OFF)
-PLAY = int(Phase.PLAY)
 
 
 @compiled
@@ -76,15 +75,10 @@ def start_match(
     scene = settings.scene.of_episode(seed, episode)
     drill = int(scene.place is not None)
     begin_single_episode(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
-    if scene.place is not None:
-        scene.place(settings.league, ball[0], robots[0], SceneRandom(match[0]))
-        if SCENES.get(scene.name) is not scene:
-            check_scene_numbers(f"scene {scene.name!r}", settings, ball, robots)
-            check_scene_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
-    if scene.in_play:
-        match["phase"], match["restart_team"] = PLAY, NO_TEAM
-        match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
-    match["still_x"], match["still_y"] = ball["x"], ball["y"]
+    scene.set_up(settings.league, match[0], ball[0], robots[0])
+    if scene.place is not None and SCENES.get(scene.name) is not scene:
+        check_scene_numbers(f"scene {scene.name!r}", settings, ball, robots)
+        check_scene_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
     robots["placed"] = robots["active"]
     note_single_possession(ball, robots, constants)
 
