@@ -56,6 +56,13 @@ KINDS = ("box", "full", *PARTS)
 FLOAT = np.dtype(np.float64)
 DISCRETE_TABLE = np.array(list(DISCRETE.values()), dtype=np.float64)
 LEVEL_TABLE, KICK_TABLE = np.array(LEVELS), np.array(list(KICKS.values()), dtype=np.float64)
+NO_KICK = np.zeros(WALK * len(LEVELS), bool)  # of the levels of "multi"
+KICKING = {"discrete": DISCRETE_TABLE[:, WALK] > 0.0, "multi": np.concatenate([NO_KICK, KICK_TABLE[:, 0] > 0.0])}
+STANDING = {
+    "discrete": ~DISCRETE_TABLE.any(axis=1),
+    "multi": np.concatenate([*[LEVEL_TABLE == 0.0] * WALK, KICK_TABLE[:, 0] == 0.0]),
+}
+KICKING_ASIDE = np.concatenate([NO_KICK, KICK_TABLE[:, 2] != 0.0])  # of "multi"
 
 
 @dataclass(frozen=True)
@@ -96,7 +103,7 @@ class ActionKind:
         from gymnasium import spaces
 
         if self.parts:
-            return spaces.MultiDiscrete(self.parts) if self.shape else spaces.Discrete(self.parts[0])
+            return spaces.MultiDiscrete(list(self.parts)) if self.shape else spaces.Discrete(self.parts[0])
         return spaces.Box(-1.0, 1.0, (self.size,), np.float32)
 
     def given(self, action: Any, agent: str) -> np.ndarray:
@@ -193,16 +200,11 @@ def action_masks(kind: ActionKind, matches: np.ndarray, robots: np.ndarray, leag
         raise ValueError(f"actions in numbers have no masks: give actions='discrete' or 'multi', not {kind.name!r}")
     acts = (robots["active"] == 1) & (robots["fallen"] <= 0.0) & (matches["placing"] == 0)[:, None]
     kicks = acts & (robots["kick_clock"] == 0.0) & (league.kicker.keeper_kicks | (robots["keeper"] == 0))
-    rows = DISCRETE_TABLE if kind.name == "discrete" else None
-    if rows is not None:
-        needs_kick, stands = rows[:, WALK] > 0.0, ~rows.any(axis=1)
-    else:
-        needs_kick = np.array([False] * WALK * len(LEVELS) + [kick > 0.0 for kick, _, _ in KICKS.values()])
-        stands = np.array([level == 0.0 for level in LEVELS] * WALK + [name == "none" for name in KICKS])
-    masks = np.where(needs_kick, kicks[..., None], acts[..., None]) | stands
-    if league.kicker.aside <= 0.0 and rows is None:
-        masks[..., [WALK * len(LEVELS) + i for i, (_, _, pan) in enumerate(KICKS.values()) if pan != 0.0]] = False
-    return masks.astype(np.int8)
+    masks = np.where(KICKING[kind.name], kicks[..., None], acts[..., None]) | STANDING[kind.name]
+    if league.kicker.aside <= 0.0 and kind.name == "multi":
+        masks &= ~KICKING_ASIDE
+    allowed: np.ndarray = masks.astype(np.int8)
+    return allowed
 
 
 def mask_for_space(kind: ActionKind, mask: np.ndarray) -> Any:
