@@ -73,7 +73,7 @@ class MatchBatch:
         self._sees_truth = self.settings.observe == "truth"  # then the step itself observes
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
         outcome = StepOutcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
-        numbers = StepNumbers(self.constants, self.weights, self.settings.limit)
+        numbers = StepNumbers(self.constants, self.weights, self.settings.limit, not self.settings.observes_clock)
         self._discounts: bool | None = None  # whether the next control step discounts
         physics = PhysicsArrays(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)

@@ -1,4 +1,4 @@
-"""Begin an episode of one match: empty records, noise streams, the kick-off formation, then the scene.
+"""Begin an episode of one match: empty records, noise streams, the kick-off formation, then the scene; and end it.
 
 The seed chooses the side that kicks off first; the other side kicks off the second half. In a drill home kicks off.
 Two matches of one seed with swapped teams begin with a kick-off by the same side, so that each team kicks off first
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.match.settings import Settings
 from soccer_env.physics.kicker import holds_ball
 from soccer_env.physics.parking import parking_place
@@ -127,3 +127,21 @@ def begin_single_episode(matches, balls, robots, constants, seed, episode, half_
 def note_single_possession(balls, robots, constants):
     """Call `note_possession` for a single match, whose records have shape (1,)."""
     note_possession(balls[0], robots[0], constants[0])
+
+
+# The end of an episode
+
+
+@inlined
+def is_cut_off(events, cuts):
+    """Tell whether a match has ended by the clock alone, which its learners do not observe."""
+    return cuts and events.final_whistle == 1
+
+
+@inlined
+def note_episode_end(match, events, outcome, m, k, numbers):
+    """Set whether match m is terminated, or truncated: by the limit of steps, the drill's, or an unobserved clock."""
+    out_of_time = match.step >= numbers.limit or (k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt)
+    cut_off = is_cut_off(events, numbers.cuts)
+    outcome.terminated[m] = match.over == 1 and not cut_off
+    outcome.truncated[m] = cut_off or (match.over == 0 and out_of_time)
