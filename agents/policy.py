@@ -56,7 +56,7 @@ class Policy:
 
     name: str  # of the team
     league: str  # name of the league it was trained in
-    family: str  # of that league: it plays every league of the family with the same layout and control rate
+    family: str  # of that league: it plays every league of the family with its inputs and control rate
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
     inputs: tuple[str, ...]  # names of the entries that it reads, in order; an observation may have more

@@ -82,3 +82,13 @@ def read_parts(saved: Any, wanted: Mapping[str, np.dtype]) -> tuple[dict[str, An
     if found.keys() != wanted.keys():
         raise ValueError(f"this save lacks {', '.join(name for name in wanted if name not in found)} of this version")
     return header, found
+
+
+def check_caught_legs(robots: np.ndarray, legs: bool) -> None:
+    """Raise ValueError unless each caught leg of robots (M, R) is held by another robot, with both on the pitch."""
+    if not robots["caught_by"].any():
+        return
+    holder, active = robots["caught_by"] - 1, robots["active"] == 1
+    held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
+    if not legs or not (held | (holder < 0)).all():
+        raise ValueError("this save is damaged: caught_by of robots names a robot that cannot hold a leg")

@@ -16,7 +16,7 @@ from soccer_env.guards.checking import short_repr
 from soccer_env.guards.ranges import first_out_of_range
 from soccer_env.guards.whole_files import read_regular_file
 from soccer_env.leagues.league import League
-from soccer_env.records.save_file import read_parts
+from soccer_env.records.save_file import check_caught_legs, read_parts
 from soccer_env.scenes.scene import Scene, SceneRandom
 from soccer_env.types import BALL, MATCH, ROBOT, Phase
 
@@ -52,6 +52,7 @@ class SavedStates(Scene):
                 f"the match is of {league.name!r} at {home} v {away}"
             )
         pitch, (_, balls, robots) = league.pitch, self.records
+        check_caught_legs(robots, bool(league.body.legs))
         room = 0.5 * pitch.length + max(pitch.band_end, pitch.goal_depth), 0.5 * pitch.width + pitch.band_side
         for name, most in zip("xy", room, strict=True):
             if (np.abs(balls[name]) > most).any() or (np.abs(robots[name])[robots["active"] == 1] > most).any():

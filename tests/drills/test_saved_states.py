@@ -185,6 +185,7 @@ def test_numbers_that_no_match_has_and_places_off_the_pitch_are_refused(tmp_path
     for records, name, value, said in (
         (saved.robots, "x", np.nan, "x of robots is out of range"),
         (saved.matches, "phase", 99, "phase of matches is out of range"),
+        (saved.robots, "caught_by", [1, 0, 0], "caught_by of robots names a robot that cannot hold a leg"),
         (saved.balls, "x", 5.0, "holds a state beyond the boards of 'legged-2001'"),
     ):
         before = records[name][0].copy()

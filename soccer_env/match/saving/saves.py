@@ -17,7 +17,7 @@ from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import first_out_of_range
 from soccer_env.match.arguments import rebuild_from_settings, version
 from soccer_env.match.saving.fitting import describe_differences
-from soccer_env.records.save_file import check_world, describe_parts, join_save, open_save
+from soccer_env.records.save_file import check_caught_legs, check_world, describe_parts, join_save, open_save
 from soccer_env.types import GAZE, WORLD, RobotStream
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
@@ -145,16 +145,7 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
     length = arrays["matches"]["half_length"]
     if ((length > LONGEST) & (length < inf)).any():
         raise ValueError("this save is damaged: half_length of matches is out of range")
-    if robots["caught_by"].any():
-        check_caught_legs(robots, bool(match.batch.constants["legs"][0]))
-
-
-def check_caught_legs(robots: np.ndarray, legs: bool) -> None:
-    """Raise ValueError unless each caught leg of robots (M, R) is held by another robot, with both on the pitch."""
-    holder, active = robots["caught_by"] - 1, robots["active"] == 1
-    held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
-    if not legs or not (held | (holder < 0)).all():
-        raise ValueError("this save is damaged: caught_by of robots names a robot that cannot hold a leg")
+    check_caught_legs(robots, bool(match.batch.constants["legs"][0]))
 
 
 # Copies by pickle, cloudpickle and copy.deepcopy
