@@ -16,6 +16,7 @@ from soccer_env.compiled import compiled
 from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, ranged_record
 from soccer_env.leagues.league import League
+from soccer_env.observations import entry_names
 from soccer_env.teams import ObservingTeam
 
 BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
@@ -42,6 +43,12 @@ class LearnedTeam(ObservingTeam):
         """Raise ValueError if the policy cannot play in this league; warn if the rules differ from the training."""
         self.policy.check_plays(league)
         self.policy.warn_of_other_rules(league)
+
+    def settings_in(self, league: League) -> np.ndarray:
+        """Return the network, which reads its inputs by their names in the league's observation."""
+        if list(self.policy.inputs) == entry_names(league, self.policy.observe):
+            return self.settings  # itself: past selves change while a match runs
+        return pack_policy(self.policy, bool(self.settings[AT_ONCE]), self.policy.columns(league))
 
 
 def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:

@@ -2,7 +2,7 @@
 
     input     one: observations (B, n), or (1, n)
     output    the first: actions (B, 4 or 7); twice as many numbers, the first half being means; values of our discrete
-              actions (B, 12); or the chosen actions (B,), whole numbers
+              actions (B, 12) or of the choices of "multi" (B, 20); or the chosen actions (B,), whole numbers
 
 A file is read once; `onnx_checks.py` checks its contents.
 """
@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import BOX, DISCRETE, FULL
+from soccer_env.actions import BOX, FULL, PARTS, ActionKind
 from soccer_env.agents.onnx_checks import MAX_FILE, check_sizes, checked_model, declared_axes, inputs_of
 from soccer_env.agents.policy_file import one_line, read_limited_file, short_path
 from soccer_env.teams.function_teams import FunctionTeam, team_of_function
@@ -51,15 +51,16 @@ class OnnxPolicy:
         return OnnxPolicy, (self.content, self.where)
 
     def __call__(self, observations: np.ndarray) -> np.ndarray:
-        """Return actions (B, 4 or 7), or indices of discrete actions (B,), for observations (B, n)."""
+        """Return actions (B, 4 or 7), or indices of discrete actions (B,), as the network gives them for (B, n)."""
         if self._width != observations.shape[1]:
             taken = f"takes {self._width} inputs, the observation has {observations.shape[1]}"
             raise ValueError(f"policy file {self.where!r}: {taken}: give observe= as in its training")
         parts = [observations] if self._size != 1 else list(observations[:, None])  # of exports for one robot at a time
         runs = [self._run(part.astype(self._kind)) for part in parts]
         outputs = np.concatenate(runs)
-        if outputs.dtype.kind == "f" and outputs.shape[1:] == (len(DISCRETE),):
-            return np.asarray(outputs.argmax(axis=1))
+        for kind in map(ActionKind, PARTS):
+            if outputs.dtype.kind == "f" and outputs.shape[1:] == (sum(kind.parts),):
+                return kind.expand(kind.choose(outputs))
         if outputs.shape[1:] and outputs.shape[1] in HALVES:
             return np.asarray(outputs[:, : outputs.shape[1] // 2])
         return outputs

@@ -3,20 +3,21 @@
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
     layers, kind and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
-    layer's inputs in front | with attention its shape | signs of a mirror | normalised: limit, means, deviations
-    | with attention Q, W, b of both kinds | weights and biases
+    layer's inputs in front | with attention its shape | places of the inputs in an observation | signs of a mirror
+    | normalised: limit, means, deviations | with attention Q, W, b of both kinds | weights and biases
 
 An action depends bit for bit on its own observation alone, and not on other rows.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import tanh
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.actions import BOX, DISCRETE_TABLE
+from soccer_env.actions import BOX, DISCRETE_TABLE, FULL, KICK_TABLE, LEVEL_TABLE, WALK
 from soccer_env.agents.attention import SHAPE, attend, flatten_tensors, layout_of, observation_size, shape_numbers
 from soccer_env.agents.normalising import pack_table
 from soccer_env.compiled import compiled
@@ -27,24 +28,29 @@ if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
 LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  # places in the head; the first size
-CLIPPED, SQUASHED, CHOSEN = range(3)  # use of the outputs: clipped, tanh, or the action of the largest
-CHOICE = len(BOX)  # numbers of a discrete action
+CLIPPED, SQUASHED, CHOSEN, PARTS_CHOSEN = range(4)  # use of the outputs: clipped, tanh, the largest, that of each part
+OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN}
+CHOICE, CHOICES = len(BOX), len(FULL)  # numbers of an action of the kind "discrete", and of "multi"
 NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
 
 
-def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
-    """Return the network of a policy as numbers (n,) float64; `at_once`: decide in an episode's first step."""
+def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | None = None) -> np.ndarray:
+    """Return the network of a policy as numbers (n,) float64; `at_once`: decide in an episode's first step.
+
+    columns: the place of each input in an observation; None: the policy's inputs are the observation.
+    """
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
     network = NETWORKS.index((policy.kind, policy.activation))
-    output = CHOSEN if policy.actions == "discrete" else SQUASHED if policy.squash else CLIPPED
+    output = OUTPUTS.get(policy.actions, SQUASHED if policy.squash else CLIPPED)
     scaled = pack_table(policy.normalise)
     head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
     if policy.attention:
         head += shape_numbers(layout_of(policy.entries), len(policy.attention[1]))
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
     turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
-    parts = [np.array(head, np.float64), signs, turned, scaled]
+    places = np.arange(len(policy.inputs)) if columns is None else np.array(columns)
+    parts = [np.array(head, np.float64), places.astype(np.float64), signs, turned, scaled]
     parts += flatten_tensors(policy.attention)
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
@@ -55,25 +61,30 @@ def pack_policy(policy: Policy, at_once: bool = False) -> np.ndarray:
 def act(numbers, row, action, scratch):
     """Write the action (a,) for one observation (n,), in [-1, 1]; scratch (3, widest) is working space.
 
+    Entries of the observation that the network does not read have no effect.
     With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = input_size(numbers), int(numbers[SIZES + layers])
-    signs = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
+    places = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
+    signs = places + inputs
     scale = signs + inputs + outputs
     start = scale + (1 + 2 * inputs if numbers[NORMALISED] != 0.0 else 0)
     for i in range(inputs):
-        scratch[2, i] = row[i]
+        scratch[2, i] = row[int(numbers[places + i])]
     normalise(numbers, scale, inputs, scratch)
     forward(numbers, layers, start, scratch)
     if numbers[OUTPUT] == CHOSEN:
         choose_action(outputs, action, scratch)
         return
+    if numbers[OUTPUT] == PARTS_CHOSEN:
+        choose_parts(action, scratch)
+        return
     for i in range(outputs):
         action[i] = scratch[0, i]
     if numbers[MIRROR] != 0.0:
         for i in range(inputs):
-            scratch[2, i] = numbers[signs + i] * row[i]
+            scratch[2, i] = numbers[signs + i] * row[int(numbers[places + i])]
         normalise(numbers, scale, inputs, scratch)
         forward(numbers, layers, start, scratch)
         for i in range(outputs):
@@ -96,13 +107,31 @@ def normalise(numbers, scale, inputs, scratch):
 
 @compiled
 def choose_action(outputs, action, scratch):
-    """Write the discrete action with the largest output in scratch[0]; the first of equal outputs wins."""
-    best = 0
-    for i in range(1, outputs):
-        if scratch[0, i] > scratch[0, best]:
-            best = i
+    """Write the discrete action with the largest output in scratch[0]."""
+    best = index_of_largest(scratch, 0, outputs)
     for i in range(CHOICE):
         action[i] = DISCRETE_TABLE[best, i]
+
+
+@compiled
+def choose_parts(action, scratch):
+    """Write the action of the kind "multi" whose parts have the largest outputs in scratch[0]."""
+    levels, kicks = len(LEVEL_TABLE), len(KICK_TABLE)
+    for part in range(WALK):
+        action[part] = LEVEL_TABLE[index_of_largest(scratch, part * levels, levels)]
+    kick = index_of_largest(scratch, WALK * levels, kicks)
+    action[WALK], action[WALK + 1], action[WALK + 2] = KICK_TABLE[kick, 0], KICK_TABLE[kick, 1], KICK_TABLE[kick, 2]
+    action[WALK + 3] = 0.0
+
+
+@compiled
+def index_of_largest(scratch, first, count):
+    """Return the index, from `first` on, of the largest of `count` outputs in scratch[0]; the first of equal ones."""
+    best = first
+    for i in range(first + 1, first + count):
+        if scratch[0, i] > scratch[0, best]:
+            best = i
+    return best - first
 
 
 @compiled
@@ -128,7 +157,7 @@ def forward(numbers, layers, start, scratch):
 
 @compiled
 def input_size(numbers):
-    """Return the number of entries of an observation of this network."""
+    """Return the number of entries of an observation that this network reads."""
     if numbers[NETWORK] >= ATTENTION:
         return observation_size(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES])
@@ -137,6 +166,8 @@ def input_size(numbers):
 @compiled
 def action_size(numbers):
     """Return the length of an action of this network."""
+    if numbers[OUTPUT] == PARTS_CHOSEN:
+        return CHOICES
     return CHOICE if numbers[OUTPUT] == CHOSEN else int(numbers[SIZES + int(numbers[LAYERS])])
 
 

@@ -7,7 +7,8 @@
       -> ...
       -> weights[-1] x + biases[-1]                                        no activation
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
-         or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played
+         or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played, or for
+         each choice of the parts of "multi", of which the largest of each part is played
 
 Every policy is checked when it is made: a checked policy can neither overflow nor give NaN.
 """
@@ -19,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import BOX, DISCRETE, FULL
+from soccer_env.actions import BOX, FULL, PARTS
 from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
 from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
@@ -30,7 +31,7 @@ from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, entry_names
 from soccer_env.observations.reflection import observation_signs
 
-ACTIONS = {"box": len(BOX), "full": len(FULL), "discrete": len(DISCRETE)}  # number of outputs
+ACTIONS = {"box": len(BOX), "full": len(FULL), **{kind: sum(parts) for kind, parts in PARTS.items()}}  # of outputs
 KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
@@ -55,11 +56,11 @@ class Policy:
 
     name: str  # of the team
     league: str  # name of the league it was trained in
-    family: str  # of that league: it plays every league of the family with the same layout and control rate
+    family: str  # of that league: it plays every league of the family with its inputs and control rate
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
-    inputs: tuple[str, ...]  # names of the observation's entries, in order: the whole layout
-    actions: str  # "box" (4 numbers), "full" (7) or "discrete" (a value for each action)
+    inputs: tuple[str, ...]  # names of the entries that it reads, in order; an observation may have more
+    actions: str  # "box" (4 numbers), "full" (7), "discrete" or "multi" (a value for each choice)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
     kind: str  # architecture: "slots" (a plain MLP over the flat observation) or "attention" (over other players)
     activation: str  # "tanh" or "relu", behind every layer but the last
@@ -87,7 +88,7 @@ class Policy:
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
                 raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
-        if self.actions == "discrete" and (self.mirror or self.squash):
+        if self.actions in PARTS and (self.mirror or self.squash):
             raise ValueError("mirror and squash must be False where actions are discrete")
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
@@ -126,7 +127,7 @@ class Policy:
         tell_of_rules(self.name, self.rules, league.rules)
 
     def check_plays(self, league: League) -> None:
-        """Raise ValueError unless family, control rate and observation layout of a league agree with the policy.
+        """Raise ValueError unless family and control rate of a league agree, and it has every entry that is read.
 
         Name and numbers of the league do not matter: a policy may play variants.
         """
@@ -139,17 +140,17 @@ class Policy:
                     f"policy {self.name!r} was trained in {self.league!r} of {what} {own}, "
                     f"{league.name!r} is of {what} {other}"
                 )
-        names = entry_names(league, self.observe)
-        if list(self.inputs) == names:
-            return
-        pairs = zip(self.inputs, names)
-        differs = next((i for i, (own, other) in enumerate(pairs) if own != other), min(len(self.inputs), len(names)))
-        own, other = (repr(row[differs]) if differs < len(row) else "none" for row in (self.inputs, names))
-        raise ValueError(
-            f"policy {self.name!r} takes {len(self.inputs)} inputs of {self.observe!r}, "
-            f"{league.name!r} has {len(names)}; "
-            f"the first that differs is input {differs}: {own} in the policy, {other} in the league"
-        )
+        self.columns(league)
+
+    def columns(self, league: League) -> list[int]:
+        """Return the place of each input in a league's observation; ValueError names a missing entry."""
+        places = {name: place for place, name in enumerate(entry_names(league, self.observe))}
+        for name in self.inputs:
+            if name not in places:
+                raise ValueError(
+                    f"policy {self.name!r} reads the entry {name!r}, which {self.observe!r} of {league.name!r} lacks"
+                )
+        return [places[name] for name in self.inputs]
 
 
 def training_fields(league: League) -> dict[str, Any]:

@@ -5,8 +5,9 @@
     tensors    float32, little-endian, one after the other without gaps
 
 TEXT is JSON again: the fields of `Policy` without its arrays, and "version". The schema is strict: exactly these keys,
-each once, with these types; anything else is a ValueError in one line that names the file. Version 5 added the senses
-of the training; version 4 added discrete, squashed and normalised policies, and the step of the first decision.
+each once, with these types; anything else is a ValueError in one line that names the file. `inputs` names the entries
+that the policy reads. Version 6 added actions of the kind "multi"; version 5 the senses of the training; version 4
+added discrete, squashed and normalised policies, and the step of the first decision.
 Versions 1 and 2 have no rules; version 1 has only the name of the league, so family and control rate are those of our
 league of that name. The kind "attention" has six more tensors, "teammate.weight" and so on (`attention.TENSORS`).
 
@@ -33,7 +34,7 @@ from soccer_env.guards.checking import short_repr
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import version
 
-VERSION = 5
+VERSION = 6
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
@@ -50,8 +51,12 @@ NEWER: dict[int, dict[str, Any]] = {
 }
 """The keys that later versions added, and their values for older files."""
 LATEST = NEWER[4] | NEWER[5]
-LACKS = {1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5])}
+LACKS = {
+    1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5]),
+    5: (),
+}  # fmt: skip
 """The keys that older files lack, by version."""
+KINDS = {"discrete": 4, "multi": 6}  # the versions that added kinds of actions
 TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
@@ -65,7 +70,7 @@ def dump(policy: Policy) -> bytes:
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
     table = {"version": VERSION, **fields, "inputs": list(policy.inputs), **tables}
     needed = [version for version, keys in NEWER.items() if any(table[key] != usual for key, usual in keys.items())]
-    table["version"] = max([3, *needed, *([4] if policy.actions == "discrete" else [])])
+    table["version"] = max([3, *needed, KINDS.get(policy.actions, 3)])
     table = {key: value for key, value in table.items() if key not in LACKS.get(table["version"], ())}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
     tensors = dict(zip(TENSORS, policy.attention))

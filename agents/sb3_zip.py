@@ -83,8 +83,9 @@ def load_sb3(
         inputs = entry_names(preset, observe)
         if read["weights"][0].shape[1] != len(inputs):
             taken = read["weights"][0].shape[1]
-            fitting = [other for other in OBSERVE if len(entry_names(preset, other)) == taken]
-            hint = f"give observe={fitting[0]}" if fitting else "was it trained in another league, or with state=True?"
+            fitting = [kind for kind in OBSERVE if len(entry_names(preset, kind)) == taken]
+            other = "was it trained in another league, by another version, or with state=True?"
+            hint = f"give observe={fitting[0]}" if fitting else other
             raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}: {hint}")
         return Policy(
             **read, **(league_fields if rules is None else training_fields)(preset),

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import DISCRETE_TABLE
+from soccer_env.actions import PARTS, ActionKind
 from soccer_env.agents.normalising import normaliser_table
 from soccer_env.agents.perceptron import act, action_size, pack_policy, widest_layer
 from soccer_env.agents.policy import ACTIONS, Policy, training_fields
@@ -40,13 +40,13 @@ def save_policy(
     """Write a learner's actor as a policy file and return the Policy; ValueError, and no file, if it does not fit.
 
     module: a torch module, or several in a row: Linear layers with Tanh or ReLU between. 4 or 7 outputs are the mean of
-    the actions, twice as many are mean and deviation (left out), 12 are values of the discrete actions. league,
-    observe, action_repeat, rules: of the training. squash: actions are the tanh of the outputs, as in SAC or with a
-    Tanh at the end. normalise: such as VecNormalize, see `normalising.normaliser_table`. activation: "tanh" or "relu"
-    if `forward` applies it and no module does. outputs: a function of observations (B, n) for the comparison, default
-    the module itself. at_once: episodes began with a decision, as in the APIs; False: as in `SoccerVecEnv`. name:
-    default the file's name. pose, senses: of the training, for evaluations; None: unknown. An existing file is
-    overwritten.
+    the actions, twice as many are mean and deviation (left out), 12 are values of the discrete actions, 20 of the
+    choices of "multi". league, observe, action_repeat, rules: of the training. squash: actions are the tanh of the
+    outputs, as in SAC or with a Tanh at the end. normalise: such as VecNormalize, see `normalising.normaliser_table`.
+    activation: "tanh" or "relu" if `forward` applies it and no module does. outputs: a function of observations (B, n)
+    for the comparison, default the module itself. at_once: episodes began with a decision, as in the APIs; False: as in
+    `SoccerVecEnv`. name: default the file's name. pose, senses: of the training, for evaluations; None: unknown. An
+    existing file is overwritten.
     """
     if Path(path).suffix != ENDING:
         raise ValueError(f"a policy file must end in {ENDING}, got {os.fspath(path)!r}")
@@ -98,10 +98,12 @@ def compare_outputs(policy: Policy, squashed: bool, ask: Callable[[np.ndarray], 
     theirs = theirs[:, : ours.shape[1]]
     largest = max(1.0, float(np.abs(ours).max()))
     check_close("outputs", np.tanh(ours) if squashed else ours, theirs, TOLERANCE * largest)
-    if policy.actions == "discrete":
-        chosen = np.sort(theirs, axis=1)
-        clear = chosen[:, -1] - chosen[:, -2] > CLOSE * largest
-        check_close("actions", compute_actions(policy, rows)[clear], DISCRETE_TABLE[theirs.argmax(axis=1)][clear], 0.0)
+    if policy.actions in PARTS:
+        kind = ActionKind(policy.actions)
+        parts = np.split(theirs, np.cumsum(kind.parts)[:-1], axis=1)
+        gaps = [np.diff(np.sort(part, axis=1)[:, -2:], axis=1)[:, 0] for part in parts]
+        clear = np.min(gaps, axis=0) > CLOSE * largest
+        check_close("actions", compute_actions(policy, rows)[clear], kind.expand(kind.choose(theirs))[clear], 0.0)
         return
     means = np.tanh(theirs) if policy.squash and not squashed else np.clip(theirs, -1.0, 1.0)
     check_close("actions", compute_actions(policy, rows), means, TOLERANCE * largest)

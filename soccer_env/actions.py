@@ -1,6 +1,8 @@
-"""Actions of a learner: box (4 numbers), full (7 numbers, with the head) and discrete (an index).
+"""Actions of a learner: box (4 numbers), full (7 numbers, with the head), discrete (an index), multi (4 indices).
 
-Numbers in [-1, 1] are shares of the league's limits; finite numbers outside are clipped, other values refused.
+Numbers in [-1, 1] are shares of the league's limits; finite numbers outside are clipped, other values refused. The
+indices of "multi" choose levels of forward, left and turn, and a kick. A mask tells which indices have an effect now;
+a masked one is obeyed as far as the robot can.
 """
 
 from dataclasses import dataclass
@@ -11,6 +13,7 @@ import numpy as np
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.guards.checking import check_choice
+from soccer_env.leagues.league import League
 
 BOX = ("forward", "left", "turn", "kick")
 FULL = (*BOX, "head", "pan", "tilt")
@@ -37,9 +40,29 @@ DISCRETE: dict[str, tuple[float, float, float, float]] = {
     "kick": (0, 0, 0, 1),
     "pass": (0, 0, 0, 0.4),
 }
-KINDS = ("box", "full", "discrete")
+LEVELS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # of forward, left and turn in "multi"
+SOFT = 0.4  # [1] strength of a soft kick, assumed: that of "pass"
+ASIDE = 0.56  # [1] pan of a kick aside: 50 degrees of 89.6, as the kick aside of the legged league goes
+KICKS: dict[str, tuple[float, float, float]] = {  # of "multi": kick, head, pan
+    "none": (0, -1, 0),
+    "soft": (SOFT, -1, 0),
+    "full": (1, -1, 0),
+    "aside left": (1, 1, ASIDE),
+    "aside right": (1, 1, -ASIDE),
+}
+WALK = len(BOX) - 1  # the parts of "multi" before the kick
+PARTS = {"discrete": (len(DISCRETE),), "multi": (*(len(LEVELS),) * WALK, len(KICKS))}  # choices of each index
+KINDS = ("box", "full", *PARTS)
 FLOAT = np.dtype(np.float64)
 DISCRETE_TABLE = np.array(list(DISCRETE.values()), dtype=np.float64)
+LEVEL_TABLE, KICK_TABLE = np.array(LEVELS), np.array(list(KICKS.values()), dtype=np.float64)
+NO_KICK = np.zeros(WALK * len(LEVELS), bool)  # of the levels of "multi"
+KICKING = {"discrete": DISCRETE_TABLE[:, WALK] > 0.0, "multi": np.concatenate([NO_KICK, KICK_TABLE[:, 0] > 0.0])}
+STANDING = {
+    "discrete": ~DISCRETE_TABLE.any(axis=1),
+    "multi": np.concatenate([*[LEVEL_TABLE == 0.0] * WALK, KICK_TABLE[:, 0] == 0.0]),
+}
+KICKING_ASIDE = np.concatenate([NO_KICK, KICK_TABLE[:, 2] != 0.0])  # of "multi"
 
 
 @dataclass(frozen=True)
@@ -53,22 +76,69 @@ class ActionKind:
 
     @property
     def size(self) -> int:
-        """Return how many numbers an action has (a discrete action is expanded to four)."""
-        return len(FULL) if self.name == "full" else len(BOX)
+        """Return how many numbers an action has; indices are expanded to four numbers, those of "multi" to seven."""
+        return len(FULL) if self.name in ("full", "multi") else len(BOX)
+
+    @property
+    def parts(self) -> tuple[int, ...]:
+        """Return how many choices each index of an action has; () for numbers."""
+        return PARTS.get(self.name, ())
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Return the shape of one robot's action: () for a single index."""
+        return (self.size,) if not self.parts else () if len(self.parts) == 1 else (len(self.parts),)
+
+    def still(self, matches: int, robots: int) -> np.ndarray:
+        """Return actions (M, R, *shape) with which robots stand and their heads track the ball."""
+        actions = np.zeros((matches, robots, *self.shape), np.int64 if self.parts else np.float64)
+        if self.name == "multi":
+            actions[..., :WALK] = LEVELS.index(0.0)
+        elif self.name == "full":
+            actions[..., FULL.index("head")] = -1.0
+        return actions
 
     def space(self) -> Any:
         """Return a new gymnasium space of one robot's actions."""
         from gymnasium import spaces
 
-        if self.name == "discrete":
-            return spaces.Discrete(len(DISCRETE))
+        if self.parts:
+            return spaces.MultiDiscrete(list(self.parts)) if self.shape else spaces.Discrete(self.parts[0])
         return spaces.Box(-1.0, 1.0, (self.size,), np.float32)
+
+    def given(self, action: Any, agent: str) -> np.ndarray:
+        """Return an agent's action as an array of `shape`, checked; ValueError names the agent and the value."""
+        return self.indices(action, agent) if self.parts else self.numbers(action, agent)
+
+    def indices(self, action: Any, agent: str) -> np.ndarray:
+        """Convert an agent's indices to an array of `shape`; ValueError names the agent and the value."""
+        number = np.asarray(action)
+        if number.dtype.kind not in "iu" or number.shape not in (self.shape, (len(self.parts),)):
+            what = f"{len(self.parts)} integers" if self.shape else "one integer"
+            raise ValueError(f"action of {agent} must be {what}, got {action!r}")
+        indices = number.reshape(self.shape)
+        if (indices < 0).any() or (indices >= np.reshape(self.parts, self.shape)).any():
+            raise ValueError(f"action of {agent} must be 0 to {max(self.parts) - 1}, got {indices.tolist()}")
+        return indices
+
+    def expand(self, indices: np.ndarray) -> np.ndarray:
+        """Convert checked indices (..., *shape) to numbers (..., size)."""
+        if self.name == "discrete":
+            rows: np.ndarray = DISCRETE_TABLE[indices]
+            return rows
+        kick, head, pan = np.moveaxis(KICK_TABLE[indices[..., WALK]], -1, 0)
+        walk = LEVEL_TABLE[indices[..., :WALK]]
+        return np.concatenate([walk, np.stack([kick, head, pan, np.zeros_like(pan)], axis=-1)], axis=-1)
+
+    def choose(self, values: np.ndarray) -> np.ndarray:
+        """Return the indices (B, *shape) of the choices with the largest values (B, n) of each part."""
+        parts = np.split(values, np.cumsum(self.parts)[:-1], axis=1)
+        return np.stack([part.argmax(axis=1) for part in parts], axis=-1).reshape(-1, *self.shape)
 
     def numbers(self, action: Any, agent: str) -> np.ndarray:
         """Convert an agent's action to (size,) float64 numbers; ValueError names the agent and the value."""
-        if self.name == "discrete":
-            row: np.ndarray = DISCRETE_TABLE[discrete_index(action, agent)]
-            return row
+        if self.parts:
+            return self.expand(self.indices(action, agent))
         try:
             numbers = np.asarray(action)
         except (TypeError, ValueError) as error:
@@ -80,17 +150,6 @@ class ActionKind:
         return numbers.astype(np.float64)
 
 
-def discrete_index(action: Any, agent: str) -> int:
-    """Convert an agent's discrete action to an index; ValueError names the agent and the value."""
-    number = np.asarray(action)
-    if number.shape not in ((), (1,)) or number.dtype.kind not in "iu":
-        raise ValueError(f"action of {agent} must be one integer, got {action!r}")
-    index = int(number.reshape(()))
-    if not 0 <= index < len(DISCRETE):
-        raise ValueError(f"action of {agent} must be 0 to {len(DISCRETE) - 1}, got {index}")
-    return index
-
-
 def actions_to_numbers(
     kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int
 ) -> np.ndarray:
@@ -98,8 +157,8 @@ def actions_to_numbers(
 
     Rows of robots that teams play (`learns` (R,) is 0) may hold anything.
     """
-    if kind.name == "discrete":
-        return expand_discrete(actions, agents, matches)
+    if kind.parts:
+        return expand_indices(kind, actions, agents, matches)
     shape = (matches, len(agents), kind.size)
     numbers = np.asarray(actions)
     if numbers.dtype.kind not in "fiu" or numbers.shape != shape:
@@ -116,18 +175,41 @@ def actions_to_numbers(
     return numbers
 
 
-def expand_discrete(actions: Any, agents: list[str], matches: int) -> np.ndarray:
-    """Convert discrete actions (M, R) to numbers (M, R, 4)."""
-    shape = (matches, len(agents))
+def expand_indices(kind: ActionKind, actions: Any, agents: list[str], matches: int) -> np.ndarray:
+    """Convert indices (M, R, *kind.shape) to numbers (M, R, 4 or 7)."""
+    shape = (matches, len(agents), *kind.shape)
     numbers = np.asarray(actions)
     if numbers.shape != shape:
         raise ValueError(f"actions must be integers of shape {shape}, got shape {numbers.shape}")
-    if numbers.dtype.kind not in "iu" or numbers.min() < 0 or numbers.max() >= len(DISCRETE_TABLE):
-        for m, r in np.ndindex(*shape):
-            discrete_index(numbers[m, r], f"{agents[r]} in match {m}")
+    most = np.reshape(kind.parts, kind.shape)
+    if numbers.dtype.kind not in "iu" or (numbers < 0).any() or (numbers >= most).any():
+        for m, r in np.ndindex(matches, len(agents)):
+            kind.indices(numbers[m, r], f"{agents[r]} in match {m}")
         raise ValueError(f"actions must be integers of shape {shape}, got {numbers.dtype}")
-    expanded: np.ndarray = DISCRETE_TABLE[numbers]
-    return expanded
+    return np.ascontiguousarray(kind.expand(numbers))
+
+
+def action_masks(kind: ActionKind, matches: np.ndarray, robots: np.ndarray, league: League) -> np.ndarray:
+    """Return masks (M, R, n) int8 of matches (M,) and robots (M, R): 1 for each choice with an effect now.
+
+    The choices of all indices follow one another: n is 12 for "discrete", 20 for "multi". A robot that may not act (it
+    is out, has fallen, or is steered by the referee) can only stand. A robot whose kicker is not ready cannot kick, nor
+    a goalkeeper without a kicker, and none aside in a league without such kicks. ValueError for actions in numbers.
+    """
+    if not kind.parts:
+        raise ValueError(f"actions in numbers have no masks: give actions='discrete' or 'multi', not {kind.name!r}")
+    acts = (robots["active"] == 1) & (robots["fallen"] <= 0.0) & (matches["placing"] == 0)[:, None]
+    kicks = acts & (robots["kick_clock"] == 0.0) & (league.kicker.keeper_kicks | (robots["keeper"] == 0))
+    masks = np.where(KICKING[kind.name], kicks[..., None], acts[..., None]) | STANDING[kind.name]
+    if league.kicker.aside <= 0.0 and kind.name == "multi":
+        masks &= ~KICKING_ASIDE
+    allowed: np.ndarray = masks.astype(np.int8)
+    return allowed
+
+
+def mask_for_space(kind: ActionKind, mask: np.ndarray) -> Any:
+    """Return one robot's mask (n,) in the form that its gymnasium space samples by: a tuple of arrays for "multi"."""
+    return tuple(np.split(mask, np.cumsum(kind.parts)[:-1])) if kind.shape else mask
 
 
 @compiled

@@ -4,12 +4,13 @@
 |---|---|
 | agents | `home_0`, ..., `away_0`, ...: every robot that no team plays |
 | observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout`, or a user's own |
-| action | Box(4): forward, left, turn, kick; Box(7): also head, pan, tilt; or Discrete; see `soccer_env.actions` |
+| action | Box(4) or Box(7), Discrete, or MultiDiscrete (`actions="multi"`); see `soccer_env.actions` |
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
 | state | the whole truth of the match in [-1, 1], see `soccer_env.match.truth_state` |
 
 `infos[agent]` are numbers under keys that never change, which `soccer_env.api.infos` lists: "active", "score_for",
-"phase", "opponent", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. infos="nested" has dicts in
+"phase", "opponent", "reward_goal", "event_goal" ...; infos="full" adds statistics of play. Where actions are
+indices, "action_mask" is the mask by which PettingZoo samples, `action_space(agent).sample(mask)`. "nested": dicts in
 words: "active", "score" (own goals, the opponents'), "phase", "opponent" (the team's name, or "learner"; flat infos
 have its place in `env.opponent_names`), "rewards" (term -> weighted reward), "events" (only events of this step) and,
 at the end of an episode, "statistics" and "maps" (`statistics.maps.maps_of`) from the side of the agent's team.
@@ -28,9 +29,8 @@ from gymnasium import logger
 from gymnasium.spaces import Box
 from pettingzoo import AECEnv, ParallelEnv
 
-from soccer_env.actions import discrete_index
 from soccer_env.api import report
-from soccer_env.api.infos import make_report
+from soccer_env.api.infos import add_action_masks, make_report
 from soccer_env.api.opponents import OpponentNames, with_opponents
 from soccer_env.api.report import Infos
 from soccer_env.api.shown import ShowsMatch
@@ -77,9 +77,9 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
         self._met = OpponentNames(match, rows)
         self._report = make_report(self.info_kind, match, rows, self._met)
         self._rows = slice(rows[0], rows[-1] + 1) if len(rows) == rows[-1] - rows[0] + 1 else rows
-        self._discrete = match.settings.actions.name == "discrete"
-        self._action_shape = () if self._discrete else (match.settings.actions.size,)
-        self._actions = np.zeros((1, len(match.agents), *self._action_shape), np.int64 if self._discrete else float)
+        kind = match.settings.actions
+        self._action_shape, self._indices = kind.shape, len(kind.parts) > 0
+        self._actions = np.zeros((1, len(match.agents), *kind.shape), np.int64 if self._indices else float)
         self._flat = self._actions[0, self._rows].reshape(-1) if isinstance(self._rows, slice) else None  # a view
         self._begun = False
 
@@ -182,7 +182,9 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
         return {agent: copy_arrays(index_arrays(seen, 0)) for agent, seen in by_agent.items()}
 
     def _infos(self) -> Infos:
-        return {agent: {} for agent in self.possible_agents} if self._report is None else self._report.infos()
+        if self._report is None:
+            return {agent: {} for agent in self.possible_agents}
+        return add_action_masks(self._report.infos(), self.match)
 
     def _gather_actions(self, actions: Any) -> np.ndarray:
         """Return the actions in the form of `Match.step`; ValueError names the wrong action."""
@@ -198,7 +200,7 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
 
     def _fast_actions(self, actions: Any) -> list[np.ndarray] | None:
         """Return the actions in order if all are float arrays of the right shape, else None; a fast path."""
-        if self._discrete or type(actions) is not dict or len(actions) != len(self.agents):
+        if self._indices or type(actions) is not dict or len(actions) != len(self.agents):
             return None
         ordered = []
         for agent in self.agents:
@@ -209,10 +211,8 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
         return ordered
 
     def check_action(self, agent: str, action: Any) -> Any:
-        """Return one agent's action as numbers, or as an index; ValueError names the agent and the value."""
-        if self._discrete:
-            return discrete_index(action, agent)
-        numbers = self.match.settings.actions.numbers(action, agent)
+        """Return one agent's action as numbers, or as indices; ValueError names the agent and the value."""
+        numbers = self.match.settings.actions.given(action, agent)
         if not np.isfinite(numbers).all():
             raise ValueError(f"action of {agent} must be finite, got {numbers.tolist()}")
         return numbers

@@ -7,6 +7,7 @@ import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
+from soccer_env.actions import action_masks
 from soccer_env.api.infos import FlatInfoArrays
 from soccer_env.api.nested_arrays import NestedInfoArrays
 from soccer_env.api.opponents import OpponentNames, with_opponents
@@ -38,6 +39,7 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
     `help(SoccerVectorEnv.__init__)` explains the settings, the fields of `VectorArguments`. Infos have Gymnasium's
     form: an array for each key of `SoloSoccer`'s infos, and a mask `_key` of the matches that have it. In nested infos
     "score" is (num_envs, 2); "statistics" and "maps" belong to ended episodes (SameStep: in "final_info").
+    "action_mask" is (num_envs, n): the choices of all indices of an action, one after the other.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
@@ -61,10 +63,10 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
         self.single_action_space = self.match.settings.actions.space()
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
-        self._discrete = self.match.settings.actions.name == "discrete"
-        shape = () if self._discrete else (self.match.settings.actions.size,)
-        kind = np.int64 if self._discrete else np.float64
-        self._actions = np.zeros((self.num_envs, len(self.match.agents), *shape), kind)
+        kind = self.match.settings.actions
+        self._indices = len(kind.parts) > 0
+        shape = self.num_envs, len(self.match.agents), *kind.shape
+        self._actions = np.zeros(shape, np.int64 if self._indices else np.float64)
         self._begun = False
 
     def __reduce__(self) -> Made:
@@ -147,8 +149,8 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
             numbers = np.asarray(actions)
         except (TypeError, ValueError) as error:
             raise ValueError(f"actions must be numbers of shape {self.action_space.shape}, got {actions!r}") from error
-        if numbers.dtype.kind not in ("iu" if self._discrete else "fiu") or numbers.shape != self.action_space.shape:
-            word = "integers" if self._discrete else "numbers"
+        if numbers.dtype.kind not in ("iu" if self._indices else "fiu") or numbers.shape != self.action_space.shape:
+            word = "integers" if self._indices else "numbers"
             got = f"{numbers.dtype} of shape {numbers.shape}"
             raise ValueError(f"actions of {self.agent} must be {word} of shape {self.action_space.shape}, got {got}")
         return numbers
@@ -158,11 +160,17 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
         return copy_arrays(self.match.seen.of_robot(self.match.observations, self._row))
 
     def _infos(self) -> dict[str, Any]:
-        return {} if self._report is None else self._report.infos()
+        if self._report is None:
+            return {}
+        infos = self._report.infos()
+        if self._indices:
+            infos["action_mask"] = self.match.action_masks()[:, self._row]
+            infos["_action_mask"] = np.ones(self.num_envs, bool)
+        return infos
 
     def _add_final(self, infos: dict[str, Any]) -> dict[str, Any]:
         """Add the last observation and info of ended matches, and move their reward terms into that info."""
-        report, match = self._report, self.match
+        report, match, kind = self._report, self.match, self.match.settings.actions
         for index, m in enumerate(match.ended):
             last = {
                 "final_obs": copy_arrays(
@@ -170,6 +178,9 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
                 ),
                 "final_info": {} if report is None else report.last(index),
             }
+            if report is not None and self._indices:
+                masks = action_masks(kind, match.final["matches"], match.final["robots"], match.league)
+                last["final_info"]["action_mask"] = masks[index, self._row]
             infos = self._add_info(infos, last, int(m))
         if report is not None:
             report.forget(infos, match.ended)

@@ -9,6 +9,7 @@
 | `reward_NAME` | share of each term of the reward: `soccer list rewards` |
 | `event_NAME` | events of the match in this step: the fields of `types.EVENTS` without the ball's place |
 | `own_NAME` | events of the robot itself: the fields of `types.ROBOT_EVENTS` |
+| `action_mask` | of actions="discrete" and "multi": the choices with an effect now, see `actions.action_masks` |
 | `statistics_NAME` | infos="full": of the episode so far, from the side of the agent's team: `soccer list statistics` |
 """
 
@@ -17,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.actions import mask_for_space
 from soccer_env.api.opponents import OpponentNames
 from soccer_env.api.report import FINAL_RECORDS, NO_EVENTS, Infos, NestedReport, team_of_agent
 from soccer_env.match import Match
@@ -139,6 +141,16 @@ class FlatInfoArrays:
         """Set the rewards of ended episodes to 0 in the infos of the new episodes."""
         for name in self._match.term_names:
             infos[f"reward_{name}"][ended] = 0.0
+
+
+def add_action_masks(infos: Infos, match: Match) -> Infos:
+    """Add each agent's mask to the infos of the first match, in the form in which its action space samples by it."""
+    kind = match.settings.actions
+    if kind.parts:
+        masks = match.action_masks()[0]
+        for agent, info in infos.items():
+            info["action_mask"] = mask_for_space(kind, masks[match.agents.index(agent)])
+    return infos
 
 
 def to_python_types(numbers: np.ndarray) -> np.ndarray:

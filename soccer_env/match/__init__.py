@@ -3,7 +3,7 @@
 match.py         `Match` itself                       batch.py     the records of M matches, and how a slice is stepped
 arguments.py     each setting, declared once          settings.py  the settings with every name resolved
 step.py          one control step, from commands to observations
-episodes.py      how an episode begins                squads.py    which team plays which robot
+episodes.py      how an episode begins and ends       squads.py    which team plays which robot
 senses.py        percepts and beliefs of the robots   views.py     read-only methods: beliefs, state, repr
 truth_state.py   the whole truth as one vector, for centralised critics
 user_code.py     calls to a user's own functions, with checks of their results

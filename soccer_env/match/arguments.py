@@ -97,11 +97,14 @@ class MatchSettings(CheckedFields):
         'frame of `state()`: that of "home" or "away", which then always attacks +x, or of the "field"',
         free=True,
     )
-    actions: Literal["box", "full", "discrete"] | ActionKind = declare_setting(
-        "box", 'kind: "box" (4 numbers), "full" (7, with the head) or "discrete"', free=True
+    actions: Literal["box", "full", "discrete", "multi"] | ActionKind = declare_setting(
+        "box",
+        'kind: "box" (4 numbers), "full" (7, with the head), "discrete" or "multi" (indices, with masks)',
+        free=True,
     )
     scene: str | Scene = declare_setting(
-        "kick-off", 'a name of `soccer list scenes`, several as "a:0.6,b:0.4", or a Scene'
+        "kick-off",
+        'a name of `soccer list scenes`, several as "a:0.6,b:0.4", saved ones as "states:FILE", or a Scene',
     )
     episode: Literal["match", "goal", "drill"] = declare_setting(
         "match", 'it ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True

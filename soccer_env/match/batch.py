@@ -73,7 +73,7 @@ class MatchBatch:
         self._sees_truth = self.settings.observe == "truth"  # then the step itself observes
         seen = self.observations if self._sees_truth else np.zeros((count, robots, 0), np.float32)
         outcome = StepOutcome(self.rewards, self.terms, seen, self.terminated, self.truncated, self.statistics)
-        numbers = StepNumbers(self.constants, self.weights, self.settings.limit)
+        numbers = StepNumbers(self.constants, self.weights, self.settings.limit, not self.settings.observes_clock)
         self._discounts: bool | None = None  # whether the next control step discounts
         physics = PhysicsArrays(self.physics.bodies, self.physics.velocities, self.physics.solvers)
         self._truth = tuple(self.world)
@@ -208,10 +208,10 @@ class MatchBatch:
             self.senses.observe_percepts(out, rows, first, last)
         elif observe == "belief":
             rows = rows[self.believing[rows]]
-            half_length = self.settings.half_length
             observe_belief_slice(
-                self.beliefs, self.tracks, self.robots, out, self.constants, half_length, rows, first, last
-            )
+                self.beliefs, self.tracks, self.matches, self.robots, out, self.constants,
+                self.settings.half_length, rows, first, last,
+            )  # fmt: skip
 
     @property
     def believing(self) -> np.ndarray:

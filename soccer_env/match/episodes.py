@@ -1,4 +1,4 @@
-"""Begin an episode of one match: empty records, noise streams, the kick-off formation, then the scene.
+"""Begin an episode of one match: empty records, noise streams, the kick-off formation, then the scene; and end it.
 
 The seed chooses the side that kicks off first; the other side kicks off the second half. In a drill home kicks off.
 Two matches of one seed with swapped teams begin with a kick-off by the same side, so that each team kicks off first
@@ -12,18 +12,17 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.match.settings import Settings
 from soccer_env.physics.kicker import holds_ball
 from soccer_env.physics.parking import parking_place
 from soccer_env.random_numbers import draw_uniform, start_streams
 from soccer_env.referee.restarts import carry_out_restart
-from soccer_env.scenes import SCENES, SceneRandom
+from soccer_env.scenes import SCENES
 from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
 WHO_KICKS_OFF = int(MatchStream.KICK_OFF)
-PLAY = int(Phase.PLAY)
 
 
 @compiled
@@ -76,15 +75,10 @@ def start_match(
     scene = settings.scene.of_episode(seed, episode)
     drill = int(scene.place is not None)
     begin_single_episode(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
-    if scene.place is not None:
-        scene.place(settings.league, ball[0], robots[0], SceneRandom(match[0]))
-        if SCENES.get(scene.name) is not scene:
-            check_scene_numbers(f"scene {scene.name!r}", settings, ball, robots)
-            check_scene_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
-    if scene.in_play:
-        match["phase"], match["restart_team"] = PLAY, NO_TEAM
-        match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
-    match["still_x"], match["still_y"] = ball["x"], ball["y"]
+    scene.set_up(settings.league, match[0], ball[0], robots[0])
+    if scene.place is not None and SCENES.get(scene.name) is not scene:
+        check_scene_numbers(f"scene {scene.name!r}", settings, ball, robots)
+        check_scene_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
     robots["placed"] = robots["active"]
     note_single_possession(ball, robots, constants)
 
@@ -133,3 +127,21 @@ def begin_single_episode(matches, balls, robots, constants, seed, episode, half_
 def note_single_possession(balls, robots, constants):
     """Call `note_possession` for a single match, whose records have shape (1,)."""
     note_possession(balls[0], robots[0], constants[0])
+
+
+# The end of an episode
+
+
+@inlined
+def is_cut_off(events, cuts):
+    """Tell whether a match has ended by the clock alone, which its learners do not observe."""
+    return cuts and events.final_whistle == 1
+
+
+@inlined
+def note_episode_end(match, events, outcome, m, k, numbers):
+    """Set whether match m is terminated, or truncated: by the limit of steps, the drill's, or an unobserved clock."""
+    out_of_time = match.step >= numbers.limit or (k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt)
+    cut_off = is_cut_off(events, numbers.cuts)
+    outcome.terminated[m] = match.over == 1 and not cut_off
+    outcome.truncated[m] = cut_off or (match.over == 0 and out_of_time)

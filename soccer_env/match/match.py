@@ -155,11 +155,11 @@ class Match(Views, Branching):
     def step(self, actions: Any = None, *, last: bool = True) -> Transition:
         """Advance all matches by `action_repeat` control steps.
 
-        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), discrete (M, R) integers,
-        or None if teams play all robots. Returns observations (M, R, n) float32, rewards (M, R), terminated (M,) and
-        truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong shape or
-        with numbers that are not finite. With autoreset "off" a terminated match stands still, a truncated match goes
-        on. last=False: the action goes on in the next call; shaping discounts once, in the call that ends the action.
+        actions: (M, R, 4 or 7) in [-1, 1] for all robots (rows that teams play are ignored), indices (M, R) or
+        (M, R, 4), or None if teams play all robots. Returns observations (M, R, n) float32, rewards (M, R), terminated
+        (M,) and truncated (M,): the match's own arrays, valid until the next step. ValueError for actions of a wrong
+        shape or not finite. With autoreset "off" a match that is over stands still, one cut off by a limit goes on.
+        last=False: the action goes on in the next call; shaping discounts once, in the call that ends the action.
         """
         numbers = self._check_actions(actions)
         self.started = False  # until the end
@@ -185,8 +185,8 @@ class Match(Views, Branching):
             return self._restart_same_step()
         if len(ended):
             self._restart_next_step(ended)
-        elif np.count_nonzero(self.terminated):
-            for m in np.flatnonzero(self.terminated).tolist():  # observations of a match at rest hold its commands too
+        elif self._has_ended():
+            for m in np.flatnonzero(self.matches["over"]).tolist():  # observations at rest hold the commands too
                 self.batch.observe_anew(m, m + 1)
         return self.observations, self.rewards, self.terminated, self.truncated
 
@@ -280,7 +280,9 @@ class Match(Views, Branching):
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
         self.final = truth_state.FinalRecords(
-            self.settings, {name: index_arrays(getattr(self, name), self.ended) for name in FINAL}
+            self.settings,
+            {name: index_arrays(getattr(self, name), self.ended) for name in FINAL}
+            | {"beliefs": self.batch.beliefs[self.ended]},
         )
         self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated

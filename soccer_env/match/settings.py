@@ -16,12 +16,14 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import Rules, rule_set
 from soccer_env.match.arguments import FREE, MatchSettings, Senses, select_fields
+from soccer_env.observations import layout
 from soccer_env.observations.own import SideObservations, check_observe
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.scenes import SUCCESS, Scene, find_scene
 from soccer_env.types import MAX_TEAM
 
 SENSES = get_args(Senses)
+CLOCKS = ("time_left", "clock")  # entries that show the clock: of observations, and of the state; all of ours have one
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,6 +66,14 @@ class Settings(MatchSettings):
         if self.minutes is not None:
             return 30.0 * self.minutes
         return 60.0 * self.league.rules.half_minutes if self.episode == "match" else inf
+
+    @property
+    def observes_clock(self) -> bool:
+        """Tell whether every observation shows the clock, so that the final whistle is an end like others."""
+        return all(
+            isinstance(observe, str) or any(entry.name in CLOCKS for entry in layout(self.league, observe))
+            for observe in self.observes
+        )
 
     @property
     def limit(self) -> int:

@@ -16,6 +16,7 @@ import numpy as np
 
 from soccer_env.compiled import compiled, inlined
 from soccer_env.compiling.borrowing import borrow_arrays, keep_alive
+from soccer_env.match.episodes import is_cut_off, note_episode_end
 from soccer_env.observations.truth import observe_truth
 from soccer_env.physics.ball import limit_speed, slow_down, stop_ball
 from soccer_env.physics.contacts import find_collisions, find_touches
@@ -77,6 +78,7 @@ class StepNumbers(NamedTuple):
     constants: np.ndarray  # (1,) CONSTANTS
     weights: np.ndarray  # (1,) WEIGHTS
     limit: int  # control steps after which an episode is truncated
+    cuts: bool  # the final whistle truncates too, since learners do not observe the clock
 
 
 @compiled
@@ -104,14 +106,14 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
         step_match(links, m, substeps, k.dt)
         result = finish_match(
             match, ball, robots, events, robot_events, physics.bodies[m], velocities, solver, k, weights,
-            before, scratch, terms, rewards, outcome.observations[m], outcome.statistics[m],
+            before, scratch, terms, rewards, outcome.observations[m], outcome.statistics[m], numbers.cuts,
         )  # fmt: skip
         if result == PUT_ELSEWHERE:
             write_bodies(links, m)
         elif result == BROKEN:
             broken = m if broken < 0 else broken
             continue
-        note_episode_end(match, outcome, m, k, numbers.limit)
+        note_episode_end(match, events, outcome, m, k, numbers)
     keep_alive(owned)
     return broken
 
@@ -144,9 +146,10 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
             match, world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
             physics.bodies[m], physics.velocities[m], physics.solvers[m], k, numbers.weights[0],
             before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m], outcome.statistics[m],
+            numbers.cuts,
         )  # fmt: skip
         if results[m] != BROKEN:
-            note_episode_end(match, outcome, m, k, numbers.limit)
+            note_episode_end(match, world.events[m], outcome, m, k, numbers)
     keep_alive(owned)
 
 
@@ -182,14 +185,20 @@ def begin_match(
 @compiled
 def finish_match(
     match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
-    before, scratch, terms, rewards, observations, tally,
+    before, scratch, terms, rewards, observations, tally, cuts,
 ):  # fmt: skip
-    """Run one match's step after the physics; return GOES_ON, PUT_ELSEWHERE (bodies were moved) or BROKEN."""
+    """Run one match's step after the physics; return GOES_ON, PUT_ELSEWHERE (bodies were moved) or BROKEN.
+
+    The potential is 0 once an episode has ended, but not where time has cut it off: a learner then bootstraps.
+    """
     if not is_finite(bodies, robots.shape[0] + 1):
         return BROKEN
     after, axes, rows, squares, touching = scratch
     moved = finish_step(match, ball, robots, events, robot_events, bodies, velocities, solver, k, touching, tally)
-    measure_potentials(match, ball, robots, k, weights, after)
+    if match.over == 1 and not is_cut_off(events, cuts):
+        after[:] = 0.0
+    else:
+        measure_potentials(match, ball, robots, k, weights, after)
     reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
     if observations.shape[1] > 0:
         observe_truth(match, ball, robots, observations, k, axes, rows, squares)
@@ -274,14 +283,6 @@ def prefetch_match(links, robots, statistics, m):
     if prefetch_step(links, m):
         prefetch_row(robots, m, robots.strides[0])
         prefetch_row(statistics, m, OFTEN)
-
-
-@inlined
-def note_episode_end(match, outcome, m, k, limit):
-    """Set whether match m is terminated, or truncated after `limit` control steps or the drill's time limit."""
-    out_of_time = k.drill != 0 and match.step * k.dt >= k.drill_time - 0.5 * k.dt
-    outcome.terminated[m] = match.over == 1
-    outcome.truncated[m] = match.over == 0 and (match.step >= limit or out_of_time)
 
 
 @compiled

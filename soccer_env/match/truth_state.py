@@ -17,11 +17,12 @@ from soccer_env.guards.checking import check_choice, check_whole_number, raise_n
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import StateSide
 from soccer_env.match.settings import Settings
+from soccer_env.observations.belief import BRIEF, LASTING, LONG, SHORT, STILL
 from soccer_env.observations.entry import FIELD, NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group
 from soccer_env.types import AWAY, HOME, MAX_TEAM, Phase
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
-Records = Mapping[str, np.ndarray]  # of n matches: matches (n,), balls (n,), robots (n, R)
+Records = Mapping[str, np.ndarray]  # of n matches: matches (n,), balls (n,), robots (n, R), beliefs (n, R)
 SIDES = get_args(StateSide)
 
 GAME = copy_to_group(
@@ -34,6 +35,7 @@ GAME = copy_to_group(
     Entry("home_direction", "1: home attacks +x, -1: home attacks -x", "1", FIELD, X),
     Entry("goals_home", "goals of home", "soft: g / (g + 2)", NONE),
     Entry("goals_away", "goals of away", "soft: g / (g + 2)", NONE),
+    Entry("ball_still", STILL, LASTING, NONE),
 )
 BALL = copy_to_group(
     "ball",
@@ -45,7 +47,7 @@ BALL = copy_to_group(
     Entry("ball_roll_y", "speed of rolling without sliding, across the field", "its top speed", FIELD, Y),
 )
 PLAYER = (
-    Entry("present", "1: the player is on the field; 0: all its entries are 0", "1", NONE, present=True),
+    Entry("present", "1: the player is on the field; 0: its entries but the penalty are 0", "1", NONE, present=True),
     Entry("keeper", "1 goalkeeper, 0 field player", "1", NONE),
     Entry("x", "place along the field", "half length plus goal depth", FIELD, X),
     Entry("y", "place across the field", "half width plus band", FIELD, Y),
@@ -63,6 +65,10 @@ PLAYER = (
     Entry("kick", "0 ready, 1 winding up, -1 recharging", "1", NONE),
     Entry("has_ball", "1: the ball lies in the pocket or at the kicker", "1", NONE),
     Entry("fallen", "1 fallen, 0 upright", "1", NONE),
+    Entry("pushing", "time for which it has pushed an opponent, as the referee counts", BRIEF, NONE),
+    Entry("holding", "time for which it has held the ball, as the referee counts", BRIEF, NONE),
+    Entry("penalty", "time left of its penalty", LASTING, NONE),
+    Entry("ball_age", "time since it saw the ball; 0 without sensors", BRIEF, NONE),
 )
 SECONDS = 60.0  # [s] half-way point of the soft scale for clocks without an end, assumed
 OWN_NAMES = {  # of the game, from a team's side
@@ -137,7 +143,7 @@ def field_states(settings: Settings, records: Records, players: int) -> np.ndarr
     """Return states in the field frame: match, ball, then `players` rows for home and for away."""
     league, home_rows, count = settings.league, settings.rows[HOME], len(records["matches"])
     players_of_both = np.zeros((count, 2, players, len(PLAYER)))
-    numbers = stack_entries(PLAYER, robot_numbers(league, records["robots"]))
+    numbers = stack_entries(PLAYER, robot_numbers(league, records["robots"], records["beliefs"]))
     players_of_both[:, 0, :home_rows] = numbers[:, :home_rows]
     players_of_both[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
     game, ball = (
@@ -185,6 +191,7 @@ def game_numbers(game: np.ndarray) -> dict[str, Any]:
         "home_direction": game["home_direction"],
         "goals_home": score[:, 0],
         "goals_away": score[:, 1],
+        "ball_still": soft_time(game["still_clock"], LONG),
     }
 
 
@@ -201,8 +208,17 @@ def ball_numbers(league: League, ball: np.ndarray) -> dict[str, Any]:
     }
 
 
-def robot_numbers(league: League, robots: np.ndarray) -> dict[str, Any]:
-    """Return the entries about the robots by name, each (n, R), scaled to [-1, 1]; zeros for inactive robots."""
+def soft_time(time: np.ndarray, half: float) -> np.ndarray:
+    """Map times [s] from [0, inf] to [0, 1], so that `half` becomes 0.5."""
+    scaled: np.ndarray = 1.0 - half / (time + half)
+    return scaled
+
+
+def robot_numbers(league: League, robots: np.ndarray, beliefs: np.ndarray) -> dict[str, Any]:
+    """Return the entries about the robots by name, each (n, R), scaled to [-1, 1]; zeros for inactive robots.
+
+    Only the penalty is that of inactive robots too. Beliefs of robots without sensors are empty.
+    """
     pitch, drive = league.pitch, league.drive
     walk = robots["walk"]
     heading = robots["heading"]
@@ -226,8 +242,17 @@ def robot_numbers(league: League, robots: np.ndarray) -> dict[str, Any]:
         "kick": np.where(robots["kick_clock"] > 0.0, 1.0, np.where(robots["kick_clock"] < 0.0, -1.0, 0.0)),
         "has_ball": robots["has_ball"],
         "fallen": robots["fallen"] > 0.0,
+        "pushing": soft_time(np.maximum.reduce([robots[x] for x in ("pushing", "keeper_pushing", "charging")]), SHORT),
+        "holding": soft_time(np.maximum(robots["holding"], robots["handling"]), SHORT),
+        "ball_age": soft_time(beliefs["ball"]["age"], SHORT),
     }
-    return {name: np.asarray(column, float) * active for name, column in numbers.items()}
+    shown = {name: np.asarray(column, float) * active for name, column in numbers.items()}
+    return shown | {"penalty": soft_time(robots["penalty"], LONG)}
+
+
+def records_of(match: Match) -> Records:
+    """Return the present records of a match, from which `states` computes the state."""
+    return {"matches": match.matches, "balls": match.balls, "robots": match.robots, "beliefs": match.batch.beliefs}
 
 
 class WholeTruth:
@@ -260,8 +285,7 @@ class WholeTruth:
             raise_not_allowed(
                 "players of WholeTruth", f"at least the match's {settings.max_players} a side", self.players
             )
-        records = {"matches": match.matches, "balls": match.balls, "robots": match.robots}
-        by_side = [states(settings, records, side, self.players) for side in ("home", "away")]
+        by_side = [states(settings, records_of(match), side, self.players) for side in ("home", "away")]
         first, size, home = len(GAME) + len(BALL), len(PLAYER), settings.rows[HOME]
         seen = np.stack([by_side[int(r >= home)] for r in range(sum(settings.rows))], axis=1)
         for r in range(sum(settings.rows)):

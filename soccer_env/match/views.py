@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from soccer_env.actions import DISCRETE
+from soccer_env.actions import action_masks
 from soccer_env.match import truth_state
 from soccer_env.match.batch import MatchBatch
 from soccer_env.match.settings import Settings
@@ -53,8 +53,11 @@ class Views:
         field; None: the setting `state_side`. ValueError for anything else.
         """
         side = self.settings.state_side if side is None else truth_state.check_side(side)
-        records = {"matches": self.matches, "balls": self.balls, "robots": self.robots}
-        return truth_state.states(self.settings, records, side)
+        return truth_state.states(self.settings, truth_state.records_of(self), side)
+
+    def action_masks(self) -> np.ndarray:
+        """Return the masks (M, R, n) int8 of the actions that have an effect now, see `actions.action_masks`."""
+        return action_masks(self.settings.actions, self.matches, self.robots, self.settings.league)
 
     def state_entries(self, side: str | None = None) -> list[Entry]:
         """Return name, meaning, scale and frame of each number of `state(side)`."""
@@ -64,7 +67,8 @@ class Views:
     def get_env_info(self) -> dict[str, int | None]:
         """Return the sizes that PyMARL asks for; `episode_limit` [steps] is None where episodes have no limit.
 
-        `n_actions` of continuous actions is the length of an action. Robots that a team plays are no agents.
+        `n_actions` of continuous actions is the length of an action, of "multi" that of a mask. Robots that a team
+        plays are no agents.
         """
         return pymarl_sizes(self)
 
@@ -83,7 +87,7 @@ def pymarl_sizes(match: Match) -> dict[str, int | None]:
     return {
         "state_shape": len(match.state_names),
         "obs_shape": form_size(match.seen.group_of(learner).form),
-        "n_actions": len(DISCRETE) if settings.actions.name == "discrete" else settings.actions.size,
+        "n_actions": sum(settings.actions.parts) or settings.actions.size,
         "n_agents": int(match.learns.sum()),
         "episode_limit": settings.episode_limit,
     }

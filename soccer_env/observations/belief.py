@@ -1,6 +1,7 @@
 """observe="belief": a robot's belief, laid out like observe="truth", with confidences and ages.
 
-Places and speeds come from the belief. Readings of the own body (gait phase, head, kicker, last command) are exact.
+Places and speeds come from the belief. Readings of the own body (gait phase, head, kicker, last command) are exact, and
+so are the referee's clocks.
 
 `k`: the league's constants.
 """
@@ -33,7 +34,9 @@ from soccer_env.types import MAX_TEAM, Phase
 PLAY = int(Phase.PLAY)
 AGE = 1.0  # [s] half-way point of the soft scale for ages, assumed
 SURE = 100.0
+SHORT, LONG = 1.0, 10.0  # [s] half-way points of the soft scales for the referee's clocks, assumed
 
+BRIEF, LASTING = "soft: t / (t + 1 s)", "soft: t / (t + 10 s)"
 OWN_MORE = copy_to_group("own pose", Entry("own_confidence", "confidence in the own pose", "100", NONE))
 BALL_MORE = copy_to_group(
     "ball",
@@ -42,11 +45,19 @@ BALL_MORE = copy_to_group(
     Entry("ball_radial", "rate of the ball's distance", "soft: v / (|v| + a tenth of its top speed)", NONE),
     Entry("ball_angular", "rate of the ball's bearing", "soft: w / (|w| + 1 rad/s)", ROBOT, TURN),
     Entry("ball_confidence", "confidence in the ball", "100", NONE),
-    Entry("ball_age", "time since the ball was seen", "soft: t / (t + 1 s)", NONE),
+    Entry("ball_age", "time since the ball was seen", BRIEF, NONE),
+)
+STILL = "time for which the ball has stayed in place, as the rule of stuck balls counts"
+CLOCKS = copy_to_group(
+    "clocks",
+    Entry("own_pushing", "time for which the robot has pushed an opponent, as the referee counts", BRIEF, NONE),
+    Entry("own_holding", "time for which the robot has held the ball, as the referee counts", BRIEF, NONE),
+    Entry("own_penalty", "time left of the own penalty", LASTING, NONE),
+    Entry("ball_still", STILL, LASTING, NONE),
 )
 PLAYER_MORE = (
     Entry("confidence", "confidence in this player", "100", NONE),
-    Entry("age", "time since it was seen", "soft: t / (t + 1 s)", NONE),
+    Entry("age", "time since it was seen", BRIEF, NONE),
 )
 NOBODY = "nearness of somebody whom the ranger alone knows of; 0: nobody"
 OBSTACLE = copy_to_group(  # of robots with an infrared ranger
@@ -55,7 +66,7 @@ OBSTACLE = copy_to_group(  # of robots with an infrared ranger
     Entry("obstacle_cos", "cosine of its bearing; 0 if there is nobody", "1", ROBOT, X),
     Entry("obstacle_sin", "sine of its bearing; 0 if there is nobody", "1", ROBOT, Y),
 )
-FIXED = OWN + OWN_MORE + BALL + BALL_MORE + GOALS + GAME
+FIXED = OWN + OWN_MORE + BALL + BALL_MORE + GOALS + GAME + CLOCKS
 BELIEVED_PLAYER = PLAYER + PLAYER_MORE
 FIXED_ROW, OBSTACLE_ROW, PLAYER_ROW = entries_dtype(FIXED), entries_dtype(OBSTACLE), entries_dtype(BELIEVED_PLAYER)
 FIXED_SIZE, OBSTACLE_SIZE, PLAYER_SIZE = len(FIXED), len(OBSTACLE), len(BELIEVED_PLAYER)
@@ -72,8 +83,11 @@ def every_entry() -> list[Entry]:
 
 
 @compiled
-def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_length, rows, first, last):
-    """Write the observations (M, R, n) of the robots in `rows`; of `robots` only exact body readings are used."""
+def observe_belief_slice(beliefs, tracks, matches, robots, observations, constants, half_length, rows, first, last):
+    """Write the observations (M, R, n) of the robots in `rows`.
+
+    Of `robots` only exact readings of the body are used, and of `matches` and `robots` the referee's clocks.
+    """
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for m in range(first, last):
@@ -86,6 +100,7 @@ def observe_belief_slice(beliefs, tracks, robots, observations, constants, half_
             write_ball(belief.ball, row, k, diagonal)
             write_goals(belief.own, row, k, diagonal)
             write_game(belief.situation, row, half_length)
+            write_clocks(matches[m], robots[m, r], belief.situation, row)
             if k.ranger == 1:
                 write_obstacle(belief.obstacle, record_view(observation, at, OBSTACLE_ROW), diagonal)
                 at += OBSTACLE_SIZE
@@ -148,6 +163,15 @@ def write_game(situation, row, half_length):
     row.placing = situation.placing
     row.time_left = 1.0 if half_length == inf else clip(situation.seconds_left / (2.0 * half_length), 0.0, 1.0)
     row.score = soft_scale(difference, 2.0)
+
+
+@compiled
+def write_clocks(match, robot, situation, row):
+    """Write the referee's clocks into an observation; each league counts its own kinds of pushing and holding."""
+    row.own_pushing = soft_scale(max(robot.pushing, robot.keeper_pushing, robot.charging), SHORT)
+    row.own_holding = soft_scale(max(robot.holding, robot.handling), SHORT)
+    row.own_penalty = soft_scale(situation.penalty, LONG)
+    row.ball_still = soft_scale(match.still_clock, LONG)
 
 
 @compiled

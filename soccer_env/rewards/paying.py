@@ -91,10 +91,7 @@ pay_robots = make_reward_kernel(TERMS)
 
 @compiled
 def measure_potentials(match, ball, robots, k, weights, potentials):
-    """Write the potentials of both teams into an array of shape POTENTIALS; all 0 once the episode has ended."""
-    if match.over == 1:
-        potentials[:] = 0.0
-        return
+    """Write the potentials of both teams into an array of shape POTENTIALS."""
     for team in range(2):
         measure_team(match, ball, robots, k, team, weights, potentials)
 

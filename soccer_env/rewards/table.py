@@ -55,8 +55,8 @@ TERMS = (
         approach, "potential", 0.1,
     ),
     Term(
-        "effort", "minus the mean square of forward, left and turn of the robot's command, at each step",
-        effort, "cost", 0.001,
+        "effort", "minus the mean square of forward, left and turn of the robot's command, each second",
+        effort, "cost", 0.0005,
     ),
     Term(
         "cover",
@@ -126,6 +126,20 @@ PRESETS = {
         progress=2.0, approach=0.2, cover=0.2, crowding=0.1, guard=1.0, strength=0.3, foul=0.1
     ),  # fmt: skip
 }
+
+KINDS_OF_PLAYERS: dict[str, dict[str, float]] = {  # amounts a minute of the terms of weight 1
+    "stands": {},
+    "walks": {"effort": -60.0 / 3.0},  # straight ahead at top speed: a third of the mean square
+    "wins": {"effort": -60.0 / 3.0, "goal": 0.2, "shot": 0.2},  # by a goal of its own in five minutes, assumed
+}
+
+
+def earnings(rewards: Rewards, player: str) -> dict[str, float]:
+    """Return what a player of KINDS_OF_PLAYERS earns a minute, by event and cost term, and their "sum"."""
+    amounts = KINDS_OF_PLAYERS[player]
+    names = [term.name for term in TERMS if term.kind != "potential"]
+    paid = {name: getattr(rewards, name) * amounts.get(name, 0.0) + 0.0 for name in names}  # no -0
+    return {**paid, "sum": sum(paid.values())}
 
 
 def find_rewards(rewards: str | Rewards) -> Rewards:

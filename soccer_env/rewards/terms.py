@@ -141,9 +141,12 @@ def foul(match, ball, robots, events, robot_events, k, r, weight):
 
 @compiled
 def effort(match, ball, robots, events, robot_events, k, r, weight):
-    """Return the weighted mean square of a robot's walk command, 0 while the referee steers the robot."""
+    """Return the cost of a control step: weight a second times the mean square of a robot's walk command.
+
+    It is 0 while the referee steers the robot.
+    """
     if match.placing == 1:
         return 0.0
     command = robots[r].command
     square = command.forward * command.forward + command.left * command.left + command.turn * command.turn
-    return weight * square / 3.0
+    return weight * square / 3.0 * k.dt

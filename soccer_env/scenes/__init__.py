@@ -9,8 +9,11 @@
     drills_alone.py   one legged robot, the ball and the goal
     scattered.py      a start in the middle of play
     mixture.py        a scene drawn for each episode
+    saved_states.py   starts drawn from the matches of a save
     judging.py        the success tests
 """
+
+import re
 
 from soccer_env.guards.checking import check_names
 from soccer_env.guards.names import MODULE_PATH, object_in_module
@@ -20,28 +23,32 @@ from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.drills_middle import DRILLS_MIDDLE
 from soccer_env.scenes.judging import SUCCESS, judge_drill
 from soccer_env.scenes.mixture import Mixture
+from soccer_env.scenes.saved_states import BEGINS, SavedStates, read_states
 from soccer_env.scenes.scattered import SCATTERED
 from soccer_env.scenes.scene import Place, Scene, SceneRandom, put_robot, send_away
 
+SHARE = re.compile(rf"({BEGINS}.+):([0-9.]+(?:[eE][+-]?[0-9]+)?)")
 KICK_OFF = Scene("kick-off", "a match from the kick-off on")
 SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE, *DRILLS_MIDDLE)}
 
 
 def find_scene(scene: str | Scene) -> Scene:
     """Return the scene that a text names, or a given Scene unchanged; ValueError lists the known names."""
+    if isinstance(scene, str) and scene.startswith(BEGINS) and split_name_and_share(scene)[0] == scene:
+        return read_states(scene)
     chosen = object_in_module("scene", scene, Scene) or scene
     if isinstance(chosen, Scene):
         return chosen
     if isinstance(chosen, str) and not {",", ":"}.isdisjoint(chosen):
         return mixture(chosen)
-    check_names("scene", [chosen], SCENES)
+    check_names("scene", [chosen], SCENES, more="states:FILE")
     return SCENES[chosen]
 
 
 def is_user_scene(scene: Scene) -> bool:
     """Tell whether a scene, or a part of a mixture, was written by a user."""
     parts = scene.parts if isinstance(scene, Mixture) else (scene,)
-    return any(SCENES.get(part.name) != part for part in parts)
+    return any(SCENES.get(part.name) != part and not isinstance(part, SavedStates) for part in parts)
 
 
 def mixture(text: str) -> Scene:
@@ -63,7 +70,10 @@ def scene_names(text: str) -> list[str]:
 
 
 def split_name_and_share(part: str) -> tuple[str, str]:
-    """Split NAME:SHARE, NAME or MODULE:NAME:SHARE into the scene's name and its share."""
+    """Split NAME:SHARE, NAME, MODULE:NAME:SHARE or states:FILE:SHARE into the scene's name and its share."""
+    if part.startswith(BEGINS):
+        found = SHARE.fullmatch(part)
+        return (found[1], found[2]) if found else (part, "1")
     if MODULE_PATH.fullmatch(part) and part.partition(":")[0] not in SCENES:
         return part, "1"
     name, colon, share = part.rpartition(":")

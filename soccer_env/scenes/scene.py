@@ -11,7 +11,7 @@ from soccer_env.geometry import wrap
 from soccer_env.leagues.league import League
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.scenes.judging import SUCCESS
-from soccer_env.types import MAX_TEAM, MatchStream
+from soccer_env.types import MAX_TEAM, NO_TEAM, MatchStream, Phase
 
 SCENE = int(MatchStream.SCENE)
 
@@ -81,6 +81,15 @@ class Scene:
     def of_episode(self, seed: int, episode: int) -> Scene:
         """Return the scene that begins an episode: this scene, or the scene drawn from a mixture."""
         return self
+
+    def set_up(self, league: League, match: Any, ball: Any, robots: Any) -> None:
+        """Change the records of an episode that has begun with the kick-off formation."""
+        if self.place is not None:
+            self.place(league, ball, robots, SceneRandom(match))
+        if self.in_play:
+            match["phase"], match["restart_team"] = Phase.PLAY, NO_TEAM
+            match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
+        match["still_x"], match["still_y"] = ball["x"], ball["y"]
 
     def check(self, league: League, home: int, away: int) -> None:
         """Raise ValueError if the scene does not fit the league or the number of players a side."""

@@ -20,7 +20,7 @@ def random_policy(
 ) -> Policy:
     """Return a policy with these hidden layers, whose actions fill [-1, 1] and depend on the whole observation."""
     trained = find_league(league)
-    names = tuple(entry_names(trained, observe))
+    names = changes.get("inputs", tuple(entry_names(trained, observe)))
     outputs = ACTIONS[changes.get("actions", "box")]
     sizes, rng = [len(names), *(hidden or (16,)), outputs], np.random.default_rng(seed)
     fields: dict[str, Any] = {

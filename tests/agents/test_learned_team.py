@@ -13,6 +13,8 @@ import pytest
 from soccer_env import Match
 from soccer_env.agents.learned import first_decision_step, team_from_policy
 from soccer_env.agents.policy import Policy
+from soccer_env.leagues import find_league
+from soccer_env.observations import entry_names
 from soccer_env.teams import TeamRandom, View, make_team
 from soccer_env.types import COMMAND
 from tests.agents.staged_policies import decide, random_attention_policy, random_policy, team_from_disk
@@ -96,6 +98,39 @@ def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, ma
         rows = match.squads[0].observations[:, :size].reshape(2 * size, -1)
         assert (commanded(match)[:, :size, :4].reshape(-1, 4) == decide(policy, rows)).all()
     assert (match.robots["x"] != start)[:, :size].all()
+
+
+@pytest.mark.parametrize("mirror", [False, True])
+@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
+def test_a_policy_of_fewer_inputs_plays_as_its_network_says_to_these(make: Any, mirror: bool) -> None:
+    """As policies of the time before the clocks: they read the entries by name, bit for bit."""
+    names = entry_names(find_league("legged-2001"), "belief")
+    old = [name for name in names if name not in ("own_pushing", "own_holding", "own_penalty", "ball_still")]
+    columns = [names.index(name) for name in old]
+    policy = make(16, mirror=mirror, inputs=tuple(old))
+    match = Match(home=2, away=1, controllers={"home": team_from_policy(policy), "away": "chaser"}, seed=1)
+    for _ in range(40):
+        match.step()
+        seen = match.squads[0].observations[0, :2]
+        assert seen.shape[1] == len(names) == len(old) + 4
+        assert (commanded(match)[0, :2, :4] == decide(policy, seen[:, columns])).all()
+
+
+def test_the_bundled_policy_is_older_than_the_clocks_and_plays_as_it_was_written() -> None:
+    policy = make_team("learned").policy  # type: ignore[attr-defined]
+    match = Match(home=3, away=3, controllers={"home": "learned", "away": "chaser"}, seed=1, pose="particles")
+    columns = policy.columns(match.league)
+    names = entry_names(match.league, "belief")
+    assert [names[column] for column in columns] == list(policy.inputs) and len(names) - len(columns) == 4
+    asked = 0
+    for _ in range(60):
+        wait = match.squads[0].memory["wait"][0].copy()
+        match.step()
+        if (wait == 0).all():
+            decided = decide(policy, match.squads[0].observations[0, :3][:, columns])
+            assert (commanded(match)[0, :3, :4] == decided).all()
+            asked += 1
+    assert asked >= 20
 
 
 def test_a_policy_plays_beside_other_teams_of_its_side() -> None:

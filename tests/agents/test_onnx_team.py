@@ -23,6 +23,7 @@ CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "box": ({}, {}),
     "full": ({"actions": "full"}, {}),
     "values of discrete actions": ({"actions": "discrete"}, {}),
+    "values of the choices of multi": ({"actions": "multi"}, {}),
     "a chosen discrete action": ({"actions": "discrete"}, {"chosen": True}),
     "one robot at a time": ({}, {"batch": 1}),
     "double precision": ({}, {"double": True}),
@@ -64,7 +65,7 @@ def test_what_cannot_play_is_refused_in_one_line(tmp_path: Path) -> None:
         make_team(str(tmp_path / "none.onnx"))
     path = exported(random_policy(8, observe="truth"), tmp_path / "truth.onnx")
     match = Match(home=1, away=1, opponents=path, seed=1)
-    with refused(match, "takes 73 inputs, the observation has 93: give observe= as in its training"):
+    with refused(match, "takes 73 inputs, the observation has 97: give observe= as in its training"):
         match.step(np.zeros((1, 2, 4)))
     for setting, said in (("observe=all", "observe must be one of truth, percepts, belief, got 'all'"),
                           ("repeat=3", "has no setting 'repeat'")):  # fmt: skip

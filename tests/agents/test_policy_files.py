@@ -106,7 +106,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"control_rate": 16.0}, "control_rate must be 1 to 1000, got 16.0"),
         ({"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
         ({"observe": ["truth"]}, "observe must be one of"),
-        ({"actions": "words"}, "actions must be one of box, full, discrete"),
+        ({"actions": "words"}, "actions must be one of box, full, discrete, multi"),
         ({"actions": "discrete"}, r"layer1 must have a weight \(12, 3\) and a bias \(12,\), got \(4, 3\)"),
         ({"actions": "discrete", "squash": True}, "mirror and squash must be False where actions are discrete"),
         ({"at_once": 1}, "at_once must be True or False, got 1"),
@@ -182,7 +182,7 @@ def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
     trained.check_plays(replace(league, name="of-my-own", ball=replace(league.ball, rolling=0.05)))
     with pytest.raises(ValueError, match="'legged-2001' of control rate 16, 'legged-2001' is of control rate 20"):
         trained.check_plays(replace(league, control_rate=20))
-    with pytest.raises(ValueError, match="input 66: 'opponent_2_present' in the policy, none in the league"):
+    with pytest.raises(ValueError, match="reads the entry 'opponent_2_present', which 'truth' of 'legged-2001' lacks"):
         trained.check_plays(replace(league, slots=Slots(teammates=2, opponents=2)))
     with pytest.raises(ValueError, match="of family legged, 'legged-2001' is of family cats"):
         trained.check_plays(replace(league, family="cats"))
@@ -202,15 +202,17 @@ def test_a_file_of_version_1_takes_family_and_rate_from_our_league_and_one_of_2_
     assert_content_refused(with_fields(version=2), "unknown key 'rules' for version 2")
 
 
-def test_another_layout_is_refused_with_the_entry_that_differs() -> None:
+def test_inputs_are_found_by_name_and_a_missing_entry_is_named() -> None:
     league = find_league("legged-2001")
     names = entry_names(league, "truth")
     swapped = (names[1], names[0], *names[2:])
-    with pytest.raises(ValueError, match="takes 73 inputs .* has 73; .* input 0: 'own_y' in the policy, 'own_x' in"):
-        policy(inputs=swapped).check_plays(league)
-    with pytest.raises(ValueError, match=f"takes 72 inputs .* input 72: none in the policy, '{names[72]}' in"):
-        policy(inputs=tuple(names[:72])).check_plays(league)
-    with pytest.raises(ValueError, match="takes 74 inputs .* input 73: 'more' in the policy, none in the league"):
+    assert policy(inputs=swapped).columns(league) == [1, 0, *range(2, len(names))]
+    assert policy(inputs=(names[5],), weights=(ones(4, 1),), biases=(ones(4),)).columns(league) == [5]
+    said = "policy '.*' reads the entry 'more', which 'truth' of 'legged-2001' lacks"
+    with pytest.raises(ValueError, match=said):
         policy(inputs=(*names, "more")).check_plays(league)
-    with pytest.raises(ValueError, match="inputs of 'belief'"):
-        policy(inputs=tuple(names), observe="belief").check_plays(league)
+    with pytest.raises(ValueError, match="reads the entry 'gone', which 'belief' of 'middle-size-2006' lacks"):
+        belief = entry_names(find_league("middle-size-2006"), "belief")
+        policy(
+            inputs=(*belief, "gone"), observe="belief", **training_fields(find_league("middle-size-2006"))
+        ).check_plays(find_league("middle-size-2006"))

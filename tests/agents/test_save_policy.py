@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team
-from soccer_env.actions import DISCRETE_TABLE, FULL
+from soccer_env.actions import DISCRETE_TABLE, FULL, ActionKind
 from soccer_env.agents.policy_file import dump, load
 from soccer_env.leagues import find_league
 from soccer_env.observations import entry_names
@@ -84,6 +84,9 @@ def head(outputs: np.ndarray, kind: str) -> np.ndarray:
     """Return the actions that outputs mean."""
     if kind == "discrete":
         return DISCRETE_TABLE[outputs.argmax(axis=-1)]
+    if kind == "multi":
+        parts = np.split(outputs, [5, 10, 15], axis=-1)
+        return ActionKind("multi").expand(np.stack([part.argmax(axis=-1) for part in parts], axis=-1))
     return np.tanh(outputs) if kind == "squashed" else np.clip(outputs, -1.0, 1.0)
 
 
@@ -101,6 +104,7 @@ CASES: dict[str, tuple[Any, dict[str, Any], Any, str]] = {
     "dropout in training": (nn.Sequential(*mlp(8, 4)[:1], nn.Dropout(0.5), *mlp(8, 4)[1:]), {}, None, "clipped"),
     "double precision": (mlp(8, 4).double(), {}, None, "clipped"),
     "normalised": (mlp(12, 4), {"normalise": Scale(clip_obs=10.0)}, None, "clipped"),
+    "choices of multi": (mlp(16, 20), {}, None, "multi"),
     "normalised without a limit": (mlp(12, 12), {"normalise": Scale()}, None, "discrete"),
 }
 TORCHRL = CASES["TorchRL: mean and deviation"][0]
@@ -119,7 +123,7 @@ def test_a_policy_plays_what_its_module_says(case: str, tmp_path: Path) -> None:
         commands = np.stack([match.robots["command"][name] for name in FULL], axis=-1)[:, :2]
         wanted = head(said(module, ask, settings["normalise"](seen) if "normalise" in settings else seen), kind)
         assert np.abs(commands[..., : wanted.shape[-1]] - wanted).max() < 1e-4
-    assert len(np.unique(commands)) > 2
+    assert len(np.unique(commands.reshape(-1, len(FULL)), axis=0)) > 1
 
 
 def said(module: Any, ask: Any, rows: np.ndarray) -> np.ndarray:
@@ -215,7 +219,7 @@ REFUSED: dict[str, tuple[Any, dict[str, Any], str]] = {
     "a dict": (Split(), {}, "the module must give a tensor of outputs, got dict: give outputs="),
     "NaN": (nn.Sequential(nn.Linear(INPUTS, 4)), {"spoil": np.nan}, "layer0 must be finite, it holds NaN or infinity"),
     "other inputs": (mlp(8, 4, inputs=7), {}, f"the module takes 7 inputs, 'belief' of 'legged-2001' has {INPUTS}"),
-    "other outputs": (mlp(8, 5), {}, "the module must have 4, 7, 12 outputs, or 8 or 14, got 5"),
+    "other outputs": (mlp(8, 5), {}, "the module must have 4, 7, 12, 20 outputs, or 8 or 14, got 5"),
     "another file": (mlp(4), {"path": "a.pt"}, "a policy file must end in .safetensors, got"),
     "an unknown league": (mlp(4), {"league": "legged"}, "unknown league 'legged'"),
     "an unknown observation": (mlp(4), {"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),

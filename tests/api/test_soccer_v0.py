@@ -68,7 +68,7 @@ def test_padding_robots_are_inactive_agents_off_the_field_and_no_learners_beside
 
 
 @pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("actions", ["box", "full", "discrete"])
+@pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi"])
 def test_observations_and_state_stay_in_their_spaces_through_a_whole_match(league, actions):
     env = soccer_v0.parallel_env(league=league, home=3, away=2, minutes=0.25, actions=actions)
     observations, _ = env.reset(seed=5)

@@ -13,7 +13,8 @@ import numpy as np
 
 from soccer_env.guards.ranges import ANY, Columns, NumberPlace, Range, columns, number_places
 from soccer_env.match import saving
-from soccer_env.match.saving.saves import MAGIC, saved_arrays
+from soccer_env.match.saving.saves import saved_arrays
+from soccer_env.records.save_file import MAGIC
 
 WHOLE = (-1, 0, 1, 2, 3, 4, 5, 7, 127, 1000, 1 << 31, (1 << 31) - 1, 2_000_000, 10**11)
 BROKEN = (nan, inf, -inf, 1e308, -1e308, 5e-324, -5e-324, 0.0, -0.0, 1.0, -1.0, 1e-12, 1e-300, 0.5, 3.141592653589794)

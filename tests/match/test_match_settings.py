@@ -92,7 +92,7 @@ BAD_SETTINGS = [
     ({"memory": {"ball_size": "depth"}}, "ball_size must be one of closer, height, width, got 'depth'"),
     ({"league": "middle-size-2006", "sensors": {"resolution": "88x72"}}, "unknown name 'resolution' in OmniSensors"),
     ({"senses": {"left": "ideal"}}, "keys home and away"),
-    ({"actions": "torque"}, "actions must be one of box, full, discrete, got 'torque'"),
+    ({"actions": "torque"}, "actions must be one of box, full, discrete, multi, got 'torque'"),
     ({"scene": "nowhere"}, "unknown scene 'nowhere'; known: kick-off"),
     ({"episode": "season"}, "episode must be one of match, goal, drill"),
     ({"episode": "drill"}, "needs a scene with a success test"),
@@ -142,6 +142,9 @@ BAD_ACTIONS = [
     ("discrete", np.array([[0, -1]]), "action of away_0"),
     ("discrete", np.array([[0, 12]]), "action of away_0"),
     ("discrete", np.array([[0.0, 1.5]]), "must be one integer"),
+    ("multi", np.array([[[0, 0, 0, 0], [0, 0, 0, 5]]]), "action of away_0 in match 0 must be 0 to 4, got [0, 0, 0, 5]"),
+    ("multi", np.zeros((1, 2, 4)), "action of home_0 in match 0 must be 4 integers"),
+    ("multi", np.zeros((1, 2), int), "actions must be integers of shape (1, 2, 4), got shape (1, 2)"),
     ("discrete", np.zeros((1, 2), object), "actions must be integers of shape (1, 2), got object"),
 ]
 
@@ -149,7 +152,7 @@ BAD_ACTIONS = [
 @pytest.mark.parametrize(("kind", "actions", "message"), BAD_ACTIONS)
 def test_bad_actions_are_refused_and_change_nothing(kind: str, actions: Any, message: str) -> None:
     match = Match(home=1, away=1, seed=1, actions=kind)
-    match.step(np.ones((1, 2, 4)) if kind == "box" else np.ones((1, 2), int))
+    match.step(np.ones((1, 2, *match.settings.actions.shape), float if kind == "box" else int))
     with refused(match, re.escape(message)):
         match.step(actions)
 

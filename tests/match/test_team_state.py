@@ -125,6 +125,7 @@ def test_a_side_that_is_none_and_a_whole_truth_that_is_too_small_are_refused() -
     [
         ({"home": 2, "away": 3, "opponents": "chaser", "max_cycles": 50, "minutes": 1.0}, (2, 4, 50)),
         ({"actions": "discrete", "minutes": 1.0, "action_repeat": 8}, (6, 12, 120)),
+        ({"actions": "multi", "minutes": 1.0, "action_repeat": 8}, (6, 20, 120)),
         ({"scene": "empty-goal", "episode": "drill", "home": 1, "away": 1, "actions": "full"}, (2, 7, 960)),
         ({"episode": "goal"}, (6, 4, None)),
     ],

@@ -46,6 +46,16 @@ def side_of(match: Match, m: int, r: int) -> float:
     return float(match.matches["home_direction"][m]) * (1.0 if r < match.settings.home else -1.0)
 
 
+def clocks_of(robot: Any, name: str) -> Numbers:
+    """Return what the referee counts of a robot; each league counts kinds of pushing and holding of its own."""
+    pushing = max(robot["pushing"], robot["keeper_pushing"], robot["charging"])
+    holding = max(robot["holding"], robot["handling"])
+    return {
+        f"{name}pushing": soft(pushing, 1.0), f"{name}holding": soft(holding, 1.0),
+        f"{name}penalty": soft(robot["penalty"], 10.0),
+    }  # fmt: skip
+
+
 # What every observation has
 
 
@@ -177,6 +187,7 @@ def state_of(match: Match, m: int, side: str, players: int) -> Numbers:
         **on_field(match, "ball_", half_turn * point(ball)),
         **parts("ball_v", half_turn * point(ball, "vx", "vy"), league.ball.top_speed),
         **parts("ball_roll_", half_turn * point(ball, "roll_x", "roll_y"), league.ball.top_speed),
+        "ball_still": soft(game["still_clock"], 10.0),
     }  # fmt: skip
     home = match.settings.home
     teams = [match.robots[m, :home], match.robots[m, home:]]
@@ -185,6 +196,8 @@ def state_of(match: Match, m: int, side: str, players: int) -> Numbers:
             there = number < len(robots) and robots["active"][number] == 1
             numbers = player_of(match, robots[number if there else 0], half_turn)
             told |= {f"{name}_{number}_{key}": value * float(there) for key, value in numbers.items()}
+            out = robots[number]["penalty"] if number < len(robots) else 0.0
+            told[f"{name}_{number}_penalty"] = soft(out, 10.0)
     return told
 
 
@@ -207,5 +220,6 @@ def player_of(match: Match, robot: Any, half_turn: float) -> Numbers:
         "walk_turn": walk["turn"] / drive.turn, "gait_phase": robot["gait_phase"] / max(drive.gait_steps, 1),
         "pan": robot["pan"] / pi, "tilt": robot["tilt"] / pi,
         "kick": 1.0 if clock > 0.0 else -1.0 if clock < 0.0 else 0.0,
-        "has_ball": float(robot["has_ball"]), "fallen": float(robot["fallen"] > 0.0),
+        "has_ball": float(robot["has_ball"]), "fallen": float(robot["fallen"] > 0.0), **clocks_of(robot, ""),
+        "ball_age": 0.0,
     }  # fmt: skip

@@ -29,7 +29,9 @@ def belief_of(match: Match, m: int, r: int) -> Numbers:
         "ball_raw_x": soft(raw.real, near), "ball_raw_y": soft(raw.imag, near),
         "ball_radial": soft(ball["radial"], slow), "ball_angular": soft(ball["angular"], 1.0),
         "ball_confidence": ball["confidence"] / 100.0,
-        "ball_age": aged(ball["age"]),
+        "ball_age": aged(ball["age"]), **formulas.clocks_of(me, "own_"),
+        "own_penalty": soft(situation["penalty"], 10.0),
+        "ball_still": soft(match.matches["still_clock"][m], 10.0),
     }  # fmt: skip
     if "infrared_far" in match.league.sensors.record().dtype.names:
         there = 1.0 if obstacle["distance"] > 0.0 else 0.0

@@ -34,6 +34,9 @@ def staged(league: str, home: int = 2, away: int = 4, **settings: Any) -> Match:
     robots["kick_clock"] = rng.choice([0.0, 0.3, -0.2], robots.shape)
     robots["gait_phase"] = rng.integers(0, max(drive.gait_steps, 1), robots.shape)
     robots["has_ball"], robots["fallen"] = rng.integers(0, 2, (2, *robots.shape))
+    for name in ("pushing", "keeper_pushing", "charging", "holding", "handling", "penalty"):
+        robots[name] = rng.uniform(0.0, 5.0, robots.shape) * rng.integers(0, 2, robots.shape)
+    game["still_clock"] = [0.0, 7.5, 12.0, 3.0]
     for name in ("vx", "vy", "roll_x", "roll_y"):
         match.balls[name] = rng.uniform(-0.7, 0.7, 4) * match.league.ball.top_speed
     game["half"], game["home_direction"], game["half_length"][3] = [0, 1, 0, 1], [1.0, -1.0, -1.0, 1.0], np.inf
@@ -91,7 +94,9 @@ def test_with_ideal_senses_a_belief_is_the_truth(league: str) -> None:
     def formula(match: Match, m: int, r: int) -> dict[str, float]:
         sure = {name: 1.0 for name in match.observation_names if name.endswith("confidence")}
         rest = {name: 0.0 for name in match.observation_names if name.endswith("age") or name.startswith("obstacle")}
-        told = formulas.truth_of(match, m, r) | formulas.rates_of(match, m, r) | sure | rest
+        clocks = formulas.clocks_of(match.robots[m, r], "own_")
+        still = {"ball_still": formulas.soft(match.matches["still_clock"][m], 10.0)}
+        told = formulas.truth_of(match, m, r) | formulas.rates_of(match, m, r) | sure | rest | clocks | still
         return told | {name: told[f"{name.rpartition('_')[0]}_present"] for name in sure if name[-12] in "0123456789"}
 
     assert_formulas(match, formula)

@@ -136,7 +136,7 @@ def test_goals_fouls_efforts_and_penalties_pay_and_cost_who_they_should() -> Non
     told = {name: [value(name, match, r) for r in range(2 * SIZE)] for name in ("goal", "foul", "strength", "effort")}
     assert told["goal"] == [-1.0] * SIZE + [1.0] * SIZE and told["foul"] == [0.0, -1.0, 0.0, 0.0, 0.0, 0.0]
     assert told["strength"] == pytest.approx([0.0] * SIZE + [-ALL.gamma / SIZE] * SIZE)
-    assert told["effort"] == pytest.approx([0.0] * 5 + [-1.0 / 3.0])
+    assert told["effort"] == pytest.approx([0.0] * 5 + [-match.league.dt / 3.0])
     assert set(told) | set(SCENES) == {term.name for term in TERMS}, "a term of which no scene says the sign"
 
 

@@ -1,5 +1,6 @@
 """Rewards: goals once and for the right team; shaping that cannot be farmed and leaks over nothing."""
 
+import json
 from dataclasses import replace
 from typing import Any
 
@@ -7,7 +8,17 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Rewards
-from soccer_env.rewards import KINDS, NAMES, POTENTIALS, PRESETS, TERMS, Term, find_rewards, make_reward_kernel
+from soccer_env.rewards import (
+    KINDS,
+    NAMES,
+    POTENTIALS,
+    PRESETS,
+    TERMS,
+    Term,
+    earnings,
+    find_rewards,
+    make_reward_kernel,
+)
 from soccer_env.types import AWAY, HOME
 from tests.scenes.staging import LEAGUES, endless, place, play, put, put_ball, scatter, set_phase, stage, stand
 
@@ -124,7 +135,7 @@ def test_the_terms_add_up_and_weights_scale_them() -> None:
 def test_effort_is_the_mean_square_of_the_clipped_command_and_sparse_rewards_are_events_alone() -> None:
     match = Match(home=1, away=1, seed=1)
     match.step(np.array([[[9.0, -0.5, 0.5, 1.0], [0.0, 0.0, 0.0, 1.0]]]))
-    assert match.terms[0, 0, EFFORT] == pytest.approx(-0.001 * (1.0 + 0.25 + 0.25) / 3)
+    assert match.terms[0, 0, EFFORT] == pytest.approx(-0.0005 / 16 * (1.0 + 0.25 + 0.25) / 3)
     assert match.terms[0, 1, EFFORT] == 0.0
     match = Match(seed=1, rewards="sparse", matches=4)
     scatter(match, np.random.default_rng(0))
@@ -134,6 +145,30 @@ def test_effort_is_the_mean_square_of_the_clipped_command_and_sparse_rewards_are
         assert not np.delete(match.terms, EVENTS, axis=-1).any()
         assert (match.terms[:, :, EVENTS].sum(axis=-1) == match.rewards).all()
     assert find_rewards("sparse").goal == 1.0
+
+
+@pytest.mark.parametrize("league", LEAGUES)
+def test_effort_costs_its_weight_a_second_at_every_control_rate(league: str) -> None:
+    match = Match(league, home=1, away=1, seed=1, rewards=Rewards.only(effort=0.6))
+    actions = np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]])
+    paid = sum(match.step(actions)[1][0].copy() for _ in range(match.league.control_rate))
+    assert paid == pytest.approx([-0.6 / 3.0, 0.0])
+
+
+def test_a_minute_of_walking_pays_as_listed_and_a_tenth_of_a_goal_outweighs_it(soccer: Any) -> None:
+    match = Match("middle-size-2006", home=1, away=1, seed=1, rules="none", rewards=Rewards.only(effort=0.0005))
+    actions = np.array([[[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]])
+    paid = sum(match.step(actions)[1][0, 0] for _ in range(60 * match.league.control_rate))
+    assert paid == pytest.approx(earnings(PRESETS["default"], "walks")["effort"]) == pytest.approx(-0.01)
+    for name in ("default", "training"):
+        assert not any(earnings(PRESETS[name], "stands").values())
+        walks, wins = (earnings(PRESETS[name], player) for player in ("walks", "wins"))
+        assert -walks["sum"] < 0.1 * PRESETS[name].goal and wins["sum"] > 0.9 * wins["goal"] > 0.0
+    (table,) = [table for table in json.loads(soccer("list", "rewards", "--json")) if "Earnings" in table["title"]]
+    effort, total = table["rows"][1], table["rows"][-1]
+    assert effort["term"], total["term"] == ("effort", "sum")
+    assert [effort[f"default: {player}"] for player in ("stands", "walks", "wins")] == ["0", "-0.01", "-0.01"]
+    assert [total[f"default: {player}"] for player in ("stands", "walks", "wins")] == ["0", "-0.01", "0.19"]
 
 
 def test_progress_is_lost_by_the_other_team_and_approach_rewards_the_nearest_robot() -> None:
@@ -197,6 +232,6 @@ def test_a_kernel_follows_from_any_table() -> None:
     records = (match.matches[0], match.balls[0], match.robots[0], match.events[0], match.robot_events[0])
     paid = np.zeros((2, 4))
     pay(*records, match.settings.constants()[0], before, after, weights[0], paid)
-    cost = -3.0 * 0.25 / 3.0
+    cost = -3.0 * 0.25 / 3.0 * match.league.dt
     assert paid[HOME].tolist() == [cost, 2.0 * (1.5 - 1.0), 5.0 * (3.0 - 4.0), -7.0]
     assert paid[AWAY].tolist() == [cost, 2.0 * (4.0 - 2.0), 5.0 * (3.0 - 8.0), 7.0]

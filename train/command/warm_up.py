@@ -86,7 +86,7 @@ def play(league: str, team: str, **settings: Any) -> None:
     """Play one step of a match between a team and learners, then save and load the match."""
     match = Match(league, **{"home": 2, "away": 2, "seed": 0, "opponents": team, **settings})
     kind = match.settings.actions
-    shape = (1, len(match.agents)) if kind.name == "discrete" else (1, len(match.agents), kind.size)
+    shape = (1, len(match.agents), *kind.shape)
     match.step(np.zeros(shape, np.int64))
     match.load(match.save())
     match.state()

@@ -21,7 +21,7 @@ from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import split_matches
-from soccer_env.train.ppo.networks import blank_policy
+from soccer_env.train.ppo.networks import blank_policy, widened_policy
 from soccer_env.train.ppo.reporting.loggers import check_packages
 from soccer_env.train.ppo.reports import policy_contest
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
@@ -63,12 +63,12 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
     if not settings.start:
         return
     with name_setting_in_error("start"):
-        policy = load(settings.start)
-        for what in ("family", "control_rate", "observe", "inputs", "action_repeat", "kind", "activation", "mirror"):
+        policy = widened_policy(load(settings.start), blank.inputs)
+        for what in ("family", "control_rate", "observe", "action_repeat", "kind", "activation", "mirror"):
             own, other = getattr(blank, what), getattr(policy, what)
             if own != other:
-                told = "differ" if what == "inputs" else f"is {short_repr(other)}, the run's {short_repr(own)}"
-                raise ValueError(f"policy file {settings.start!r} is of another shape: {what} {told}")
+                told = f"{what} is {short_repr(other)}, the run's {short_repr(own)}"
+                raise ValueError(f"policy file {settings.start!r} is of another shape: {told}")
         shapes = [[weight.shape for weight in one.weights] for one in (blank, policy)]
         if shapes[0] != shapes[1]:
             sizes = ",".join(str(len(bias)) for bias in policy.biases[:-1])

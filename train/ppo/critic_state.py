@@ -17,8 +17,3 @@ def append_state(observations: np.ndarray, match: Match, records: Any, players: 
     if observations.shape[1] > home:
         sides += [truth_state.states(match.settings, records, "away", players)] * match.settings.away
     return np.concatenate([observations, np.stack(sides, axis=1)], axis=2)
-
-
-def records_of(match: Match) -> dict[str, np.ndarray]:
-    """Return the present records of matches, balls and robots, from which `state` is computed."""
-    return {"matches": match.matches, "balls": match.balls, "robots": match.robots}

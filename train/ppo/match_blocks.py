@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import DISCRETE
+from soccer_env.actions import ActionKind
 from soccer_env.api.opponents import LEARNER
 from soccer_env.guards.checking import check_whole_number
 from soccer_env.guards.interrupts import SignalsHeld
@@ -77,7 +77,7 @@ def split_evenly(whole: int, count: int) -> list[int]:
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]
 
 
-def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: int, stagger: int) -> None:
+def begin(match: Match, seeds: np.ndarray, first_decision: int, stagger: int) -> None:
     """Begin episodes from the seeds (M,), and let the robots stand until their first decision.
 
     stagger: 0, or the control steps of an action; episodes then start at clock times that differ by whole actions.
@@ -86,6 +86,7 @@ def begin(match: Match, seeds: np.ndarray, still: np.ndarray, first_decision: in
     if stagger:
         stagger_clocks(match, stagger)
     until = first_decision or stagger  # so that observations show the new clock
+    still = match.settings.actions.still(match.count, len(match.agents))
     for _ in range(until):
         match.step(still)
 
@@ -105,8 +106,9 @@ def playing(match: Match) -> list[str]:
 
 def taken(actions: Any, like: np.ndarray, matches: Sequence[Match]) -> np.ndarray:
     """Check the actions of all rows and return them, numbers clipped to [-1, 1]; ValueError for a wrong action."""
-    if like.ndim == 1:
-        return discrete_rows(actions, len(like))
+    kind = matches[0].settings.actions
+    if kind.parts:
+        return index_rows(kind, actions, len(like))
     shape = like.shape
     numbers = np.asarray(actions)
     if numbers.dtype.kind not in "fiu" or numbers.shape != shape:
@@ -148,12 +150,15 @@ def undo_on_error(matches: Sequence[Match], opponents: list[list[str]], doing: s
             raise
 
 
-def discrete_rows(actions: Any, rows: int) -> np.ndarray:
-    """Check discrete actions (rows,) and return them; ValueError unless they are indices of known actions."""
+def index_rows(kind: ActionKind, actions: Any, rows: int) -> np.ndarray:
+    """Check indices (rows,) or (rows, 4) and return them; ValueError unless they are those of known actions."""
     numbers = np.asarray(actions)
-    if numbers.dtype.kind not in "iu" or numbers.shape != (rows,):
-        raise ValueError(f"actions must be {rows} whole numbers, got {numbers.dtype} of shape {numbers.shape}")
-    if numbers.min() < 0 or numbers.max() >= len(DISCRETE):
-        row = int(np.argmax((numbers < 0) | (numbers >= len(DISCRETE))))
-        raise ValueError(f"action of row {row} must be 0 to {len(DISCRETE) - 1}, got {numbers[row]}")
+    shape = (rows, *kind.shape)
+    if numbers.dtype.kind not in "iu" or numbers.shape != shape:
+        raise ValueError(
+            f"actions must be whole numbers of shape {shape}, got {numbers.dtype} of shape {numbers.shape}"
+        )
+    wrong = (numbers.reshape(rows, -1) < 0) | (numbers.reshape(rows, -1) >= kind.parts)
+    if wrong.any():
+        kind.indices(numbers[row := int(np.argmax(wrong.any(axis=1)))], f"row {row}")
     return numbers

@@ -7,6 +7,7 @@ exactly the mirrored action.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -196,8 +197,30 @@ def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch
     return [part.weight for part in linear], [part.bias for part in linear], attention.tensors() if attention else []
 
 
+def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
+    """Return a policy of more inputs that plays as before: the weights of entries that it did not read are 0.
+
+    ValueError names an entry that `inputs` lack.
+    """
+    missing = [name for name in policy.inputs if name not in inputs]
+    if missing:
+        raise ValueError(f"policy {policy.name!r} reads the entry {missing[0]!r}, which is not observed")
+    old = layout_of(policy.entries).fixed if policy.attention else len(policy.inputs)
+    new = old + len(inputs) - len(policy.inputs)
+    columns = [*map(inputs.index, policy.inputs[:old])]
+
+    def widen(array: np.ndarray) -> np.ndarray:
+        wide = np.zeros((len(array), new + array.shape[1] - old), np.float32)
+        wide[:, columns], wide[:, new:] = array[:, :old], array[:, old:]
+        return wide
+
+    attention = tuple(widen(part) if index % 3 == 2 else part for index, part in enumerate(policy.attention))  # Q
+    return replace(policy, inputs=inputs, weights=(widen(policy.weights[0]), *policy.weights[1:]), attention=attention)
+
+
 def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
-    """Copy the actor of a policy of equal shape into a network, whose noise and critic stay unchanged."""
+    """Copy a policy's actor into a network, which may observe more; its noise and critic stay unchanged."""
+    policy = widened_policy(policy, tuple(entry.name for entry in network.entries))
     given = (policy.weights, policy.biases, policy.attention)
     with torch.no_grad():
         for parts, arrays in zip(actor_tensors(network), given, strict=True):

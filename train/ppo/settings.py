@@ -71,7 +71,7 @@ class PlainSettings:
     minutes: float = 2.0
     """Minutes of play in a training episode, both halves together."""
     scenes: str = "kick-off"
-    """How episodes begin; several scenes take shares: kick-off:0.6,my_module:SCENE:0.4. Play goes on after a drill's
+    """How episodes begin; several scenes take shares: kick-off:0.6,states:FILE:0.4. Play goes on after a drill's
     start."""
     past: int = 0
     """Number of past selves among the opponents; the newest replaces the oldest."""

@@ -25,16 +25,16 @@ try:
 except ModuleNotFoundError as error:
     raise ImportError(f'SoccerVecEnv needs stable-baselines3: pip install "soccer_env[train]" ({error})') from error
 
-from soccer_env.actions import FULL
 from soccer_env.agents.learned import first_decision_step
 from soccer_env.guards.checking import short_repr
 from soccer_env.guards.names import Made
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
 from soccer_env.match.saving import calls_python, reduce_by_save, signals_wait
+from soccer_env.match.truth_state import records_of
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
-from soccer_env.train.ppo.critic_state import append_state, records_of
+from soccer_env.train.ppo.critic_state import append_state
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
 
 
@@ -107,9 +107,9 @@ class SoccerVecEnv(VecEnv):
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
         width = self._observations().shape[1]
-        action = self.matches[0].settings.actions.space()
-        self._actions = np.zeros((self.edges[-1], *action.shape), np.int64 if action.shape == () else np.float64)
-        super().__init__(self.edges[-1], spaces.Box(-1.0, 1.0, (width,), np.float32), action)
+        kind = self.matches[0].settings.actions
+        self._actions = np.zeros((self.edges[-1], *kind.shape), np.int64 if kind.parts else np.float64)
+        super().__init__(self.edges[-1], spaces.Box(-1.0, 1.0, (width,), np.float32), kind.space())
         self._seed, self._asked = seed, False  # whether a step was asked for
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 
@@ -125,14 +125,14 @@ class SoccerVecEnv(VecEnv):
         with undo_on_error(self.matches, self.opponents, "reset"):
             seeds, apart = seeds_for(self._seed, sum(m.count for m in self.matches)), self.stagger * self.repeat
             for match in self.matches:
-                begin(match, seeds[: match.count], self._standing_actions(match), self.first_decision, apart)
+                begin(match, seeds[: match.count], self.first_decision, apart)
                 seeds = seeds[match.count :]
             self.opponents[:] = [playing(match) for match in self.matches]
             self._returns[:], self._lengths[:] = 0.0, 0
             return self._observations()
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Set the actions for the next step: (rows, 4 or 7), or discrete (rows,); ValueError names a wrong row."""
+        """Set the actions for the next step, (rows, 4 or 7) or indices (rows,), (rows, 4); ValueError names a row."""
         self._actions[:] = taken(actions, self._actions, self.matches)
         self._asked = True
 
@@ -173,7 +173,7 @@ class SoccerVecEnv(VecEnv):
         results: list[Result] = []
         match, learners = self.matches[index], self.learners[index]
         rows = slice(self.edges[index], self.edges[index + 1])
-        stand = self._standing_actions(match)
+        stand = match.settings.actions.still(match.count, len(match.agents))
         actions = stand.copy()
         actions[:, :learners] = self._actions[rows].reshape(match.count, learners, *self._actions.shape[1:])
         gained, over = rewards[rows].reshape(match.count, learners), np.zeros(match.count, bool)
@@ -208,13 +208,6 @@ class SoccerVecEnv(VecEnv):
             results.append(Result(players, opponent, int(score[0]), int(score[1])))
         self.opponents[index] = playing(match)
         return results
-
-    def _standing_actions(self, match: Match) -> np.ndarray:
-        """Return actions (M, R) or (M, R, 4 or 7) with which robots stand still and their heads track the ball."""
-        actions = np.zeros((match.count, len(match.agents), *self._actions.shape[1:]), self._actions.dtype)
-        if actions.shape[2:] == (len(FULL),):
-            actions[..., FULL.index("head")] = -1.0
-        return actions
 
     def _observations(self) -> np.ndarray:
         """Return the observations (rows, n) of all learners as a new array."""
@@ -257,7 +250,11 @@ class SoccerVecEnv(VecEnv):
         raise AttributeError(f"rows of a SoccerVecEnv have no attribute {attr_name!r} of their own")
 
     def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> list[Any]:
-        """Raise AttributeError: rows have no methods of their own."""
+        """Return the mask of each row for "action_masks", as sb3-contrib asks; AttributeError for other methods."""
+        if method_name == "action_masks":
+            pairs = zip(self.matches, self.learners, strict=True)
+            masks = [match.action_masks()[:, :count].reshape(match.count * count, -1) for match, count in pairs]
+            return list(np.concatenate(masks)[list(self._get_indices(indices))])
         raise AttributeError(f"rows of a SoccerVecEnv have no method {method_name!r} of their own")
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:

@@ -3,7 +3,6 @@
 A save holds the records and the memories of the teams. Physics is rebuilt from the records, so a save has one future.
 """
 
-import functools
 import hashlib
 import json
 import logging
@@ -18,7 +17,8 @@ from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import first_out_of_range
 from soccer_env.match.arguments import rebuild_from_settings, version
 from soccer_env.match.saving.fitting import describe_differences
-from soccer_env.types import GAZE, OTHER_WORLD, WORLD, RobotStream
+from soccer_env.records.save_file import check_caught_legs, check_world, describe_parts, join_save, open_save
+from soccer_env.types import GAZE, WORLD, RobotStream
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 
@@ -27,7 +27,6 @@ PLAYED = (RobotStream.SLIP, RobotStream.KICK, RobotStream.PLACEMENT, RobotStream
 THOUGHT = [int(stream) for stream in RobotStream if stream not in PLAYED]
 
 LOG = logging.getLogger("soccer_env")
-MAGIC = b"soccer_env save 1\n"
 LONGEST = 6e13  # [s] of a half with an end, in leagues and by `minutes`
 FIXED = ("team", "number", "keeper")  # fields of a robot that never change
 
@@ -57,26 +56,17 @@ def save_header(match: Match, arrays: dict[str, np.ndarray], memory: bool) -> di
         "world": WORLD,
         "settings": settings,
         "teams": teams,
-        "parts": [[name, dtype_text(array.dtype), list(array.shape), array.nbytes] for name, array in arrays.items()],
+        "parts": describe_parts(arrays),
     }
 
 
-@functools.cache
-def dtype_text(dtype: np.dtype) -> str:
-    """Return a dtype as text, from a cache: numpy would need longer for this text than for the rest of a save."""
-    return str(dtype)
-
-
 def dump(match: Match, memory: bool = True, rows: np.ndarray | None = None) -> bytes:
-    """Return a save of all matches, or of some rows, as bytes: magic, length of the header, header, arrays, sha256."""
+    """Return a save of all matches, or of some rows, as bytes."""
     arrays = saved_arrays(match, memory)
     if rows is not None:
         arrays = {name: array[rows] for name, array in arrays.items()}
     described = {"told": match.described_settings} if memory else {}
-    header = json.dumps({**save_header(match, arrays, memory), **described}).encode()
-    contents = [array.tobytes() for array in arrays.values()]
-    body = b"".join([MAGIC, len(header).to_bytes(4, "little"), header, *contents])
-    return body + hashlib.sha256(body).digest()
+    return join_save({**save_header(match, arrays, memory), **described}, arrays.values())
 
 
 def restore(match: Match, saved: Any, memory: bool = True, rows: np.ndarray | None = None) -> None:
@@ -89,10 +79,7 @@ def arrays_of_save(
 ) -> dict[str, np.ndarray]:
     """Read the arrays of a save by name; ValueError if the save does not fit the match."""
     body, start, header = open_save(saved)
-    if header.get("world", 1) != WORLD:
-        raise ValueError(
-            f"this save is of world {str(header.get('world', 1))[:9]}, this is world {WORLD}: {OTHER_WORLD}"
-        )
+    check_world(header)
     count = count_saved_matches(header, match.count, rows)
     there = saved_arrays(match, memory)
     wanted = {name: np.empty((count, *array.shape[1:]), array.dtype) for name, array in there.items()}
@@ -142,25 +129,6 @@ def count_saved_matches(header: dict[str, Any], there: int, rows: np.ndarray | N
     )
 
 
-def open_save(saved: Any) -> tuple[bytes, int, dict[str, Any]]:
-    """Return the body of a save, the offset of its arrays, and its header; ValueError if the save is damaged."""
-    if not isinstance(saved, (bytes, bytearray, memoryview)):
-        raise ValueError(f"a save is bytes, got {type(saved).__name__}")
-    data = bytes(saved)
-    body, digest = data[:-32], data[-32:]
-    if not data.startswith(MAGIC) or hashlib.sha256(body).digest() != digest:
-        raise ValueError("this is not a save of soccer_env, or it is damaged")
-    start = len(MAGIC) + 4
-    size = int.from_bytes(data[len(MAGIC) : start], "little")
-    try:
-        header = json.loads(body[start : start + size])
-    except (ValueError, RecursionError) as error:
-        raise ValueError("this save is damaged: its header cannot be read") from error
-    if not isinstance(header, dict):
-        raise ValueError("this save is damaged: its header is not an object")
-    return body, start + size, header
-
-
 # Checks of the numbers: kernels trust the numbers in the records
 
 
@@ -177,16 +145,7 @@ def check_numbers(match: Match, arrays: dict[str, np.ndarray]) -> None:
     length = arrays["matches"]["half_length"]
     if ((length > LONGEST) & (length < inf)).any():
         raise ValueError("this save is damaged: half_length of matches is out of range")
-    if robots["caught_by"].any():
-        check_caught_legs(robots, bool(match.batch.constants["legs"][0]))
-
-
-def check_caught_legs(robots: np.ndarray, legs: bool) -> None:
-    """Raise ValueError unless each caught leg of robots (M, R) is held by another robot, with both on the pitch."""
-    holder, active = robots["caught_by"] - 1, robots["active"] == 1
-    held = active & np.take_along_axis(active, np.maximum(holder, 0), axis=1) & (holder != np.arange(robots.shape[1]))
-    if not legs or not (held | (holder < 0)).all():
-        raise ValueError("this save is damaged: caught_by of robots names a robot that cannot hold a leg")
+    check_caught_legs(robots, bool(match.batch.constants["legs"][0]))
 
 
 # Copies by pickle, cloudpickle and copy.deepcopy

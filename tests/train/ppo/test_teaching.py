@@ -8,6 +8,9 @@ import numpy as np
 import pytest
 
 from soccer_env.agents.policy_file import load
+from soccer_env.leagues import find_league
+from soccer_env.observations import entry_names
+from tests.agents.staged_policies import decide, random_attention_policy, random_policy
 from tests.scenes.staging import play
 
 pytest.importorskip("stable_baselines3")
@@ -17,6 +20,7 @@ import torch
 
 from soccer_env import Match
 from soccer_env.agents.learned import first_decision_step
+from soccer_env.train.ppo.networks import widened_policy
 from soccer_env.train.ppo.reports import best_evaluation_sentence, decisions_of
 from soccer_env.train.ppo.teaching import lessons
 from soccer_env.train.ppo.teaching.advice import BEND, KICK_WEIGHT, KNOWN, WALK_WEIGHT, Adviser, advice_error, advised
@@ -37,6 +41,22 @@ def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, ch
     assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
     made = load(tmp_path / "next" / "last.safetensors").made
     assert str(tmp_path) not in str(made) and made["start"] == sha256(first.read_bytes()).hexdigest()
+
+
+CLOCKS = ("own_pushing", "own_holding", "own_penalty", "ball_still")
+
+
+@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
+def test_an_actor_of_fewer_inputs_begins_as_it_was_and_sees_the_new_ones_with_weight_0(make: Any) -> None:
+    names = tuple(entry_names(find_league("legged-2001"), "belief"))
+    old = make(16, mirror=True, inputs=tuple(name for name in names if name not in CLOCKS))
+    new = widened_policy(old, names)
+    rows = np.random.default_rng(2).uniform(-1.0, 1.0, (50, len(names))).astype(np.float32)
+    read = [names.index(name) for name in old.inputs]
+    assert new.inputs == names and (decide(new, rows) == decide(old, rows[:, read])).all()
+    assert widened_policy(new, names).inputs == names
+    with pytest.raises(ValueError, match="policy 'lively' reads the entry 'own_x', which is not observed"):
+        widened_policy(old, names[1:])
 
 
 def test_it_is_judged_after_every_round_and_the_rounds_are_gone_at_the_end(tmp_path: Path) -> None:

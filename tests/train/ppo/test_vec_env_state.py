@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.actions import DISCRETE
+from soccer_env.actions import DISCRETE, ActionKind
 from soccer_env.match import truth_state
 from soccer_env.random_numbers import seeds_for
 from tests.scenes.staging import refused
@@ -28,13 +28,12 @@ def under(env: SoccerVecEnv, actions: str) -> Match:
     """Return a match like the one under an environment, at the moment of its first decision."""
     settings: dict[str, Any] = {"seeds": seeds_for(4, 3), "minutes": 0.1, "autoreset": "same_step", "actions": actions}
     match = Match(home=2, away=1, matches=3, **settings)
-    stand = np.zeros((3, 3), int) if actions == "discrete" else np.zeros((3, 3, 4))
     for _ in range(env.first_decision):
-        match.step(stand)
+        match.step(ActionKind(actions).still(3, 3))
     return match
 
 
-@pytest.mark.parametrize("actions", ["box", "discrete"])
+@pytest.mark.parametrize("actions", ["box", "discrete", "multi"])
 def test_the_rows_of_both_sides_are_the_robots_of_each_match(actions: str) -> None:
     env = SoccerVecEnv(**SETTINGS, opponents=None, actions=actions)
     match, rng = under(env, actions), np.random.default_rng(1)
@@ -43,7 +42,11 @@ def test_the_rows_of_both_sides_are_the_robots_of_each_match(actions: str) -> No
     paid_home = paid_away = 0.0
     for _ in range(8):
         assert (seen == match.observations.reshape(9, -1)).all()
-        chosen = rng.integers(0, len(DISCRETE), 9) if actions == "discrete" else rng.uniform(-1, 1, (9, 4))
+        chosen = rng.integers(0, 5, (9, 4)) if actions == "multi" else rng.uniform(-1, 1, (9, 4))
+        chosen = rng.integers(0, len(DISCRETE), 9) if actions == "discrete" else chosen
+        if actions != "box":
+            masks = np.stack(env.env_method("action_masks"))
+            assert (masks == match.action_masks().reshape(9, -1)).all() and masks.dtype == np.int8
         seen, rewards, dones, _ = env.step(chosen)
         total = np.zeros((3, 3))
         for step in range(4):
@@ -52,6 +55,8 @@ def test_the_rows_of_both_sides_are_the_robots_of_each_match(actions: str) -> No
         assert not dones.any()
         paid_home, paid_away = paid_home + rewards[0::3].sum(), paid_away + rewards[2::3].sum()
     assert paid_home and paid_away
+    with pytest.raises(AttributeError, match="have no method 'dance'"):
+        env.env_method("dance")
 
 
 def test_an_episode_ends_for_both_sides_and_is_told_from_home() -> None:
@@ -92,9 +97,9 @@ def test_ppo_learns_against_itself_and_a_save_goes_on() -> None:
 
 
 WRONG = [
-    (np.zeros(6), "actions must be 6 whole numbers, got float64 of shape (6,)"),
-    (np.zeros(5, int), "actions must be 6 whole numbers, got int64 of shape (5,)"),
-    (np.zeros((6, 1), int), "actions must be 6 whole numbers, got int64 of shape (6, 1)"),
+    (np.zeros(6), "actions must be whole numbers of shape (6,), got float64 of shape (6,)"),
+    (np.zeros(5, int), "actions must be whole numbers of shape (6,), got int64 of shape (5,)"),
+    (np.zeros((6, 1), int), "actions must be whole numbers of shape (6,), got int64 of shape (6, 1)"),
     (np.array([0, 1, 2, 12, 0, 0]), "action of row 3 must be 0 to 11, got 12"),
     (np.array([0, 1, 2, 3, 0, -1]), "action of row 5 must be 0 to 11, got -1"),
 ]
