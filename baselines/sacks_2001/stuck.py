@@ -26,9 +26,9 @@ def watch_approach(ball, memory, k, play, elapsed):
     """Update both counters of an approach: readings without progress, and time near the ball.
 
     MS19: +1 if the radial velocity is near zero or positive, -1 if it is significantly less than zero, never below
-    zero; between the two the counter rests, and without a velocity. The bands do not widen with the error of a velocity. However large the
-    error, the count falls in the long run for a robot that nears the ball faster than the middle between the bands, and
-    rises for a robot that stands.
+    zero; between the two the counter rests, and without a velocity. The bands do not widen with the error of a
+    velocity. However large the error, the count falls in the long run for a robot that nears the ball faster than the
+    middle between the bands, and rises for a robot that stands.
     """
     if is_near(ball, k, play):  # MS20
         memory.near += elapsed
