@@ -6,7 +6,7 @@ The base can move sideways, so it can face any direction and turns while it driv
 acceleration: to keep a straight path while turning at w with speed v, a base needs the acceleration v w in its frame.
 
 Obstacles are the other robots, with believed places and velocities (MH06, MH15): the robot's own tracks, from its
-camera and from its team-mates' reports by radio.
+camera and from its team-mates' reports by radio. The goals, with posts and nets, are obstacles that stand still.
 
     "the position of the obstacles is no longer static for the whole planning process"    [Heinemann 2006, 3]
 
@@ -34,6 +34,8 @@ from soccer_env.skills.moves import (
 from soccer_env.skills.sight import side_of
 
 NO_PLANNER = PLANNERS["none"]
+NEAR_GOAL = 2.0  # [m] before a goal line from which the goal is an obstacle, assumed: beyond its repulsion
+GOAL_DISCS = 5  # that fill a goal from post to post, a quarter of its width apart
 KEPT = 2  # decisions, this one and the next, for which the velocity asked for is known
 
 
@@ -49,6 +51,7 @@ def drive_to(command, memory, k, play, scratch, x, y, facing, final):
         command_velocity(command, memory, k, play, sight, 0.0, 0.0, 0.0, facing)
         return
     note_crowd(scratch, k, play, final > 0.0)
+    note_goals(scratch, k, x)
     plan_to(k, play, scratch, x, y)
     follow(command, memory, k, play, scratch, facing, final)
 
@@ -145,6 +148,24 @@ def note_crowd(scratch, k, play, fights):
         one.radius = k.body_reach + play.keeps_off
         count += 1
     scratch.count = count
+
+
+@compiled
+def note_goals(scratch, k, x):
+    """Add to the obstacles the goal that the robot or its target, at x [m], is near, as discs that fill the goal.
+
+    A way past a goalkeeper would otherwise lead through the goal, and end at a side net.
+    """
+    wide, radius = 0.5 * k.pitch_goal_width, 0.5 * k.pitch_goal_depth
+    for end in range(-1, 2, 2):
+        if max(end * x, end * scratch.sight.x) < 0.5 * k.pitch_length - NEAR_GOAL:
+            continue
+        for i in range(GOAL_DISCS):
+            if scratch.count < MOST_OBSTACLES:
+                one = scratch.crowd[scratch.count]
+                one.x, one.y = end * (0.5 * k.pitch_length + radius), wide * (2.0 * i / (GOAL_DISCS - 1.0) - 1.0)
+                one.vx, one.vy, one.radius = 0.0, 0.0, radius
+                scratch.count += 1
 
 
 @compiled

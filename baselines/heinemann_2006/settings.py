@@ -34,8 +34,7 @@ class HeinemannSettings(Options):
         "run_in": FAR,
         "pass_arrival": (0.0, 10.0), "pass_near": FAR, "pass_far": FAR, "pass_gain": (-20.0, 20.0),
         "pass_back": (-20.0, 20.0), "pass_room": (-1.0, 1.0), "pass_free": (0.0, 20.0), "pass_cosine": (-1.0, 1.0),
-        "role_time": TIME,
-        "word_delay": (0.0, 10.0), "most_iterations": (1, 16), "most_evaluations": (100, 100_000),
+        "role_time": TIME, "word_delay": (0.0, 10.0),
     }  # fmt: skip
 
     strength: float = 1.0  # [1] 0 to 1: pace, how often it decides, how straight it aims, how hard it kicks
@@ -49,8 +48,6 @@ class HeinemannSettings(Options):
     planner: str = "time_variant"  # static: that of Weigel et al.; none: bent aside from who is near  MH14, MH17
     velocity: bool = True  # others move as believed; False: they are planned round as if they stood  MH15
     fastest: float = 5.0  # [m/s] that an obstacle is taken to move at most, Heinemann 2006, 3  MH25
-    most_iterations: int = 3  # of a plan for T, assumed: it is planned anew every 20 ms  MH16
-    most_evaluations: int = 1200  # of the potential in one plan, assumed  MH12
     keeps_off: float = 0.0  # [m] more than two radii that a way keeps from others' middles, assumed
 
     # driving, 2, 3
@@ -115,10 +112,5 @@ def settings_records(settings: HeinemannSettings) -> np.ndarray:
     for name in own.dtype.names or ():
         rows[name] = own[name]
     rows["skills"] = chaser(settings.strength).settings
-    planner = PlannerSettings(
-        time_variant=settings.planner == "time_variant",
-        most_iterations=settings.most_iterations,
-        most_evaluations=settings.most_evaluations,
-    )
-    rows["ways"][:] = planner.record()
+    rows["ways"][:] = PlannerSettings(time_variant=settings.planner == "time_variant").record()
     return rows

@@ -21,6 +21,7 @@ MEMORY = ranged_record(
         ("role_clock", "f8", NUMBER),  # [s] for which the other role would have been right
         ("reading", "f8", NUMBER),  # [s] since the stuck counter was last moved
         ("stuck", "i8", LATELY),  # net readings without coming nearer  MS19
+        ("unmeasured", "f8", NUMBER),  # [s] left until a ball that reappears has a velocity  MS17
         ("near", "f8", NUMBER),  # [s] near the ball  MS20
         ("tries", "i8", COUNT),  # recoveries since it last had the ball
         ("left", "f8", NUMBER),  # [s] of the present piece of a recovery

@@ -52,6 +52,7 @@ from soccer_env.baselines.sacks_2001.steering import choose_dribble_direction, o
 from soccer_env.baselines.sacks_2001.stuck import (
     is_near,
     is_stuck,
+    note_gap,
     reset_approach_counters,
     share_of_step,
     watch_approach,
@@ -76,6 +77,7 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
     before = memory.behaviour
     note_sighting(belief, memory, k, play, elapsed)
     note_possession(belief.ball, memory, k, play, elapsed)
+    note_gap(belief.ball, memory, elapsed)
     memory.behaviour = choose_behaviour(belief, tracks, memory, sight, k, play, elapsed)
     memory.clock = memory.clock + elapsed if memory.behaviour == before else 0.0
     if memory.behaviour != SEARCH:

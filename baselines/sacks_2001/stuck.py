@@ -11,7 +11,14 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, length
 
 INTERVAL = 1.0 / 3.0  # [s] between two velocities of the ball, Sacks 2001, 3.2
+FORGOTTEN = 1.5 - INTERVAL  # [s] unseen after which its velocity is forgotten, to a reading, Sacks 2001, 3.2
 ROUNDING = 1e-9
+
+
+@compiled
+def note_gap(ball, memory, elapsed):
+    """Note the time until a ball that reappears has a velocity: its first reading is only stored.  MS17"""
+    memory.unmeasured = 2.0 * INTERVAL if ball.age > FORGOTTEN else max(memory.unmeasured - elapsed, 0.0)
 
 
 @compiled
@@ -19,9 +26,9 @@ def watch_approach(ball, memory, k, play, elapsed):
     """Update both counters of an approach: readings without progress, and time near the ball.
 
     MS19: +1 if the radial velocity is near zero or positive, -1 if it is significantly less than zero, never below
-    zero; between the two the counter rests. The bands do not widen with the error of a velocity. However large the
-    error, the count falls in the long run for a robot that nears the ball faster than the middle between the bands, and
-    rises for a robot that stands.
+    zero; between the two the counter rests, and without a velocity. The bands do not widen with the error of a
+    velocity. However large the error, the count falls in the long run for a robot that nears the ball faster than the
+    middle between the bands, and rises for a robot that stands.
     """
     if is_near(ball, k, play):  # MS20
         memory.near += elapsed
@@ -31,7 +38,7 @@ def watch_approach(ball, memory, k, play, elapsed):
     if memory.reading < INTERVAL - ROUNDING:
         return
     memory.reading = max(memory.reading - INTERVAL, 0.0)
-    if ball.age > INTERVAL:
+    if ball.age > INTERVAL or memory.unmeasured > ROUNDING:
         return
     if ball.radial > -play.near_zero:
         memory.stuck += 1

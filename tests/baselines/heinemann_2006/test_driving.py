@@ -125,6 +125,20 @@ def test_whatever_is_in_the_way_it_comes_as_near_as_it_can_and_touches_nobody(sc
     assert hypot(rows[-1, 0] - target[0], rows[-1, 1] - target[1]) <= near and rows[:, 5].min() > 2.0 * 0.287
 
 
+@pytest.mark.parametrize("end", [-1.0, 1.0])
+@pytest.mark.parametrize("x", [5.2, 5.6, 6.3])
+def test_a_way_past_a_goalkeeper_leads_round_it_in_the_field_and_never_through_the_goal(x: float, end: float) -> None:
+    play = settings_records(HeinemannSettings())[OMNI]
+    scratch, memory, command = np.zeros(1, SCRATCH)[0], np.zeros(1, MEMORY)[0], np.zeros(1, COMMAND)[0]
+    sight, plan = scratch["sight"], scratch["plan"][0]
+    sight["pace"], sight["elapsed"], sight["cosine"], sight["x"], sight["y"] = 1.0, DT, 1.0, end * x, -2.0
+    sight["others"], sight["other_x"][0] = 1, end * 5.0
+    drive_to(command, memory, K, play, scratch, end * x, 2.0, 0.0, 0.0)
+    path = plan["path"][: plan["count"]]
+    before_goal = np.abs(path["y"]) < 1.0 + K["pitch_post_radius"]
+    assert plan["ended"] == 0 and (end * path["x"][before_goal]).max() < 6.0 - REACH
+
+
 def test_bends_and_turns_are_as_fast_as_their_share_of_the_acceleration() -> None:
     play = settings_records(HeinemannSettings(bending=0.5, turning=0.25))[OMNI]
     assert bend_angle(1.0, 0.0, 0.0, 2.0) == pytest.approx(pi / 2)

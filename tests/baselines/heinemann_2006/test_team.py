@@ -9,6 +9,7 @@ from soccer_env import Match, make_team
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, KEEPER, MEMORY, SUPPORTER
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_records
+from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.sight import SIGHT
@@ -41,6 +42,7 @@ def test_switches_are_named_and_checked_and_the_legged_league_is_refused() -> No
     team = make_team("heinemann-2006:planner=static,keeper=passive,velocity=False")
     row = team.settings[1]
     assert (row["planner"], row["keeper"], row["velocity"], row["ways"]["time_variant"][0]) == (1, 1, 0, 0)
+    assert make_team("heinemann-2006").settings["ways"][1] == PlannerSettings().record()  # as claims measure it alone
     assert make_team("weigel-2001").settings.tobytes() == make_team("heinemann-2006:planner=static").settings.tobytes()
     for message, name in (
         ("HeinemannSettings.keeper must be one of active, passive, got 'brave'", "heinemann-2006:keeper=brave"),

@@ -54,6 +54,21 @@ def test_ms19_between_the_bands_the_count_rests() -> None:
     assert mind.memory["stuck"] == 3
 
 
+def test_ms19_a_ball_that_reappears_counts_only_from_its_second_reading_on() -> None:
+    """Its first reading is only stored, with a velocity of 0 that says nothing."""
+    for unseen, counted in ((1.0, 1), (1.6, 0)):
+        mind = Mind()
+        mind.see_ball(FAR)
+        mind.belief["ball"]["age"] = unseen
+        mind.think(3 * READING)
+        mind.see_ball(FAR)
+        mind.memory["reading"] = 0.0
+        mind.think(READING + 0.03)
+        assert mind.memory["stuck"] == counted
+        mind.think(2 * READING)
+        assert mind.memory["stuck"] == counted + 2
+
+
 @pytest.mark.parametrize("distance", [0.6, 1.8, 2.5])
 def test_ms19_however_wrong_velocities_are_the_count_falls_for_who_walks_and_rises_for_who_stands(distance) -> None:
     errors = [NOISE * distance**2 * NormalDist().inv_cdf((i + 0.5) / 400) for i in range(400)]
