@@ -71,6 +71,9 @@ class HeinemannSettings(Options):
     # play
     intercepts: bool = True  # goes to where a rolling ball can be met first; False: to where it is  MH22
     lead: float = 3.0  # [s] at most by which a rolling ball is led, assumed  MH22
+    # At 0.7 m, with players at the ball as obstacles too, it touches others as often more than 1.2 m from the ball:
+    # 6.4 +- 0.9 times a minute against 7.0 +- 0.9 (5 v 5 chaser), 2.5 +- 0.3 against 2.3 +- 0.4 (3 v 3). Half of these
+    # touches are with mates, and four fifths of those with opponents within 2 m of the ball.
     close: float = 1.2  # [m] from the ball from which it is gone round without a plan, assumed
     run_in: float = 2.6  # [m/s] at which a ball is run at at most; up to 1 m/s it is met with care, assumed
     dribble_speed: float = 1.56  # [m/s] with the ball, assumed: 0.6 of the top speed; 2.2 CAMBADA

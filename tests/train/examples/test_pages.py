@@ -97,8 +97,8 @@ def test_help_names_every_page_with_what_it_needs(capsys: pytest.CaptureFixture[
 
 @pytest.mark.slow
 def test_search_gets_past_where_chaser_does_not() -> None:
-    assert [monte_carlo.play(seed) for seed in (1, 3)] == [True, True]
-    assert [monte_carlo.play(seed, home="chaser") for seed in (1, 3)] == [False, False]
+    assert [monte_carlo.play(seed) for seed in (1, 2)] == [True, True]
+    assert [monte_carlo.play(seed, home="chaser") for seed in (1, 2)] == [False, False]
 
 
 def test_a_search_changes_no_record_of_the_match() -> None:
