@@ -141,12 +141,9 @@ def is_kicking(memory):
 @compiled
 def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     """Choose an attacker's behaviour: approach the ball, recover when stuck, or play the ball.  MS22, MS26"""
-    memory.kick_side = 0.0
-    if play.plays_aside == 1 and sight.held == 1 and (memory.foiled > 0.0 or is_blocked_ahead(sight, k)):
-        memory.kick_side = choose_kick_side(sight, k)
-        if memory.kick_side != 0.0:
-            return SHOOT
-    if not has_ball or is_ball_contested(belief, tracks, play):
+    aside = play.plays_aside == 1 and sight.held == 1 and (memory.foiled > 0.0 or is_blocked_ahead(sight, k))
+    memory.kick_side = choose_kick_side(sight, k) if aside else 0.0
+    if memory.kick_side == 0.0 and (not has_ball or is_ball_contested(belief, tracks, play)):
         watch_approach(belief.ball, memory, k, play, elapsed)
         if play.recovery == 1 and is_stuck(belief.ball, memory, k, play):
             begin_recovery(memory, k, play)
@@ -158,7 +155,7 @@ def choose_attack(belief, tracks, memory, sight, k, play, has_ball, elapsed):
     off = wrap(choose_aim(sight, memory, k, play) - sight.heading)
     shoots = may_shoot(belief, tracks, sight, memory, k, play)
     clears = memory.foiled <= 0.0 and can_clear(belief.situation, sight, k, play)
-    if clears or (shoots and abs(off) < play.orbit_until):
+    if memory.kick_side != 0.0 or clears or (shoots and abs(off) < play.orbit_until):
         return SHOOT
     if play.passes == 1 and memory.foiled <= 0.0 and find_pass(sight, k, play) >= 0:
         return PASS

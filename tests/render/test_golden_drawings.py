@@ -42,13 +42,13 @@ GOLDEN = {
     "crowd": "142a1d318f76ab60e36422e1e55aaa1a",
     "corners": "b508588a1a7b3381c56d45923247cd8c",
     "missing": "f01902b7ef31df3e47605fc6c0b10539",
-    "film": "fb06de713e6dd5101288629bd7903020",
+    "film": "273fff4efbebb2cb318f11e5ace7c550",
     "live": "8050c53ee7668840310af2a06a9bc41a",
     "legged_page": "4e11afb13cc2b1889177737f191dd405",
-    "middle_page": "1d6bd91c13ccb77a8f61a0275f2cb1d4",
-    "page_of_the_truth": "01ca5cc993c891b5a29d3b651a650ae9",
-    "notes": "37eb995407bd9109d2daa174e05cd2dd",
-    "casts": "307dd53e5ab3b16be1b77b4039de401f",
+    "middle_page": "a59eb003fc017f244c50f4a6ee8b5e98",
+    "page_of_the_truth": "00fb6b75be64d38c89d6309b89bc8aca",
+    "notes": "bc79a37a0e3557c41c19480b554e97ae",
+    "casts": "24ffb18f426dcf5ecc42602e4857d040",
 }
 RENEW = "python -m tests.render.test_golden_drawings FOLDER"
 

@@ -42,6 +42,7 @@ from soccer_env.physics.engine.memory import (
 
 GRAVITY = 9.81  # [m/s2]
 IN_PLAN = 0.5  # [1] sin 45 cos 45: share of gravity that acts in plan
+OFF_END = 1e-6  # [m] before the end of a ramp at which it stops a ball: rounding does not put that on the ramp
 CLIMB = 4.0  # [1] 1 / cos4 45: how much more a climbing ball is slowed than a returning one is driven
 
 
@@ -80,8 +81,8 @@ def roll_off_ramps(solver, k, dt):
         return beyond_x, beyond_y  # the floor, or a ball that the referee holds
     slope = GRAVITY * IN_PLAN / (1.0 + k.ball_shell)  # [m/s2]
     if up_end > 0.0:
-        speed, over = number_at(ball + BODY_VY), abs(y) - 0.5 * k.pitch_goal_width
-        if speed * y > 0.0 and over <= abs(speed) * dt:  # out of the mouth
+        speed, over = number_at(ball + BODY_VY), abs(y) - 0.5 * k.pitch_goal_width + OFF_END
+        if speed * y > 0.0 and over <= abs(speed) * dt + OFF_END:  # out of the mouth
             store(ball + BODY_VY, 0.0)
             solver.roll_y -= speed
             return beyond_x, over if y > 0.0 else -over

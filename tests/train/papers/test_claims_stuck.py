@@ -121,7 +121,7 @@ def test_a_robot_at_the_wall_sees_the_ball_aside_and_cannot_turn_to_it_as_it_lik
     got, tries = worth.face_wall(BATCH, seen=True)
     assert 0.3 < got.mean() <= 1.0
     _, with_sidesteps = worth.face_wall(BATCH, seen=True, rotate_beyond=np.pi)
-    assert 0.1 < (tries > 0).mean() < 0.9
+    assert 0.0 < (tries > 0).mean() < 0.9
     np.testing.assert_array_equal(tries > 0, with_sidesteps > 0)  # the rule matters after the first way back alone
 
 

@@ -107,6 +107,7 @@ def watched(steps: int = 180) -> tuple[PlaybackControls, Cast]:
     deck.tape.move_by(steps)
     while np.hypot(deck.tape.shot.ball["vx"], deck.tape.shot.ball["vy"]) < 0.3:  # until it rolls, and leaves a trail
         deck.tape.move_by(1)
+    deck.tape.move_by(8)
     return deck, cast_of(match, NoteReader.of(thoughts))
 
 
