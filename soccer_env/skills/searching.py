@@ -1,4 +1,4 @@
-"""How a player finds a ball that it has not seen for a while: turn all the way round, then look from elsewhere.
+"""The search for a lost ball: a player turns all the way round, then looks from another place.
 
 A head that can turn sweeps over the pitch meanwhile. A goalkeeper looks up the pitch from its goal first.
 

@@ -132,5 +132,5 @@ def at_the_ball(league, matches=1, ahead=0.005, aside=0.0, row=0, **settings) ->
     put(match, row, -0.3 * match.league.pitch.length, 0.1, 0.0)
     place(match, ball=(match.robots["x"][:, row] + body.front + ball.radius + ahead, 0.1 + aside))
     numbers = 7 if settings.get("actions") == "full" else 4
-    match.step(np.zeros((*match.robots.shape, numbers)))  # from now on it knows that it has the ball
+    match.step(np.zeros((*match.robots.shape, numbers)))  # the robot learns that it has the ball
     return match
