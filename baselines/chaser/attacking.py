@@ -5,7 +5,7 @@
 
 from math import acos, atan2, sqrt
 
-from soccer_env.baselines.chaser.boards import approach_cornered_ball, is_ball_cornered, sweep_along_board
+from soccer_env.baselines.chaser.boards import free_ball_from_corner, is_ball_cornered, sweep_along_board
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_OMNI
@@ -16,6 +16,7 @@ from soccer_env.skills.kicking import (
     is_blocked_ahead,
     is_foiled,
     kick_aside,
+    shot_side,
     wants_to_clear,
 )
 from soccer_env.skills.moves import (
@@ -66,6 +67,8 @@ def attack(command, sight, memory, k, play):
     if not foiled and wants_to_shoot(sight, memory, k, play):
         goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
         command.kick = kick_strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
+    elif shot_side(sight, k, play) != 0.0:
+        memory.kick_side, command.kick = shot_side(sight, k, play), 1.0
     elif wants_to_clear(sight, k, play):
         command.kick = clearance_strength(sight, k)
     elif play.plays_aside > 0.0 and sight.held == 1 and (foiled or is_blocked_ahead(sight, k)):
@@ -280,15 +283,6 @@ def choose_inner_side(away_x, away_y, ux, uy, inner_x, inner_y):
     now = atan2(inner_x * away_y - inner_y * away_x, inner_x * away_x + inner_y * away_y)
     back = atan2(inner_y * ux - inner_x * uy, -inner_x * ux - inner_y * uy)
     return side_of(back - now)
-
-
-@compiled
-def free_ball_from_corner(command, sight, memory, k, play):
-    """Move the ball out of a corner; after a failed attempt, step back from the ball first."""
-    if memory.wriggle > 0.0:
-        command.forward = -sight.pace
-    else:
-        approach_cornered_ball(command, sight, memory, k, play)
 
 
 @compiled

@@ -60,6 +60,15 @@ def sweep_directions(x, y, k):
 
 
 @compiled
+def free_ball_from_corner(command, sight, memory, k, play):
+    """Move the ball out of a corner; after a failed attempt, step back from the ball first."""
+    if memory.wriggle > 0.0:
+        command.forward = -sight.pace
+    else:
+        approach_cornered_ball(command, sight, memory, k, play)
+
+
+@compiled
 def approach_cornered_ball(command, sight, memory, k, play):
     """Approach a ball in a corner: go to the approach line, then along it; begin the sweep on contact."""
     way, out = sweep_directions(sight.ball_x, sight.ball_y, k)

@@ -32,7 +32,7 @@ from soccer_env.leagues.league import League
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.skills.deciding import PLAY, TEAM, apply_strength, keep_decision, must_decide, required_ball_distance
 from soccer_env.skills.keeping_rules import avoid_pushing_foul, is_in_own_area, leave_area, may_not_enter, wait_at_area
-from soccer_env.skills.kicking import aim_kick
+from soccer_env.skills.kicking import aim_kick, time_kick
 from soccer_env.skills.searching import LOST, end_search, search_for_ball
 from soccer_env.skills.set_pieces import (
     HOLDS_OFF,
@@ -83,7 +83,7 @@ MEMORY = ranged_record(
         ("aside", "f8", NUMBER),
         ("turn", "f8", NUMBER),
         ("kick", "f8", NUMBER),
-        ("kicking", "f8", NUMBER),  # [s] for which a kick was commanded with the ball at the feet
+        ("kicking", "f8", NUMBER),  # [s] for which a kick has been commanded with the ball at the feet
         ("kick_side", "f8", UNIT),  # of that kick: +1 to the left, -1 right, 0 ahead
     ]
 )
@@ -172,6 +172,7 @@ def decide_or_repeat(belief, tracks, memory, noise, command, k, play, sight):
     weakness = 1.0 - play.strength
     apply_strength(sight, memory, noise, k, weakness, play.laziest, play.crookedest, play.slowest)
     fill_sight(sight, belief, tracks, k)
+    time_kick(sight, memory)
     memory.kick_side = 0.0
     decide(belief, command, sight, memory, noise, k, play)
     command.kick *= 1.0 - weakness * (1.0 - play.softest)

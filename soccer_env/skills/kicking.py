@@ -8,7 +8,7 @@ A robot on legs kicks to the side to which its command turns its head (physics/k
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.skills.carrying import is_pressed
-from soccer_env.skills.moves import free_roll_distance, lane_room, rotate_vector
+from soccer_env.skills.moves import free_roll_distance, lane_room, rotate_vector, shot_room
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.skills.sight import is_opponent_near, side_of
 
@@ -66,14 +66,28 @@ def is_blocked(sight, k, ux, uy, far):
 
 
 @compiled
-def is_foiled(sight, memory, k):
-    """Tell whether the ball lies at the feet after a kick that must be over: something unseen stands before the ball.
+def shot_side(sight, k, play):
+    """Return the side to which a kick with one foreleg would be a free shot at the goal, 1 left or -1 right; else 0."""
+    if play.plays_aside == 0.0 or sight.held == 0 or 0.5 * k.pitch_length - sight.ball_x > play.shot_range:
+        return 0.0
+    for side in (1.0, -1.0):
+        ux, uy = rotate_vector(sight.now_cosine, sight.now_sine, side * k.kicker_aside)
+        if shot_room(sight, k, ux, uy) > play.room:
+            return side
+    return 0.0
 
-    `memory.kicking` is the time [s] for which a kick was commanded with the ball at the feet; this updates it.
-    """
-    held = sight.held == 1
-    memory.kicking = max(memory.kicking + (sight.elapsed if held and memory.kick > 0.0 else -sight.elapsed), 0.0)
-    return held and memory.kicking > k.kicker_wind_up + FOILED
+
+@compiled
+def time_kick(sight, memory):
+    """Measure the time [s] for which a kick has been commanded with the ball at the feet; it falls at other times."""
+    kicks = sight.held == 1 and memory.kick > 0.0
+    memory.kicking = max(memory.kicking + (sight.elapsed if kicks else -sight.elapsed), 0.0)
+
+
+@compiled
+def is_foiled(sight, memory, k):
+    """Tell whether the ball lies at the feet after a kick that must be over: something unseen is in the way."""
+    return sight.held == 1 and memory.kicking > k.kicker_wind_up + FOILED
 
 
 @compiled

@@ -5,7 +5,16 @@ import pytest
 
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.skills.kicking import FOILED, aim_kick, choose_kick_side, is_blocked_ahead, is_foiled, wants_to_clear
+from soccer_env.skills.kicking import (
+    FOILED,
+    aim_kick,
+    choose_kick_side,
+    is_blocked_ahead,
+    is_foiled,
+    shot_side,
+    time_kick,
+    wants_to_clear,
+)
 from soccer_env.skills.sight import SIGHT
 from soccer_env.teams import make_team
 from soccer_env.types import COMMAND
@@ -56,10 +65,29 @@ def test_a_ball_that_still_lies_at_the_feet_after_a_kick_says_that_the_kick_was_
     sight, memory, k = sight_at(LEGGED, 0.0, 0.0, 0.0), np.zeros(1, make_team("chaser").memory_dtype)[0], K[LEGGED]
     sight["elapsed"], memory["kick"] = k["dt"], 1.0
     steps = int((k["kicker_wind_up"] + FOILED) / k["dt"])
-    assert not any(is_foiled(sight, memory, k) for _ in range(steps - 1))
-    assert any(is_foiled(sight, memory, k) for _ in range(3))
+    assert not any(foiled_after(n, sight, memory) for n in (0, *[1] * (steps - 1)))
+    assert foiled_after(2, sight, memory) and foiled_after(0, sight, memory)  # asking changes nothing
     sight["held"] = 0
-    assert not any(is_foiled(sight, memory, k) for _ in range(2 * steps)) and memory["kicking"] == 0.0
+    assert not foiled_after(2 * steps, sight, memory) and memory["kicking"] == 0.0
+
+
+def foiled_after(decisions: int, sight: np.record, memory: np.record) -> bool:
+    """Tell whether a kick counts as foiled after further decisions with the same sight."""
+    for _ in range(decisions):
+        time_kick(sight, memory)
+    return bool(is_foiled(sight, memory, K[LEGGED]))
+
+
+@pytest.mark.parametrize(("x", "y", "heading", "opponents", "held", "side"), [
+    (0.9, 0.0, -0.87, (), 1, 1.0), (0.9, 0.0, 0.87, (), 1, -1.0),  # 50 degrees aside of the heading lies the goal
+    (0.9, 0.0, -0.87, (), 0, 0.0), (-0.9, 0.0, -0.87, (), 1, 0.0),  # it must hold the ball, near the goal
+    (0.9, 0.0, -0.87, ((1.3, 0.0),), 1, 0.0),  # a keeper is in the way
+    (0.9, 0.0, 3.1, (), 1, 0.0),
+])  # fmt: skip
+def test_a_player_beside_whose_heading_the_goal_lies_open_shoots_with_one_foreleg(x, y, heading, opponents, held, side):
+    sight = sight_at(LEGGED, x, y, heading, *opponents)
+    sight["held"] = held
+    assert shot_side(sight, K[LEGGED], PLAY[LEGGED]) == side
 
 
 @pytest.mark.parametrize(("kick", "side", "head", "pan"), [

@@ -17,7 +17,7 @@ MACHINE = "Linux x86_64"
 GOLDEN = {
     ("legged-2001", "actions"): "8fd3ec5a78dc38b8328d5372d1322f14",
     ("legged-2001", "teams"): "05b7bd366d40d646cc7f3d6a8a934054",
-    ("legged-2001", "senses"): "ba6f8c425e101c3db293492ab1aa2742",
+    ("legged-2001", "senses"): "ea5f71585f2b593cb7e3ada0317a1c33",
     ("middle-size-2006", "actions"): "c684f7f3946cacf4647ec2bab1f50c88",
     ("middle-size-2006", "teams"): "51bd9edd9fa3cb5c87fd5a76128d805e",
     ("middle-size-2006", "senses"): "d5c01a185b1d8cba49f2b816421222c9",
