@@ -8,6 +8,7 @@ With a kicker it kicks the ball clear; without one, in the middle-size league, i
 from math import atan2, pi
 
 from soccer_env.baselines.chaser.attacking import approach
+from soccer_env.baselines.chaser.boards import is_ball_cornered
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip, into_frame, length
 from soccer_env.skills.carrying import turn_to_goal
@@ -82,8 +83,9 @@ def bisect_shot_angle(sight, k, x):
 def may_clear(sight, k, play):
     """Tell whether the keeper should go for the ball: it lies near the goal, and no mate is nearer to it.
 
-    A ball farther out, in the own third, is the keeper's if nobody at all is nearer. The keeper clears a ball at its
-    kicker from anywhere. In a penalty area that field players may not enter, every slow ball is the keeper's.
+    A ball farther out, in the own third, is the keeper's if nobody at all is nearer, but not in a corner, where the
+    keeper would hold the ball for too long. The keeper clears a ball at its kicker from anywhere. In a penalty area
+    that field players may not enter, every slow ball is the keeper's.
     """
     if sight.held == 1 and k.keeper_kicks == 1:
         return True
@@ -91,7 +93,8 @@ def may_clear(sight, k, play):
         return length(sight.ball_vx, sight.ball_vy) <= play.shot_speed
     x, y = sight.ball_x + 0.5 * k.pitch_length, sight.ball_y
     near = length(x, y) < play.keeper_zone
-    if not (near or (play.fetches > 0.0 and x < k.pitch_length / 3.0)):
+    fetched = play.fetches > 0.0 and x < k.pitch_length / 3.0 and not is_ball_cornered(sight.ball_x, sight.ball_y, k)
+    if not (near or fetched):
         return False
     if length(sight.ball_vx, sight.ball_vy) > play.shot_speed:
         return False

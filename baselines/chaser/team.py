@@ -107,7 +107,7 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "arrival": (0.0, 5.0, 5.0),  # [m/s] of a shot at the goal; 0: with all strength
     "plays_aside": (1.0, 0.0, 0.0),  # 1: kicks past what stands ahead, with one foreleg; 0: never
     "clears": (0.0, 1.0, 1.0),  # 1: kicks the ball away when it is pressed in its own half; 0: never
-    "fetches": (1.0, 0.0, 0.0),  # 1: a goalkeeper goes for a ball that lies in its third; 0: near its goal alone
+    "fetches": (1.0, 0.0, 0.0),  # 1: a goalkeeper goes for a ball in its third, off the corners; 0: near its goal
     "faces_ball": (1.2, 0.0, 0.0),  # [m] to a ball that a goalkeeper on legs faces even while it walks
     "beyond": (0.3, 0.0, 0.0),  # [m] off the pitch from which a ball is taken for something else; 0: never
     "wriggle_ahead": (-0.3, 0.3, 0.3),  # [1] speed ahead while working a ball out

@@ -9,7 +9,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.baselines.chaser import team as chaser_team
 from soccer_env.baselines.chaser.attacking import DEFENDED, choose_aim, choose_inner_side
-from soccer_env.baselines.chaser.goalkeeping import bisect_shot_angle
+from soccer_env.baselines.chaser.goalkeeping import bisect_shot_angle, may_clear
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.keeping_rules import is_in_own_area, out_of_own_area
@@ -253,3 +253,10 @@ def test_an_attacker_before_a_goalkeeper_in_its_area_is_whistled_less_than_one_t
     match = staged("chaser")
     place(match, ball=(1.1, 0.0), robots={3: (1.25, 0.0, np.pi), 1: (0.95, 0.0, 0.0)})
     assert ever(match, 6.0, lambda: match.robot_events["foul"][:, 1] == Foul.KEEPER_PUSHING) < 0.5
+
+
+@pytest.mark.parametrize(("x", "y", "fetched"), [(-0.9, 0.6, True), (-1.27, 0.87, False), (0.2, 0.0, False)])
+def test_a_legged_keeper_fetches_a_lone_ball_in_its_third_but_not_out_of_a_corner(x, y, fetched):
+    sight, team = np.zeros(1, SIGHT)[0], make_team("chaser")
+    sight["x"], sight["ball_x"], sight["ball_y"], sight["distance"] = -1.2, x, y, 0.9
+    assert may_clear(sight, constants_of(find_league(LEGGED))[0], team.settings[0]) == fetched
