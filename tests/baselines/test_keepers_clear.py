@@ -255,7 +255,7 @@ def test_an_attacker_before_a_goalkeeper_in_its_area_is_whistled_less_than_one_t
     assert ever(match, 6.0, lambda: match.robot_events["foul"][:, 1] == Foul.KEEPER_PUSHING) < 0.5
 
 
-@pytest.mark.parametrize(("x", "y", "fetched"), [(-0.9, 0.6, True), (-1.27, 0.87, False), (0.2, 0.0, False)])
+@pytest.mark.parametrize(("x", "y", "fetched"), [(-0.9, 0.6, True), (-1.35, 0.85, False), (0.2, 0.0, False)])
 def test_a_legged_keeper_fetches_a_lone_ball_in_its_third_but_not_out_of_a_corner(x, y, fetched):
     sight, team = np.zeros(1, SIGHT)[0], make_team("chaser")
     sight["x"], sight["ball_x"], sight["ball_y"], sight["distance"] = -1.2, x, y, 0.9
