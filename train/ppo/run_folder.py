@@ -28,6 +28,7 @@ LAST = "last.safetensors"
 CURVE = "learning_curve.png"
 REPORT = "report.html"
 ROUNDS = "rounds"  # a folder
+BY_SIZE = ("goals", "minute")  # parts of a log line whose names change with the stage: no columns of a table
 TRAINING = RunKind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),
     (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, REPORT, LATEST, *NAMES),
@@ -112,9 +113,11 @@ def evaluation_order(evaluation: dict[str, Any]) -> tuple[int, int]:
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:
-    """Flatten nested dicts: {"points": {"chaser": 1}} becomes {"points_chaser": 1}."""
+    """Flatten nested dicts: {"points": {"chaser": 1}} becomes {"points_chaser": 1}; leave out those BY_SIZE."""
     flat: dict[str, Any] = {}
     for name, value in record.items():
+        if name in BY_SIZE:
+            continue
         if isinstance(value, dict):
             flat |= {f"{name}_{key}": part for key, part in value.items()}
         else:

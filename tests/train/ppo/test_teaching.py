@@ -29,7 +29,7 @@ from soccer_env.train.ppo.teaching.lessons import KeptRounds
 from soccer_env.train.ppo.training import Training
 from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
 
-ADVISED: dict[str, Any] = {"rounds": 3, "teacher_until": 1.0, "steps": 4 * ROLLOUT}
+ADVISED: dict[str, Any] = {"rounds": 3, "steps": 4 * ROLLOUT}
 
 
 @pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])

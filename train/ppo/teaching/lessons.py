@@ -18,14 +18,7 @@ from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_polic
 from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.advice import advice_error, advised
-from soccer_env.train.ppo.teaching.imitation import (
-    Rows,
-    fit,
-    fit_a_little,
-    imitation_weight,
-    permute_own_commands,
-    record,
-)
+from soccer_env.train.ppo.teaching.imitation import Rows, fit, permute_own_commands, record
 from soccer_env.train.progress import Progress
 
 TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
@@ -73,19 +66,11 @@ def join_lessons(parts: Sequence[Rows], settings: TrainSettings, entries: Sequen
 
 
 class Lessons:
-    """The lessons that a teacher gives a run's actor: before PPO, and for a while between its updates."""
+    """The lessons that a teacher gives a run's actor: before PPO."""
 
     def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
         self.settings, self.network = settings, network
         self.kept = KeptRounds(settings.out)
-        self._rows: Rows | None = None
-
-    @property
-    def rows(self) -> Rows:
-        """Return the teacher's recorded decisions; a resumed run records them again."""
-        if self._rows is None:
-            self._rows = lessons(self.settings, self.network.entries)
-        return self._rows
 
     def teach(self) -> Iterator[int]:
         """Initialise the actor from a policy file or by its teacher, as the settings say.
@@ -107,8 +92,8 @@ class Lessons:
         """Fit the actor to the teacher's recorded decisions."""
         settings, epochs = self.settings, self.settings.teacher_epochs
         with Progress(f"learning from {settings.teacher}", len(teaching_cases(settings)) + epochs / 2) as progress:
-            self._rows = lessons(settings, self.network.entries, progress.advance)
-            fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
+            rows = lessons(settings, self.network.entries, progress.advance)
+            fit(self.network, *rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
 
     def _take_advice(self) -> Iterator[int]:
         """Play rounds of advice, the first by the teacher unless `start` is set; fit the actor after each round."""
@@ -155,12 +140,6 @@ class Lessons:
                 made={},
             )  # fmt: skip
         )
-
-    def continue_imitation(self, step: int, rollout: int) -> None:
-        """After an update of PPO, fit the actor a little to the teacher, while the imitation loss has a weight."""
-        settings, strength = self.settings, imitation_weight(self.settings, step)
-        if rollout >= settings.critic_first and strength > 0.0:
-            fit_a_little(self.network, self.rows, strength, settings.seed + rollout)
 
 
 ROWS = ("observations", "advice")
