@@ -79,8 +79,7 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
 
 def check_minutes(settings: TrainSettings, league: League) -> None:
     """Raise ValueError unless an episode lasts a whole number of decisions, which keeps the gait phase."""
-    half = ceil(30.0 * settings.minutes * league.control_rate - 0.5)  # [control steps] as the referee counts them
-    if 2 * half % settings.action_repeat:
+    if ceil(60.0 * settings.minutes * league.control_rate - 0.5) % settings.action_repeat:
         least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
         whole = least * max(1, round(settings.minutes / least))
         raise ValueError(
@@ -146,8 +145,8 @@ def make_curriculum(settings: TrainSettings) -> Curriculum:
 def make_matches(settings: TrainSettings, curriculum: Curriculum, sizes: Sequence[Sizes]) -> SoccerVecEnv:
     """Make the training environment of a stage, in which matches are played at these team sizes.
 
-    Episodes are cut off a decision before the final whistle: for the learner a match has no end, so that the potential
-    of its last state is not paid back and its value is estimated.
+    Episodes are cut off a decision before half-time: for the learner a match has no end, so that the potential of its
+    last state is not paid back and its value is estimated.
     """
     decisions = round(60.0 * settings.minutes / settings.decision_time)
     return SoccerVecEnv(
@@ -155,6 +154,6 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum, sizes: Sequenc
         ideal_share=settings.ideal_share, opponents=curriculum.lineup, action_repeat=settings.action_repeat,
         rewards=settings.paid, gamma=settings.gamma, state=settings.critic_room, stagger=True,
         seed=settings.seed + TRAINING_SEED, threads=settings.threads, observe=settings.observe,
-        senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
+        senses=senses_of(settings.senses), pose=settings.pose, minutes=2.0 * settings.minutes,
         max_cycles=max(decisions - 1, 1),
     )  # fmt: skip

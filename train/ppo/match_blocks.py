@@ -99,11 +99,15 @@ def begin(match: Match, seeds: np.ndarray, first_decision: int, stagger: int) ->
 
 
 def stagger_clocks(match: Match, repeat: int) -> None:
-    """Start the first episodes of M matches at different clock times, each after a whole number of actions."""
+    """Start the first episodes of M matches at different times, each after a whole number of actions.
+
+    The count of steps goes with the clock, so that a limit of steps ends these episodes one after the other too.
+    """
     half = match.settings.half_length
     if np.isfinite(half):
         strides = int(half / (match.league.dt * repeat))
-        match.matches["clock"] = np.arange(match.count) * strides // match.count * repeat * match.league.dt
+        match.matches["step"] = np.arange(match.count) * strides // match.count * repeat
+        match.matches["clock"] = match.matches["step"] * match.league.dt
 
 
 def playing(match: Match) -> list[str]:

@@ -78,8 +78,8 @@ class PlainSettings:
     """Matches played side by side. Each team size of a stage has as many robots as the others, so larger teams have
     fewer matches."""
     minutes: float = 2.0
-    """Minutes of play in a training episode, both halves together. An episode is cut off before the final whistle, so
-    that its last state keeps its value."""
+    """Minutes of play in a training episode. It is a half that is cut off before half-time, so that its last state
+    keeps its value."""
     scenes: str = "kick-off"
     """How episodes begin; several scenes take shares: kick-off:0.6,states:FILE:0.4. Play goes on after a drill's
     start."""
