@@ -62,10 +62,10 @@ def check_playable(settings: TrainSettings) -> None:
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
     """Raise ValueError unless the policy file `start`, if given, has the shape of the policy to train (`blank`)."""
-    if not settings.start:
+    if settings.start_file is None:
         return
     with name_setting_in_error("start"):
-        policy = widened_policy(load(settings.start), blank.inputs)
+        policy = widened_policy(load(settings.start_file), blank.inputs)
         for what in ("family", "control_rate", "observe", "action_repeat", "kind", "activation", "mirror"):
             own, other = getattr(blank, what), getattr(policy, what)
             if own != other:
@@ -121,7 +121,7 @@ def digest(path: str) -> str:
 
 def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return the origin of a policy for its file: command, settings, versions, without the user's folders."""
-    begun = {"start": digest(settings.start)} if settings.start else {}
+    begun = {} if settings.start_file is None else {"start": digest(str(settings.start_file))}
     settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
     return {
         "command": command_of(settings),

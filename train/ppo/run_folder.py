@@ -16,7 +16,7 @@ from soccer_env.train.evaluate.results import KEPT_FILES
 from soccer_env.train.files import read_lines
 from soccer_env.train.ppo.bounds import LOGS
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES
-from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.provenance import module_hashes
 from soccer_env.train.results_folder import SETTINGS, ResultsFolder, RunKind
 
@@ -24,7 +24,6 @@ LOG = "log.jsonl"
 TABLE = "progress.csv"
 EVALUATIONS = "evaluations.jsonl"
 BEST = "best.safetensors"
-LAST = "last.safetensors"
 CURVE = "learning_curve.png"
 REPORT = "report.html"
 ROUNDS = "rounds"  # a folder

@@ -33,6 +33,7 @@ FREE = (  # settings that may differ when a run is resumed
     "out", "threads", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
 )  # fmt: skip
 
+LAST = "last.safetensors"  # of a run's folder
 CRITIC_ROOM = 5  # robots a side for which any critic has room, so that it may go on with larger teams
 
 
@@ -97,7 +98,8 @@ class PlainSettings:
     """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept), which is
     faster."""
     start: str = ""
-    """Policy file of the same shape to start from instead of imitating the teacher; "" for none."""
+    """Policy file of the same shape to start from instead of imitating the teacher, or the folder of another run, whose
+    critic and noise are taken over too; "" for none."""
     teacher_steps: int = 300_000
     """Number of the teacher's decisions to record, over all team sizes and opponents together."""
     teacher_epochs: int = 12
@@ -268,6 +270,13 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     def scene(self) -> Scene:
         """Return the scene, or mixture of scenes, in which episodes begin."""
         return mixture(self.scenes)
+
+    @property
+    def start_file(self) -> Path | None:
+        """Return the policy file to start from, the last one of a run's folder; None: from nothing or a teacher."""
+        if not self.start:
+            return None
+        return Path(self.start) / LAST if Path(self.start).is_dir() else Path(self.start)
 
     @property
     def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:

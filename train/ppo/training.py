@@ -30,8 +30,8 @@ from soccer_env.train.ppo.reports import (
     merit,
     rounded,
 )
-from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, REPORT, RunFolder
-from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.run_folder import BEST, CURVE, REPORT, RunFolder
+from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.ppo.stages import StageClock
 from soccer_env.train.ppo.teaching.lessons import KeptRounds, Lessons
 from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv

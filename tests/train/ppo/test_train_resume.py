@@ -28,8 +28,11 @@ ROOT = Path(__file__).parents[3]
 CUTTING = r"""
 import os, random, resource, signal, sys, time, traceback
 from pathlib import Path
+from soccer_env.train.ppo import training
 from tests.train.ppo.staged_training import train_plainly, tiny_settings
 from soccer_env.train.ppo.checkpoints import read_latest
+
+training.CHECKPOINT_SHARE = 1e9  # one after each rollout, however short it is
 
 base, cuts, draw, sync = Path(sys.argv[1]), sys.argv[2].split(","), random.Random(5), os.fsync
 rollouts = 3 * len(cuts)

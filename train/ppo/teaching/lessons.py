@@ -14,6 +14,7 @@ from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy_file import load
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.observations.entry import Entry
+from soccer_env.train.ppo.checkpoints import read_checkpoint
 from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_policy
 from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.settings import TrainSettings
@@ -79,8 +80,10 @@ class Lessons:
         such as an evaluation, is repeated if the run is interrupted before the round is kept.
         """
         settings = self.settings
-        if settings.start:
-            copy_actor(self.network, load(settings.start))
+        if settings.start_file is not None:
+            copy_actor(self.network, load(settings.start_file))
+            if Path(settings.start).is_dir():
+                take_over(self.network, Path(settings.start))
         if settings.rounds:
             yield from self._take_advice()
             return
@@ -140,6 +143,15 @@ class Lessons:
                 made={},
             )  # fmt: skip
         )
+
+
+def take_over(network: SoccerPolicy, run: Path) -> None:
+    """Copy actor, noise and critic from the newest checkpoint of a run's folder; ValueError if they do not fit."""
+    saved = read_checkpoint(run)
+    try:
+        network.load_state_dict((saved or {})["network"])
+    except (KeyError, RuntimeError) as error:
+        raise ValueError(f"start: the networks of the run in {run} are not those of this run ({error})") from error
 
 
 ROWS = ("observations", "advice")
