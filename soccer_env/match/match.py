@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import actions_to_numbers, write_learner_commands
+from soccer_env.guards.turns import ObjectLock
 from soccer_env.guards.workers import Workers
 from soccer_env.match import truth_state
 from soccer_env.match.arguments import MatchArguments, init_takes_fields_of
@@ -70,6 +71,8 @@ class Match(Views, Branching):
     | `seeds` | (M,) | seed of each match: `Match(seeds=[match.seeds[17]])` is match 17 alone |
     | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
     """
+
+    _turn: ObjectLock  # of `guard_match_methods`
 
     @init_takes_fields_of(MatchArguments)
     def __init__(self, arguments: MatchArguments) -> None:

@@ -127,9 +127,9 @@ def make_lineup_squad(lineup: Lineup, place: int, players: np.ndarray, settings:
 def with_added_teams(squads: list[Squad], settings: Settings, matches: int) -> list[Squad]:
     """Return the squads, and behind those of each lineup the squads of teams that were added to it since."""
     found: list[Squad] = []
-    for squad, following in zip(squads, [*squads[1:], None], strict=True):
+    for index, squad in enumerate(squads):
         found.append(squad)
-        lineup = squad.lineup
+        lineup, following = squad.lineup, squads[index + 1] if index + 1 < len(squads) else None
         if lineup is not None and (following is None or following.place <= squad.place):  # the lineup's last squad
             added = range(squad.place + 1, len(lineup.teams))
             found += [make_lineup_squad(lineup, place, squad.players, settings, matches) for place in added]

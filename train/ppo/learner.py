@@ -48,15 +48,14 @@ class Learner:
             each_step()
 
         settings = self.settings
-        torch.set_num_threads(1)  # networks of a few rows are slower on more
         self._rollout, self._seen = collect(
-            self.network, self.matches, self._seen, settings.rollout, settings.gamma, settings.gae_lambda, count
-        )
+            self.network, self.matches, self._seen, settings.rollout, settings.gamma, settings.gae_lambda, count,
+            settings.torch_threads,
+        )  # fmt: skip
 
     def update(self, actor: bool = True) -> None:
         """Update actor and critic by PPO on the rollout; without `actor` only the critic."""
         assert self._rollout is not None
-        torch.set_num_threads(self.settings.torch_threads)
         self.noted = update(self.network, self.optimizer, self._rollout, self.settings, actor)
         self._rollout = None
         check_weights(self.network, self.steps)

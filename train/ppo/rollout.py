@@ -38,12 +38,13 @@ class Rollout:
 
 def collect(
     network: SoccerPolicy, matches: SoccerVecEnv, seen: np.ndarray, length: int, gamma: float, lam: float,
-    each_step: Callable[[], None],
+    each_step: Callable[[], None], threads: int = 1,
 ) -> tuple[Rollout, np.ndarray]:  # fmt: skip
     """Play `length` decisions from the observations `seen` (N, n); return the rollout, and the observations after it.
 
-    `each_step` is called after each decision. A time limit ends an episode in the log only: the value of its last
-    observation is added to the last reward [Pardo et al. 2018].
+    `each_step` is called after each decision; threads: of torch, for the values of all decisions at once. A time
+    limit ends an episode in the log only: the value of its last observation is added to the last reward [Pardo et al.
+    2018].
     """
     rows, actions = matches.num_envs, network.log_std.shape[0]
     observations = np.empty((length, rows, seen.shape[1]), np.float32)
@@ -51,6 +52,7 @@ def collect(
     rewards, dones = np.empty((length, rows), np.float32), np.empty((length, rows), bool)
     cut_off: list[tuple[int, int]] = []
     last_seen: list[np.ndarray] = []
+    torch.set_num_threads(1)  # an actor of few rows is slower on more
     for t in range(length):
         observations[t] = seen
         with torch.no_grad():
@@ -63,6 +65,7 @@ def collect(
                 cut_off.append((t, row))
                 last_seen.append(infos[row]["terminal_observation"])
         each_step()
+    torch.set_num_threads(threads)
     if cut_off:
         rewards[tuple(np.transpose(cut_off))] += gamma * values_of(network, np.array(last_seen))
     values = values_of(network, observations.reshape(length * rows, -1)).reshape(length, rows)

@@ -224,7 +224,7 @@ def test_a_checkpoint_never_runs_code(run: Path, tmp_path: Path, write: Callable
     assert not canary.exists()
 
 
-@pytest.mark.parametrize("lacking", ["network", "matches", "curriculum", "generators", "starts"])
+@pytest.mark.parametrize("lacking", ["network", "matches", "curriculum", "generators", "stage"])
 def test_a_checkpoint_that_lacks_something_is_refused(run: Path, lacking: str) -> None:
     state = torch.load(newest(run), weights_only=True)
     del state[lacking]
