@@ -21,7 +21,7 @@ class OpponentNames:
 
     def turn_to(self, match: Match) -> None:
         """Store the opponents that can play; `match` may be a new Match with the same robots."""
-        self._count = match.count
+        self._match, self._count, self._known = match, match.count, len(match.squads)
         self._squads: list[list[tuple[int, Squad]]] = [[], []]  # number and squad of the opponents of each side
         for team in self._sides:
             last = last_opponent(match, team)
@@ -33,6 +33,8 @@ class OpponentNames:
 
     def now(self, team: int) -> np.ndarray:
         """Return the number (M,) of the team that plays the last robot of the other side now; 0: a learner."""
+        if len(self._match.squads) != self._known:  # a team was added to a lineup
+            self.turn_to(self._match)
         numbers = np.zeros(self._count, np.int64)
         for number, squad in self._squads[team]:
             numbers[slice(None) if squad.plays is None else squad.plays] = number

@@ -108,3 +108,8 @@ class ObjectLock:
         self.owner = 0  # id of the thread that is in a method
         self.undoes = undoes
         self.sure: set[str] = set()
+
+    def expect_code(self, undoes: bool) -> None:
+        """Let the next call of each method compile; undoes: all calls may take long from now on."""
+        self.undoes = undoes
+        self.sure.clear()

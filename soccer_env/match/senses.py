@@ -25,14 +25,14 @@ UNUSED = (
 )
 
 
-def sensing_sides(settings: Settings, squads: list[tuple[Any, np.ndarray]], learns: np.ndarray) -> tuple[int, ...]:
-    """Return the sides (HOME, AWAY) whose sensors are used by a team or by an observation of learners.
+def sensing_sides(settings: Settings, squads: list[Any], learns: np.ndarray) -> tuple[int, ...]:
+    """Return the sides (HOME, AWAY) whose sensors are used by a team of the squads or an observation of learners.
 
-    `squads` are teams with the rows (P,) that each plays; `learns` (R,) marks the rows of learners.
+    `learns` (R,) marks the rows of learners.
     """
     home, used = settings.rows[HOME], []
     for side, rows in ((HOME, range(home)), (AWAY, range(home, len(learns)))):
-        teams = [team for team, players in squads if players[0] in rows]
+        teams = [squad.team for squad in squads if squad.players[0] in rows]
         played = not all(getattr(team, "blind", False) for team in teams)
         observe = settings.observes[side]
         tells = (

@@ -112,14 +112,28 @@ def make_squads(agents: list[str], who: dict[str, Any], settings: Settings, matc
             squads.append(make_squad(make_team(chosen), players, settings, matches, len(agents)))
             squads[-1].name = result_name(chosen, squads[-1].team)
             continue
-        for place, team in enumerate(chosen.teams):
-            squad = make_squad(team, players, settings, matches, len(agents))
-            squad.name = chosen.names[place]
-            squad.lineup = chosen
-            squad.place = place
-            squad.plays = np.zeros(matches, bool)
-            squads.append(squad)
+        squads += [make_lineup_squad(chosen, place, players, settings, matches) for place in range(len(chosen.teams))]
     return squads
+
+
+def make_lineup_squad(lineup: Lineup, place: int, players: np.ndarray, settings: Settings, matches: int) -> Squad:
+    """Return the squad of one team of a lineup, which plays nowhere yet; ValueError as by `make_squad`."""
+    squad = make_squad(lineup.teams[place], players, settings, matches, len(settings.agents))
+    squad.name, squad.lineup, squad.place = lineup.names[place], lineup, place
+    squad.plays = np.zeros(matches, bool)
+    return squad
+
+
+def with_added_teams(squads: list[Squad], settings: Settings, matches: int) -> list[Squad]:
+    """Return the squads, and behind those of each lineup the squads of teams that were added to it since."""
+    found: list[Squad] = []
+    for index, squad in enumerate(squads):
+        found.append(squad)
+        lineup, following = squad.lineup, squads[index + 1] if index + 1 < len(squads) else None
+        if lineup is not None and (following is None or following.place <= squad.place):  # the lineup's last squad
+            added = range(squad.place + 1, len(lineup.teams))
+            found += [make_lineup_squad(lineup, place, squad.players, settings, matches) for place in added]
+    return found
 
 
 def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int, robots: int) -> Squad:
@@ -140,6 +154,11 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
     memory = np.zeros((matches, len(players)), check_memory(team))
     numbers = team.settings_in(settings.league) if isinstance(team, CompiledTeam) else None
     return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name, numbers)
+
+
+def belief_readers(squads: list[Squad]) -> np.ndarray:
+    """Return the rows of the robots whose teams read beliefs."""
+    return np.array([r for squad in squads if squad.reads_beliefs for r in squad.players], np.int64)
 
 
 def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:

@@ -93,6 +93,10 @@ class UserRewardTerms:
         self._asks: bool | None = None  # whether functions play; None: not yet known
         self._judges = False  # whether a success function ends matches
 
+    def forget_teams(self) -> None:
+        """Look anew, before the next control step, for functions that play."""
+        self._asks = None
+
     def begin(self, match: Match) -> None:
         """Before a control step, call the users' functions that play robots, and compute the users' potentials."""
         if self._asks is None:  # once: a list of the squads at each step would cost a match alone 0.4 us

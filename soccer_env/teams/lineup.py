@@ -18,9 +18,9 @@ class Lineup:
     """Several teams, one of which is drawn to play each episode; usable wherever a team is expected.
 
     teams: names as `make_team` takes them, or team objects. weights: relative frequencies, equal by default;
-    `lineup.weights` (teams,) may be changed between steps, and counts from the next episode on. names: names of the
-    teams in infos and results, all different; by default their own. The match's seed, the number of the episode, the
-    side and the weights decide which team plays. ValueError says what is wrong.
+    `lineup.weights` (teams,) may be changed between steps, and counts from the next episode on; so does `add`. names:
+    names of the teams in infos and results, all different; by default their own. The match's seed, the number of the
+    episode, the side and the weights decide which team plays. ValueError says what is wrong.
 
         soccer_v0.parallel_env(opponents=Lineup(["chaser@0.2", "sacks-2001", "runs/a.safetensors"], weights=[1, 2, 3]))
     """
@@ -41,6 +41,19 @@ class Lineup:
     def __repr__(self) -> str:
         shares = ", ".join(f"{name!r}: {weight:g}" for name, weight in zip(self.names, self.weights, strict=True))
         return f"Lineup({{{shares}}})"
+
+    def add(self, team: str | Team, weight: float = 1.0, name: str | None = None) -> str:
+        """Add a team, which may play from the next episode on, in running matches too; return its name in infos.
+
+        ValueError, and no change, for a name that another team has, a lineup, or a weight that is no number from 0.
+        """
+        added = Lineup([team], names=None if name is None else [name])
+        if added.names[0] in self.names:
+            raise ValueError(f"a team of the Lineup has the name {added.names[0]!r}: give the new one another name")
+        weights = np.append(self.weights, weight)
+        check_weights(weights, len(self.teams) + 1)
+        self.teams, self.names, self.weights = self.teams + added.teams, self.names + added.names, weights
+        return added.names[0]
 
     def choose(self, seed: int, episode: int, side: int = AWAY) -> int:
         """Return the index of the team that plays an episode on a side (HOME or AWAY)."""

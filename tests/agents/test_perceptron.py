@@ -44,15 +44,12 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     """Return a network of torch with weights of some size, and the policy that holds its actor."""
     torch = pytest.importorskip("torch")
     pytest.importorskip("stable_baselines3")
-    from gymnasium import spaces
-
     from soccer_env.train.ppo.networks import SoccerPolicy, export_policy
 
     entries = random_policy().entries
-    seen, done = (spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(entries), 7 if actions == "full" else 4))
     torch.manual_seed(1)
     settings: dict[str, Any] = {"hidden": hidden, "activation": activation, "mirror": mirror, "kind": kind}
-    network = SoccerPolicy(seen, done, lambda _: 1e-3, entries=entries, **settings)
+    network = SoccerPolicy(entries, len(entries), 7 if actions == "full" else 4, **settings)
     with torch.no_grad():
         for parameter in network.actor_parameters():
             parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)

@@ -172,6 +172,13 @@ def test_it_beats_the_papers_team() -> None:
     assert result.points.mean > 0.5
 
 
+@pytest.mark.parametrize("recipe", sorted(BUNDLED.parent.glob("*.toml")), ids=lambda path: path.stem)
+def test_every_bundled_recipe_is_of_settings_that_there_are(recipe: Path) -> None:
+    assert settings_of(recipe).name == {"legged-2001": "learned", "legged-2001-short": "short"}.get(
+        recipe.stem, recipe.stem
+    )
+
+
 def test_a_bundled_setting_is_found_by_its_name_anywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     for name in ("legged-2001", "legged-2001.toml"):

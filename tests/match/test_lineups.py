@@ -1,5 +1,6 @@
 """Lineups: which team plays an episode follows from seed, episode and side, and it plays as if it had come alone."""
 
+import copy
 import re
 from typing import Any
 
@@ -191,6 +192,58 @@ def test_a_match_of_a_lineup_is_bit_for_bit_that_of_the_team_that_plays(senses: 
     for m, name in enumerate(playing):
         for records in ("matches", "balls", "robots"):
             assert getattr(match, records)[m].tobytes() == getattr(alone[name], records)[m].tobytes()
+
+
+def test_a_team_that_is_added_plays_from_the_next_episode_on_as_if_it_had_been_there() -> None:
+    """A save of it fits a match whose lineup had the team from the beginning, and plays on the same."""
+    grown = lineup(names=("still", "chaser"))
+    match = pitch(grown, matches=8)
+    play(match, steps=4)
+    quick = team_from_policy(random_policy(8, seed=1))
+    before = who_plays(match)
+    assert grown.add(quick, name="quick") == "quick" and grown.names == ("still", "chaser", "quick")
+    assert grown.weights.tolist() == [1.0, 1.0, 1.0] and who_plays(match) == before
+    grown.weights[:] = 0.0, 0.0, 2.0
+    play(match, steps=3)
+    assert who_plays(match) == before
+    play(match, steps=1)
+    assert who_plays(match) == ["quick"] * 8
+    fresh = pitch(Lineup([make_team("still"), make_team("chaser"), quick], [0, 0, 2], ["still", "chaser", "quick"]))
+    fresh.load(match.save(rows=[3]))
+    alone = pitch(grown)
+    alone.load(match.save(rows=[3]))
+    for _ in range(8):
+        fresh.step(), alone.step()
+    assert fresh.state_hash() == alone.state_hash()
+
+
+def test_a_team_that_is_added_in_python_is_undone_and_copied_like_others() -> None:
+    grown = lineup(names=("still", "chaser"))
+    match = pitch(grown, matches=2)
+    play(match, steps=2)
+    grown.add(Slow())
+    copied = copy.deepcopy(match)
+    grown.weights[:] = copied.squads[-1].lineup.weights[:] = 0.0, 0.0, 1.0
+    for _ in range(12):
+        match.step(), copied.step()
+    assert who_plays(match) == who_plays(copied) == ["slow"] * 2 and match.state_hash() == copied.state_hash()
+    assert not match._turn.sure, "an error of its code undoes a step"
+
+
+def test_what_cannot_be_added_changes_nothing() -> None:
+    grown = lineup(names=("still", "chaser"))
+    for arguments, message in (
+        (("still",), "has the name 'still'"), ((grown,), "not of lineups"), (("random", -1.0), "must be 3 numbers"),
+        (("nobody",), "unknown team"),
+    ):  # fmt: skip
+        with pytest.raises(ValueError, match=message):
+            grown.add(*arguments)
+        assert grown.names == ("still", "chaser") and grown.weights.tolist() == [1.0, 1.0]
+    blind = Lineup(["still"])
+    match = Match(home=1, away=1, opponents=blind, observe="truth", autoreset="same_step", max_cycles=4, seed=1)
+    blind.add("chaser")
+    with pytest.raises(ValueError, match="needs sensors, and no team before it used them"):
+        match.reset()
 
 
 CHASER: Any = make_team("chaser")

@@ -1,12 +1,14 @@
-"""Train a policy: `soccer train`. PPO of stable-baselines3 over the batched core; `train` below is the outline.
+"""Train a policy: `soccer train`. PPO over the batched core; `train` below is the outline.
 
     settings.py        the options of the command                  toml_file.py      options from a file
     bounds.py          ranges of numeric options
     checks.py          check that a run is playable                training.py       a run: its state and its output
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
+    tally.py           what matches pay and count, for the log     stages.py         stages of team sizes and opponents
     curriculum.py      the choice of opponents                     teaching/         a scripted teacher, before rewards
     networks.py        actor and critic                            critic_state.py   the critic's view of the truth
-    learner.py         PPO, and its state                          checkpoints.py    save and resume a run
+    rollout.py         play, and its advantages                    update.py         PPO
+    learner.py         both in turn, and their state               checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
     reporting/         other logs, the report as a page
 
@@ -44,10 +46,9 @@ def train(settings: TrainSettings) -> TrainResult:
     check_playable(settings)  # every team, size and time, before a folder is made
     with RunFolder(settings) as folder:
         curriculum = make_curriculum(settings)  # the opponents, and how often each is met
-        matches = make_matches(settings, curriculum)  # side by side, a row for each learning robot
-        learner = Learner(settings, matches)  # actor and critic
+        learner = Learner(settings, make_matches(settings, curriculum, settings.stages[0].sizes))  # a row a robot
         lessons = Lessons(settings, learner.network)  # of a scripted team
-        with Training(settings, folder, curriculum, matches, learner) as run:
+        with Training(settings, folder, curriculum, learner) as run:
             if not run.restore_checkpoint():
                 run.begin(lessons)  # the actor learns what a scripted team does, or begins as a policy file
             while learner.steps < settings.steps:
@@ -55,13 +56,13 @@ def train(settings: TrainSettings) -> TrainResult:
                     learner.collect_rollout(run.show_step)
                 with run.timed("update"):
                     learner.update(actor=run.rollouts >= settings.critic_first)  # the critic alone learns first
-                    lessons.continue_imitation(learner.steps, run.rollouts)  # and does not forget it at once
-                curriculum.take(results := matches.take_results())  # even opponents are met the most often
+                curriculum.take(results := learner.matches.take_results())  # even opponents are met the most often
                 run.count_rollout()
                 if run.rollouts % settings.past_every == 0:
-                    curriculum.add_past(run.policy(), learner.steps, matches.playing())
+                    curriculum.add_past(run.policy(), learner.steps, learner.matches.playing())
                 run.log(results)
                 if run.evaluation_is_due():
                     run.evaluate()  # and keep the best policy
+                run.move_on(results)  # to the next stage, if the present one is over
                 run.save_checkpoint()
             return run.result()

@@ -7,7 +7,6 @@ disk at any moment leaves a whole checkpoint. They hold only tensors and plain v
 import hashlib
 import io
 import json
-import random
 from pathlib import Path
 from typing import Any
 
@@ -97,14 +96,10 @@ def from_tensors(value: Any) -> Any:
 
 
 def generator_states() -> dict[str, Any]:
-    """Return the states of the random generators used in training: torch's, numpy's and Python's."""
-    _, keys, at, has_gauss, gauss = np.random.get_state()  # stable-baselines3 shuffles with numpy's global one
-    version, internal, gauss_next = random.getstate()
+    """Return the states of torch's random generators, the only ones from which training draws."""
     return {
         "torch": torch.get_rng_state(),
         "cuda": torch.cuda.get_rng_state_all() if torch.cuda.is_available() else [],
-        "numpy": [np.asarray(keys).astype(np.int64), int(at), int(has_gauss), float(gauss)],
-        "python": [version, list(internal), gauss_next],
     }
 
 
@@ -113,7 +108,3 @@ def restore_generators(state: dict[str, Any]) -> None:
     torch.set_rng_state(state["torch"])
     if len(state["cuda"]) == (torch.cuda.device_count() if torch.cuda.is_available() else 0):
         torch.cuda.set_rng_state_all(state["cuda"])  # on another machine the draws differ, the run goes on
-    keys, at, has_gauss, gauss = state["numpy"]
-    np.random.set_state(("MT19937", keys.astype(np.uint32), at, has_gauss, gauss))
-    version, internal, gauss_next = state["python"]
-    random.setstate((version, tuple(internal), gauss_next))

@@ -3,7 +3,7 @@
 import datetime
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -25,6 +25,7 @@ from soccer_env.train.ppo.networks import blank_policy, widened_policy
 from soccer_env.train.ppo.reporting.loggers import check_packages
 from soccer_env.train.ppo.reports import policy_contest
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
+from soccer_env.train.ppo.stages import Sizes
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from soccer_env.train.provenance import commit, version_of
 
@@ -41,13 +42,14 @@ def check_playable(settings: TrainSettings) -> None:
     policy = replace(blank, made=policy_origin(settings, 0))
     with name_setting_in_error("opponents"):
         curriculum = make_curriculum(settings)
-        for share in (0.0, 1.0) if settings.ideal_share else (0.0,):
-            make_matches(replace(settings, matches=len(settings.sizes), ideal_share=share), curriculum).close()
+        for sizes, share in product(settings.sizes, (0.0, 1.0) if settings.ideal_share else (0.0,)):
+            make_matches(replace(settings, matches=1, ideal_share=share), curriculum, [sizes]).close()
     check_minutes(settings, league)
-    split_matches(settings.sizes, settings.matches, settings.ideal_share)
+    for stage in settings.stages:
+        split_matches(stage.sizes, settings.matches, settings.ideal_share)
     with name_setting_in_error("evaluate_against"):
-        for opponent in settings.judges:
-            check_contest(policy, opponent, settings)
+        for sizes, opponent in product(settings.sizes, settings.judges):
+            check_contest(policy, opponent, settings, sizes)
     if settings.teacher:
         with name_setting_in_error("teacher"):
             if settings.rounds and not isinstance(make_team(settings.teacher), CompiledTeam):
@@ -60,10 +62,10 @@ def check_playable(settings: TrainSettings) -> None:
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
     """Raise ValueError unless the policy file `start`, if given, has the shape of the policy to train (`blank`)."""
-    if not settings.start:
+    if settings.start_file is None:
         return
     with name_setting_in_error("start"):
-        policy = widened_policy(load(settings.start), blank.inputs)
+        policy = widened_policy(load(settings.start_file), blank.inputs)
         for what in ("family", "control_rate", "observe", "action_repeat", "kind", "activation", "mirror"):
             own, other = getattr(blank, what), getattr(policy, what)
             if own != other:
@@ -77,8 +79,7 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
 
 def check_minutes(settings: TrainSettings, league: League) -> None:
     """Raise ValueError unless an episode lasts a whole number of decisions, which keeps the gait phase."""
-    half = ceil(30.0 * settings.minutes * league.control_rate - 0.5)  # [control steps] as the referee counts them
-    if 2 * half % settings.action_repeat:
+    if ceil(60.0 * settings.minutes * league.control_rate - 0.5) % settings.action_repeat:
         least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
         whole = least * max(1, round(settings.minutes / least))
         raise ValueError(
@@ -96,9 +97,9 @@ def name_setting_in_error(setting: str) -> Iterator[None]:
         raise ValueError(f"{setting}: {error}") from error
 
 
-def check_contest(policy: Any, opponent: str, settings: TrainSettings) -> None:
-    """Raise ValueError if an evaluation against this opponent cannot be played."""
-    contest = policy_contest(policy, opponent, settings)
+def check_contest(policy: Any, opponent: str, settings: TrainSettings, sizes: Sizes) -> None:
+    """Raise ValueError if an evaluation against this opponent, at these team sizes, cannot be played."""
+    contest = policy_contest(policy, opponent, settings, sizes)
     contest.start("home", [0]).close()
     contest.start("away", [0]).close()
 
@@ -120,7 +121,7 @@ def digest(path: str) -> str:
 
 def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return the origin of a policy for its file: command, settings, versions, without the user's folders."""
-    begun = {"start": digest(settings.start)} if settings.start else {}
+    begun = {} if settings.start_file is None else {"start": digest(str(settings.start_file))}
     settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
     return {
         "command": command_of(settings),
@@ -136,15 +137,23 @@ def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
 
 def make_curriculum(settings: TrainSettings) -> Curriculum:
     """Make the curriculum of a run; a team that stands still fills the places of past selves until there is one."""
-    return Curriculum(settings.opponent_names, settings.past, blank_policy(settings, settings.played))
+    curriculum = Curriculum(settings.opponent_names, settings.past, blank_policy(settings, settings.played))
+    curriculum.begin_stage(settings.stages[0].opponents)
+    return curriculum
 
 
-def make_matches(settings: TrainSettings, curriculum: Curriculum) -> SoccerVecEnv:
-    """Make the training environment of a run."""
+def make_matches(settings: TrainSettings, curriculum: Curriculum, sizes: Sequence[Sizes]) -> SoccerVecEnv:
+    """Make the training environment of a stage, in which matches are played at these team sizes.
+
+    Episodes are cut off a decision before half-time: for the learner a match has no end, so that the potential of its
+    last state is not paid back and its value is estimated.
+    """
+    decisions = round(60.0 * settings.minutes / settings.decision_time)
     return SoccerVecEnv(
-        settings.played, scene=settings.scene, players=settings.sizes, matches=settings.matches,
-        ideal_share=settings.ideal_share,
-        opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=settings.paid, gamma=settings.gamma,
-        state=settings.central_critic, stagger=True, seed=settings.seed + TRAINING_SEED, threads=settings.threads,
-        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, minutes=settings.minutes,
+        settings.played, scene=settings.scene, players=sizes, matches=settings.matches,
+        ideal_share=settings.ideal_share, opponents=curriculum.lineup, action_repeat=settings.action_repeat,
+        rewards=settings.paid, gamma=settings.gamma, state=settings.critic_room, stagger=True,
+        seed=settings.seed + TRAINING_SEED, threads=settings.threads, observe=settings.observe,
+        senses=senses_of(settings.senses), pose=settings.pose, minutes=2.0 * settings.minutes,
+        max_cycles=max(decisions - 1, 1),
     )  # fmt: skip

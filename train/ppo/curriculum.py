@@ -17,7 +17,7 @@ from soccer_env.agents.policy import Policy
 from soccer_env.teams import Lineup
 
 MEMORY = 0.95  # weight of the earlier share of points after a result
-FLOOR = 0.1  # weight of an opponent against which the learner always or never wins; an even opponent has 1
+LEAST = 0.1  # share of the episodes of an opponent against which the learner always or never wins
 LEARNER = "learner"
 
 
@@ -43,6 +43,12 @@ class Curriculum:
         self.standings = {name: OpponentStanding() for name in (LEARNER, *self.names)}
         self.lineup = Lineup([*names, *self._past], names=self.names)
         self.model = PlackettLuce()
+        self.met = tuple(names)  # opponents of the present stage, besides past selves
+        self._update_weights()
+
+    def begin_stage(self, names: Sequence[str]) -> None:
+        """Meet only these opponents and past selves from the next episodes on."""
+        self.met = tuple(names)
         self._update_weights()
 
     def take(self, results: Iterable[Any]) -> None:
@@ -87,13 +93,19 @@ class Curriculum:
         self._update_weights()
 
     def _update_weights(self) -> None:
-        """Set each opponent's weight in proportion to p (1 - p), plus a floor; p: the learner's share of points."""
-        shares = np.array([self.standings[name].points for name in self.names])
-        weights = FLOOR + (1.0 - FLOOR) * 4.0 * shares * (1.0 - shares)
-        first_past = len(self.names) - len(self.filled)
-        if self.filled:
-            weights[first_past:] *= (np.array(self.filled) > 0) / max(1, sum(step > 0 for step in self.filled))
-        self.lineup.weights[:] = weights / weights.sum()
+        """Set the opponents' shares: LEAST each, the rest in proportion to p (1 - p); p: the learner's share of points.
+
+        Past selves share one such part.
+        """
+        selves = [name for name, step in zip(self.past_names, self.filled, strict=True) if step]
+        parts = [[name] for name in self.met] + [selves] * bool(selves)
+        points = [np.mean([self.standings[name].points for name in part]) for part in parts]
+        even = np.array([share * (1.0 - share) + 1e-6 for share in points])
+        least = min(LEAST, 1.0 / len(parts))
+        shares = least + (1.0 - least * len(parts)) * even / even.sum()
+        self.lineup.weights[:] = 0.0
+        for part, share in zip(parts, shares, strict=True):
+            self.lineup.weights[[self.names.index(name) for name in part]] = share / len(part)
 
     def _update_ratings(self, learner: OpponentStanding, opponent: OpponentStanding, points: float) -> None:
         """Update the ratings of learner and opponent after an episode; `points` are the learner's, 0 to 1."""

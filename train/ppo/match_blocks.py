@@ -27,6 +27,7 @@ class Result:
     opponent: str
     goals_for: int
     goals_against: int
+    minutes: float = 0.0  # of play
 
     @property
     def points(self) -> float:
@@ -58,11 +59,17 @@ def check_request(
 def split_matches(
     players: Sequence[tuple[int, int]], matches: int, ideal_share: float
 ) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
-    """Divide matches evenly among team sizes, a share with ideal senses; return (sizes, matches, settings) each."""
+    """Divide matches among team sizes, a share with ideal senses; return (sizes, matches, settings) of each block.
+
+    Each team size gets nearly as many home robots as any other: 2 v 2 has half the matches of 1 v 1.
+    """
     if not 0.0 <= ideal_share <= 1.0:
         raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
     blocks: list[tuple[tuple[int, int], int, dict[str, str]]] = []
-    for sizes, count in zip(players, split_evenly(matches, len(players)), strict=True):
+    shares = np.array([1.0 / home for home, _ in players])
+    ends = np.round(np.cumsum(shares) / shares.sum() * matches).astype(int).tolist()
+    for sizes, start, end in zip(players, [0, *ends], ends, strict=False):
+        count = end - start
         ideal = round(ideal_share * count)
         if count < 1 or (ideal_share > 0.0 and ideal < 1) or (ideal_share < 1.0 and ideal == count):
             kinds = f"{len(players)} team sizes" + (", by either senses" if 0.0 < ideal_share < 1.0 else "")
@@ -92,11 +99,15 @@ def begin(match: Match, seeds: np.ndarray, first_decision: int, stagger: int) ->
 
 
 def stagger_clocks(match: Match, repeat: int) -> None:
-    """Start the first episodes of M matches at different clock times, each after a whole number of actions."""
+    """Start the first episodes of M matches at different times, each after a whole number of actions.
+
+    The count of steps goes with the clock, so that a limit of steps ends these episodes one after the other too.
+    """
     half = match.settings.half_length
     if np.isfinite(half):
         strides = int(half / (match.league.dt * repeat))
-        match.matches["clock"] = np.arange(match.count) * strides // match.count * repeat * match.league.dt
+        match.matches["step"] = np.arange(match.count) * strides // match.count * repeat
+        match.matches["clock"] = match.matches["step"] * match.league.dt
 
 
 def playing(match: Match) -> list[str]:

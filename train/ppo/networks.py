@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 import torch
-from stable_baselines3.common.policies import ActorCriticPolicy
 from torch import nn
 
 from soccer_env.agents.attention import Layout, attention_width, layout_of
@@ -24,6 +23,7 @@ from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
+ACTION_GAIN = 0.01  # of the actor's last layer: an untrained actor stands still, but for the noise
 ABSENT = -1e38  # logit of an empty slot: below all that a policy may reach, and finite, for the gradient's sake
 
 
@@ -31,8 +31,16 @@ def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
     """Return linear layers of the given sizes, each followed by the activation."""
     parts: list[nn.Module] = []
     for wide, out in zip(sizes, sizes[1:], strict=False):
-        parts += [nn.Linear(wide, out), ACTIVATIONS[activation]()]
+        parts += [linear(wide, out, 2.0**0.5), ACTIVATIONS[activation]()]
     return nn.Sequential(*parts)
+
+
+def linear(inputs: int, outputs: int, gain: float) -> nn.Linear:
+    """Return a linear layer with orthogonal weights of this gain and no bias at first [Saxe et al. 2014]."""
+    layer = nn.Linear(inputs, outputs)
+    nn.init.orthogonal_(layer.weight, gain)
+    nn.init.zeros_(layer.bias)
+    return layer
 
 
 class Attention(nn.Module):
@@ -66,41 +74,6 @@ class Attention(nn.Module):
         return [part for encoder, query in pairs for part in (encoder.weight, encoder.bias, query.weight)]
 
 
-class ActorAndCritic(nn.Module):
-    """Actor and critic networks over features (B, n + s); the actor sees the first n, and their mirror image."""
-
-    signs: torch.Tensor | None
-
-    def __init__(
-        self, inputs: int, features: int, hidden: Sequence[int], critic: Sequence[int], activation: str, signs: Any,
-        attention: Attention | None = None,
-    ) -> None:  # fmt: skip
-        super().__init__()
-        self.inputs = inputs
-        self.latent_dim_pi = hidden[-1]
-        self.latent_dim_vf = critic[-1]
-        self.register_buffer("signs", signs, persistent=False)
-        self.attention = attention
-        self.policy_net = layers([attention.features if attention else inputs, *hidden], activation)
-        self.value_net = layers([features, *critic], activation)
-
-    def forward(self, features: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
-        """Return the last hidden layers of the actor (B or 2 B, h) and of the critic (B, h)."""
-        return self.forward_actor(features), self.forward_critic(features)
-
-    def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
-        """Return the actor's last hidden layer (B, h); with a mirror (2 B, h), the mirrored observations last."""
-        own = features[:, : self.inputs]
-        own = own if self.signs is None else torch.cat([own, own * self.signs])
-        latent: torch.Tensor = self.policy_net(self.attention(own) if self.attention else own)
-        return latent
-
-    def forward_critic(self, features: torch.Tensor) -> torch.Tensor:
-        """Return the critic's last hidden layer (B, h)."""
-        latent: torch.Tensor = self.value_net(features)
-        return latent
-
-
 class MirrorHead(nn.Module):
     """The last layer of a mirrored actor: the mean of the action and the mirrored-back action of the mirror image."""
 
@@ -118,58 +91,57 @@ class MirrorHead(nn.Module):
         return actions
 
 
-class SoccerPolicy(ActorCriticPolicy):
-    """The policy class for stable-baselines3's PPO; `entries` describe a robot's own observation."""
+class SoccerPolicy(nn.Module):
+    """Actor and critic: the actor sees a robot's own observation, described by `entries`; the critic sees more.
+
+    features: numbers that the critic sees, of which the first are the robot's own observation; noise: initial standard
+    deviation of the actions.
+    """
+
+    signs: torch.Tensor | None
 
     def __init__(
-        self,
-        observation_space: Any,
-        action_space: Any,
-        lr_schedule: Any,
-        *,
-        entries: Sequence[Entry],
-        hidden: Sequence[int] = (64, 64),
-        critic: Sequence[int] = (64, 64),
-        activation: str = "tanh",
-        mirror: bool = False,
-        kind: str = "slots",
-        **settings: Any,
-    ) -> None:
-        self.entries = entries
-        self.hidden = hidden
-        self.critic = critic
-        self.kind = kind
-        self.activation = activation
-        self.mirror = mirror
-        super().__init__(
-            observation_space, action_space, lr_schedule, activation_fn=ACTIVATIONS[activation], **settings
-        )
+        self, entries: Sequence[Entry], features: int, actions: int = 4, *, hidden: Sequence[int] = (64, 64),
+        critic: Sequence[int] = (64, 64), activation: str = "tanh", mirror: bool = False, kind: str = "slots",
+        noise: float = 1.0,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self.entries, self.kind, self.activation, self.mirror = entries, kind, activation, mirror
+        inputs = len(entries)
+        signs = torch.tensor(observation_signs(entries), dtype=torch.float32) if mirror else None
+        self.register_buffer("signs", signs, persistent=False)
+        self.attention = None
+        if kind == "attention":
+            self.attention = Attention(layout_of(entries), attention_width(hidden), activation)
+            inputs = self.attention.features
+        self.policy_net = layers([inputs, *hidden], activation)
+        head = linear(hidden[-1], actions, ACTION_GAIN)
+        action_mirror = torch.tensor(action_signs(actions), dtype=torch.float32)
+        self.action_net: nn.Module = MirrorHead(head, action_mirror) if mirror else head
+        self.critic_net = nn.Sequential(*layers([features, *critic], activation), linear(critic[-1], 1, 1.0))
+        self.log_std = nn.Parameter(torch.full((actions,), float(np.log(noise))))
 
-    def _build_mlp_extractor(self) -> None:
-        signs = torch.tensor(observation_signs(self.entries), dtype=torch.float32) if self.mirror else None
-        sizes = (len(self.entries), self.features_dim, self.hidden, self.critic)
-        attention = None
-        if self.kind == "attention":
-            attention = Attention(layout_of(self.entries), attention_width(self.hidden), self.activation)
-        self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs, attention)
+    @property
+    def device(self) -> torch.device:
+        """Return the device of the parameters."""
+        return self.log_std.device
 
-    def _build(self, lr_schedule: Any) -> None:
-        super()._build(lr_schedule)
-        if self.mirror:
-            signs = torch.tensor(action_signs(self.action_space.shape[0]), dtype=torch.float32)  # type: ignore[index]
-            self.action_net: nn.Module = MirrorHead(self.action_net, signs)
-        self.optimizer = self.optimizer_class(self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs)  # type: ignore[call-arg]
-
-    def mean_actions(self, observations: torch.Tensor) -> torch.Tensor:
-        """Return the actor's mean actions (B, a), without exploration noise and not clipped."""
-        actions: torch.Tensor = self.action_net(self.mlp_extractor.forward_actor(observations))
+    def mean_actions(self, features: torch.Tensor) -> torch.Tensor:
+        """Return the actor's mean actions (B, a) for features (B, n or more), without noise and not clipped."""
+        own = features[:, : len(self.entries)]
+        own = own if self.signs is None else torch.cat([own, own * self.signs])
+        actions: torch.Tensor = self.action_net(self.policy_net(self.attention(own) if self.attention else own))
         return actions
 
+    def values(self, features: torch.Tensor) -> torch.Tensor:
+        """Return the critic's values (B,) of features (B, n)."""
+        values: torch.Tensor = self.critic_net(features)[:, 0]
+        return values
+
     def actor_parameters(self) -> list[nn.Parameter]:
-        """Return the parameters of the actor alone, including those of its exploration noise."""
-        own = [*self.mlp_extractor.policy_net.parameters(), *self.action_net.parameters()]
-        attention = self.mlp_extractor.attention
-        return [*(attention.parameters() if attention else ()), *own, self.log_std]
+        """Return the parameters of the actor alone, its exploration noise last."""
+        own = [*self.policy_net.parameters(), *self.action_net.parameters()]
+        return [*(self.attention.parameters() if self.attention else ()), *own, self.log_std]
 
 
 def export_policy(
@@ -191,9 +163,9 @@ def export_policy(
 def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch.Tensor], list[torch.Tensor]]:
     """Return the weights, biases and attention tensors of an actor, in the order of `Policy`."""
     head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
-    linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
+    linear: list[Any] = [part for part in network.policy_net if isinstance(part, nn.Linear)]
     linear.append(head)
-    attention = network.mlp_extractor.attention
+    attention = network.attention
     return [part.weight for part in linear], [part.bias for part in linear], attention.tensors() if attention else []
 
 

@@ -4,6 +4,7 @@ import re
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -16,21 +17,13 @@ from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
 from soccer_env.train.evaluate.replays import Keep, Kept, keep_replays, kept_in
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
-from soccer_env.train.ppo.curriculum import LEARNER, Curriculum
 from soccer_env.train.ppo.run_folder import BEST, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.stages import Sizes
+from soccer_env.train.ppo.vec_env import Result
 from soccer_env.train.progress import Progress
 from soccer_env.train.report import can_draw, draw_curves
 
-NOTED = {  # a statistic of an update in stable-baselines3, and its name in our logs
-    "train/approx_kl": "kl",
-    "train/clip_fraction": "clipped",
-    "train/explained_variance": "explained",
-    "train/value_loss": "value_loss",
-    "train/entropy_loss": "entropy_loss",
-    "train/std": "noise",
-    "train/learning_rate": "learning_rate",
-}
 EVALUATIONS = ("decisions", "against", "points", "goal difference a match (95 % interval)")
 STAGES = ("rollout", "update", "checkpoint", "evaluation")  # whose times the log has
 UNITS = ((1e6, " [million]"), (1e3, " [thousand]"))
@@ -66,45 +59,31 @@ class ProgressBoard:
         self._progress.advance(step - self._shown)
         self._shown = step
 
-    def log(
-        self, step: int, rollout: int, results: Sequence[Any], curriculum: Curriculum, noted: dict[str, Any],
-        playing: float,
-    ) -> None:  # fmt: skip
-        """Log a rollout and its update; `noted`: stable-baselines3's statistics; `playing`: time of the matches [s]."""
+    def log(self, record: dict[str, Any]) -> None:
+        """Log a rollout and its update, with the times of its stages; show the shares of points beside the bar."""
         spent, self._spent = self._spent, dict.fromkeys(STAGES, 0.0)
+        playing = record.pop("playing")  # [s] of the rollout, in the matches
         seconds = {"matches": playing, "networks": spent.pop("rollout") - playing, **spent}
-        points = {name: curriculum.standings[name].points for name in curriculum.names}
-        ratings = {name: round(standing.mu, 3) for name, standing in curriculum.standings.items()}
-        record = {
-            "step": step,
-            "rollout": rollout,
-            "episodes": len(results),
-            "goals_for": sum(result.goals_for for result in results),
-            "goals_against": sum(result.goals_against for result in results),
-            "points": {name: round(share, 4) for name, share in points.items()},
-            "rating": ratings,
-            **{name: rounded(noted.get(key)) for key, name in NOTED.items()},
-            "seconds": {name: round(value, 3) for name, value in seconds.items()},
-        }
+        record = {**record, "seconds": {name: round(value, 3) for name, value in seconds.items()}}
         self.folder.log(record)
         if self._logs is not None:
             self._logs.write(record)
         if self._progress is not None:
-            shares = ", ".join(f"{100 * share:.0f} % v {name}" for name, share in points.items() if name != LEARNER)
-            self._progress.note(f"points {shares}{self._words}")
+            shares = ", ".join(f"{100 * share:.0f} % v {name}" for name, share in record["points"].items())
+            stage = f"stage {record['stage']}, " if len(self._settings.stages) > 1 else ""
+            self._progress.note(f"{stage}points {shares}{self._words}")
 
-    def open_logs(self, step: int) -> Any:
-        """Open the optional logs; return the logger to be used by stable-baselines3."""
+    def open_logs(self, step: int) -> None:
+        """Open the optional logs."""
         from soccer_env.train.ppo.reporting.loggers import Logs
 
         self._logs = Logs(self._settings, self.folder, step)
-        return self._logs.logger
 
     def note_evaluation(self, step: int, rows: Sequence[dict[str, Any]]) -> None:
         """Show the results of an evaluation beside the progress bar, and log them."""
         if self._logs is not None:
             self._logs.write_evaluation(step, rows)
-        self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} v {row['opponent']}" for row in rows)
+        self._words = "; evaluated " + ", ".join(f"{row['goal_difference']:+.2f} {name_of(row)}" for row in rows)
 
     def close(self) -> None:
         """Close the bar and the logs."""
@@ -114,14 +93,31 @@ class ProgressBoard:
             self._logs.close()
 
 
+def name_of(row: dict[str, Any]) -> str:
+    """Return the name of a row of an evaluation: its team sizes and its opponent."""
+    return f"{row['players']} v {row['opponent']}" if "players" in row else f"v {row['opponent']}"
+
+
 def rounded(value: Any) -> float | None:
     """Round a number for the logs; None for a missing number or NaN, which JSON lacks."""
     return round(float(value), 6) if value is not None and np.isfinite(value) else None
 
 
-def policy_contest(policy: Policy, opponent: str, settings: TrainSettings) -> Contest:
-    """Return the contest of a policy against one opponent of the evaluations."""
-    players = max(settings.sizes)
+def goals_a_minute(results: Sequence[Result]) -> dict[str, dict[str, Any]]:
+    """Return goals for and against a minute, and minutes, of episodes, by team sizes and opponent."""
+    found: dict[str, dict[str, Any]] = {}
+    for sizes, opponent in dict.fromkeys((one.players, one.opponent) for one in results):
+        own = [one for one in results if (one.players, one.opponent) == (sizes, opponent)]
+        minutes = sum(one.minutes for one in own)
+        scored, conceded = sum(one.goals_for for one in own), sum(one.goals_against for one in own)
+        found[f"{sizes[0]}v{sizes[1]} {opponent}"] = {
+            "for": round(scored / minutes, 4), "against": round(conceded / minutes, 4), "minutes": round(minutes, 2)
+        }  # fmt: skip
+    return found
+
+
+def policy_contest(policy: Policy, opponent: str, settings: TrainSettings, players: Sizes) -> Contest:
+    """Return the contest of a policy against one opponent of the evaluations, at these team sizes."""
     asked = EvaluateSettings(
         league=settings.league, home="policy", away=opponent, matches=settings.evaluate_matches,
         minutes=settings.evaluate_minutes, players=f"{players[0]}v{players[1]}",
@@ -139,15 +135,29 @@ def play_evaluation(contest: Contest, threads: int) -> list[MatchLine]:
 
 
 def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
-    """Evaluate a policy against each opponent; return a row of results with 95 % intervals for each opponent."""
+    """Evaluate a policy at each team size against each opponent; return a row of results with 95 % intervals each."""
     rows = []
-    for opponent in settings.judges:
-        contest = policy_contest(policy, opponent, settings)
+    for players, opponent in product(settings.sizes, settings.judges):
+        contest = policy_contest(policy, opponent, settings, players)
         result = summarise(contest.conditions, {}, play_evaluation(contest, settings.threads))
         mean, low, high = (getattr(result.goal_difference, name) for name in ("mean", "low", "high"))
-        points = result.points.mean
-        rows.append({"opponent": opponent, "goal_difference": mean, "low": low, "high": high, "points": points})
+        rows.append(
+            {
+                "players": f"{players[0]}v{players[1]}",
+                "opponent": opponent,
+                "goal_difference": mean,
+                "low": low,
+                "high": high,
+                "points": result.points.mean,
+            }  # fmt: skip
+        )
     return rows
+
+
+def merit(evaluation: dict[str, Any]) -> tuple[float, float]:
+    """Return the mean points of an evaluation, then its mean goal difference: the best policy has the largest."""
+    rows = evaluation["rows"]
+    return float(np.mean([row["points"] for row in rows])), float(np.mean([row["goal_difference"] for row in rows]))
 
 
 def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> bytes:
@@ -164,7 +174,7 @@ def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> 
         found = [one["rows"][index] for one in evaluations]
         curves.append(
             {
-                "name": f"against {row['opponent']}",
+                "name": name_of(row),
                 "x": [count / unit for count in decisions],
                 "y": [part["goal_difference"] for part in found],
                 "low": [part["low"] for part in found],
@@ -195,7 +205,7 @@ def evaluation_rows(evaluations: Sequence[dict[str, Any]]) -> Iterator[tuple[str
     for decisions, one in zip(decisions_of(evaluations), evaluations, strict=True):
         for row in one["rows"]:
             difference = f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})"
-            yield f"{decisions:,}", row["opponent"], f"{100 * row['points']:.0f} %", difference
+            yield f"{decisions:,}", name_of(row), f"{100 * row['points']:.0f} %", difference
 
 
 def screen_table(result: Any) -> Any:
@@ -213,8 +223,11 @@ def screen_table(result: Any) -> Any:
 def best_evaluation_sentence(result: Any) -> str:
     """Return a sentence about the best evaluation of a run (`training.TrainResult`)."""
     pairs = zip(decisions_of(result.evaluations), result.evaluations, strict=True)
-    decisions, best = max(pairs, key=lambda pair: pair[1]["mean"])
-    return f"best: after {decisions:,} decisions, {best['mean']:+.2f} on average; the largest of several is a lucky one"
+    decisions, (points, goals) = max(((count, merit(one)) for count, one in pairs), key=lambda pair: pair[1])
+    return (
+        f"best: after {decisions:,} decisions, {100 * points:.0f} % of points and {goals:+.2f} goals on average; "
+        "the largest of several is a lucky one"
+    )
 
 
 def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
@@ -226,8 +239,8 @@ def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
     if not path.exists() or not (settings.keep or kept_in(folder.path)):
         return []
     policy, kept = load(path), []
-    for number, opponent in enumerate(settings.judges, 1):
-        contest = policy_contest(policy, opponent, settings)
+    for number, (players, opponent) in enumerate(product(settings.sizes, settings.judges), 1):
+        contest = policy_contest(policy, opponent, settings, players)
         lines = play_evaluation(contest, settings.threads)
         before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"
         kept += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)

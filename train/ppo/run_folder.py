@@ -16,7 +16,7 @@ from soccer_env.train.evaluate.results import KEPT_FILES
 from soccer_env.train.files import read_lines
 from soccer_env.train.ppo.bounds import LOGS
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES
-from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.provenance import module_hashes
 from soccer_env.train.results_folder import SETTINGS, ResultsFolder, RunKind
 
@@ -24,10 +24,10 @@ LOG = "log.jsonl"
 TABLE = "progress.csv"
 EVALUATIONS = "evaluations.jsonl"
 BEST = "best.safetensors"
-LAST = "last.safetensors"
 CURVE = "learning_curve.png"
 REPORT = "report.html"
 ROUNDS = "rounds"  # a folder
+BY_SIZE = ("goals", "minute")  # parts of a log line whose names change with the stage: no columns of a table
 TRAINING = RunKind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),
     (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, REPORT, LATEST, *NAMES),
@@ -112,9 +112,11 @@ def evaluation_order(evaluation: dict[str, Any]) -> tuple[int, int]:
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:
-    """Flatten nested dicts: {"points": {"chaser": 1}} becomes {"points_chaser": 1}."""
+    """Flatten nested dicts: {"points": {"chaser": 1}} becomes {"points_chaser": 1}; leave out those BY_SIZE."""
     flat: dict[str, Any] = {}
     for name, value in record.items():
+        if name in BY_SIZE:
+            continue
         if isinstance(value, dict):
             flat |= {f"{name}_{key}": part for key, part in value.items()}
         else:

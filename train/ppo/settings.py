@@ -20,18 +20,21 @@ from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
 from soccer_env.scenes import Scene, mixture, scene_names
 from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.ppo.bounds import BOUNDS, LOGS
+from soccer_env.train.ppo.stages import Sizes, Stage, parse_stages
 from soccer_env.train.written_settings import (
     CommandSettings,
     command_line,
     layer_sizes,
     split_distinct_names,
-    split_players,
     split_senses,
 )
 
 FREE = (  # settings that may differ when a run is resumed
     "out", "threads", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
 )  # fmt: skip
+
+LAST = "last.safetensors"  # of a run's folder
+CRITIC_ROOM = 5  # robots a side for which any critic has room, so that it may go on with larger teams
 
 
 @dataclass(frozen=True)
@@ -41,13 +44,19 @@ class PlainSettings:
     league: str = "legged-2001"
     """League: a name of `soccer list leagues`, or MODULE:NAME of your own."""
     players: str = "3v3"
-    """Players a side, 3 or 1v3; several team sizes, trained together, are separated by commas: 1v1,2v2,3v3."""
+    """Players a side, 3 or 1v3; several team sizes, trained together, are separated by commas: 1v1,2v2,3v3. Stages of
+    the run are separated by semicolons: 1v1;1v1,2v2;2v2,3v3."""
     opponents: str = "still,chaser@0.5,chaser"
     """Away teams, separated by commas: names of `soccer list teams`, policy files, or MODULE:NAME. Evenly matched
-    opponents are drawn more often."""
+    opponents are drawn more often. One list for all stages, or one for each, separated by semicolons."""
     steps: int = 2_000_000
     """Training length in decisions of learning robots. Raise it to train a finished run further; 0 only imitates the
     teacher."""
+    stage_share: float = 0.75
+    """Share of the goals in recent training episodes that the run must have scored at every team size of its stage, to
+    move on to the next stage."""
+    stage_steps: int = 10_000_000
+    """Decisions after which a run moves on to the next stage in any case."""
     teacher: str = "chaser"
     """Team that the actor imitates before PPO begins; "" for none."""
     action_repeat: int = 8
@@ -67,9 +76,11 @@ class PlainSettings:
     rewards: str = ""
     """Rewards of your own, as MODULE:NAME; "" for the terms weighted by the options below."""
     matches: int = 128
-    """Matches played side by side, shared among the team sizes."""
+    """Matches played side by side. Each team size of a stage has as many robots as the others, so larger teams have
+    fewer matches."""
     minutes: float = 2.0
-    """Minutes of play in a training episode, both halves together."""
+    """Minutes of play in a training episode. It is a half that is cut off before half-time, so that its last state
+    keeps its value."""
     scenes: str = "kick-off"
     """How episodes begin; several scenes take shares: kick-off:0.6,states:FILE:0.4. Play goes on after a drill's
     start."""
@@ -87,7 +98,8 @@ class PlainSettings:
     """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept), which is
     faster."""
     start: str = ""
-    """Policy file of the same shape to start from instead of imitating the teacher; "" for none."""
+    """Policy file of the same shape to start from instead of imitating the teacher, or the folder of another run, whose
+    critic and noise are taken over too; "" for none."""
     teacher_steps: int = 300_000
     """Number of the teacher's decisions to record, over all team sizes and opponents together."""
     teacher_epochs: int = 12
@@ -95,8 +107,6 @@ class PlainSettings:
     rounds: int = 0
     """Rounds of imitation in which the actor plays and a teacher that knows the truth labels each decision; the teacher
     itself plays the first round. 0 to imitate recorded matches of the teacher only."""
-    teacher_until: float = 0.0
-    """Share of --steps over which a loss of imitation beside PPO fades out; 0 for no such loss."""
     critic_first: int = 3
     """Number of first rollouts in which only the critic learns: an untrained critic would spoil the imitation."""
     kind: Literal["slots", "attention"] = "slots"
@@ -111,25 +121,24 @@ class PlainSettings:
     """Average the actor with its left-right mirror image; needs --observe truth or belief."""
     central_critic: bool = True
     """Give the critic the whole truth of the match (`state()`) too; the actor never sees it."""
-    learning_rate: float = 3e-4
-    """Initial learning rate of Adam."""
-    decay: bool = True
-    """Decay the learning rate linearly, to a twentieth of its initial value at --steps."""
-    gamma: float = 0.99
-    """Discount factor per decision, of the return and of the reward shaping."""
-    gae_lambda: float = 0.95
-    """Lambda of the generalised advantage estimate."""
-    clip: float = 0.2
-    """Clip range of PPO: how far the probability ratio may move from 1."""
+    learning_rate: float = 7e-4
+    """Learning rate of Adam; the actor's follows the divergence from here on, see target_kl."""
+    target_kl: float = 0.01
+    """Divergence (KL) between the policies before and after a gradient step. The actor's learning rate is divided by
+    1.5 where it is twice as large, and multiplied by 1.5 where it is half as large."""
+    discount_half_life: float = 30.0
+    """Time [s] after which a reward counts half: the discount of a decision is 0.5^(its duration / this), also in the
+    reward shaping."""
+    advantage_half_life: float = 3.0
+    """Time [s] after which a temporal difference counts half in the generalised advantage estimate, in addition to the
+    discount: lambda is 0.5^(duration of a decision / this)."""
     rollout: int = 64
     """Length of a rollout: decisions of each robot between two updates."""
     batch: int = 4096
     """Approximate number of decisions in a gradient step; a rollout is cut into equal parts."""
     epochs: int = 4
     """Epochs of an update: passes over a rollout."""
-    entropy: float = 0.0
-    """Weight of the entropy bonus."""
-    noise: float = 0.4
+    noise: float = 0.5
     """Initial standard deviation of the actions."""
     evaluate_every: int = 500_000
     """Steps between two evaluations, which play without noise; the best policy is kept as best.safetensors."""
@@ -138,10 +147,10 @@ class PlainSettings:
     evaluate_minutes: float = 4.0
     """Minutes of play in a match of an evaluation."""
     evaluate_against: str = "chaser@0.5,chaser"
-    """Opponents of the evaluations, separated by commas, played at the largest team size with own poses by
+    """Opponents of the evaluations, separated by commas, played at every team size of the run with own poses by
     particles."""
     torch_threads: int = 1
-    """Threads of torch; more than one helps only on idle cores."""
+    """Threads of torch in an update; more than one helps only on idle cores."""
     device: Literal["auto", "cpu", "cuda"] = "auto"
     """Device that trains the networks; auto uses a GPU if there is one."""
     log: str = ""
@@ -205,9 +214,39 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         self.scene, self.paid, self.logs, Keep(self.keep)  # the same
 
     @property
-    def sizes(self) -> tuple[tuple[int, int], ...]:
-        """Return the team sizes (home, away)."""
-        return tuple(split_players(part, 3) for part in split_distinct_names("players", self.players))
+    def stages(self) -> tuple[Stage, ...]:
+        """Return the stages of the run."""
+        return parse_stages(self.players, self.opponents)
+
+    @property
+    def sizes(self) -> tuple[Sizes, ...]:
+        """Return the team sizes (home, away) of all stages."""
+        return tuple(dict.fromkeys(sizes for stage in self.stages for sizes in stage.sizes))
+
+    @property
+    def opponent_names(self) -> tuple[str, ...]:
+        """Return the names of the opponents in training, of all stages."""
+        return tuple(dict.fromkeys(name for stage in self.stages for name in stage.opponents))
+
+    @property
+    def critic_room(self) -> int:
+        """Return the robots a side for which the critic's state has room, 0 without a state."""
+        return max(CRITIC_ROOM, *(max(sizes) for sizes in self.sizes)) if self.central_critic else 0
+
+    @property
+    def decision_time(self) -> float:
+        """Return the duration [s] of a decision."""
+        return self.action_repeat / self.played.control_rate
+
+    @property
+    def gamma(self) -> float:
+        """Return the discount factor of a decision."""
+        return half_life_factor(self.decision_time, self.discount_half_life)
+
+    @property
+    def gae_lambda(self) -> float:
+        """Return the lambda of the generalised advantage estimate for a decision."""
+        return half_life_factor(self.decision_time, self.advantage_half_life)
 
     @property
     def played(self) -> League:
@@ -233,6 +272,13 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         return mixture(self.scenes)
 
     @property
+    def start_file(self) -> Path | None:
+        """Return the policy file to start from, the last one of a run's folder; None: from nothing or a teacher."""
+        if not self.start:
+            return None
+        return Path(self.start) / LAST if Path(self.start).is_dir() else Path(self.start)
+
+    @property
     def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
         """Return (share of matches, `senses` argument of Match) for the run's senses and for ideal senses."""
         kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
@@ -255,11 +301,6 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
         return layer_sizes("critic", self.critic)
 
     @property
-    def opponent_names(self) -> tuple[str, ...]:
-        """Return the names of the opponents in training."""
-        return split_distinct_names("opponents", self.opponents)
-
-    @property
     def logs(self) -> tuple[str, ...]:
         """Return the names of the optional logs; ValueError for an unknown log."""
         asked = split_distinct_names("log", self.log) if self.log else ()
@@ -280,6 +321,11 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     def decisive(self) -> dict[str, Any]:
         """Return the settings that must be equal when a run is resumed."""
         return {name: value for name, value in self.as_dict().items() if name not in FREE}
+
+
+def half_life_factor(duration: float, half_life: float) -> float:
+    """Return the factor per `duration` that halves a weight after each `half_life`: 0.5^(duration / half_life)."""
+    return float(0.5 ** (duration / half_life))
 
 
 def command_of(settings: TrainSettings) -> str:

@@ -11,23 +11,32 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
 from soccer_env.agents.trained_with import warn_if_observing_truth
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.ppo.checkpoints import generator_states, read_checkpoint, restore_generators, write_checkpoint
-from soccer_env.train.ppo.checks import policy_origin
+from soccer_env.train.ppo.checks import make_matches, policy_origin
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner
 from soccer_env.train.ppo.networks import export_policy
 from soccer_env.train.ppo.reporting.page import page_of
-from soccer_env.train.ppo.reports import ProgressBoard, evaluate_policy, keep_best, learning_curve
-from soccer_env.train.ppo.run_folder import BEST, CURVE, LAST, REPORT, RunFolder
-from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.reports import (
+    ProgressBoard,
+    evaluate_policy,
+    goals_a_minute,
+    keep_best,
+    learning_curve,
+    merit,
+    rounded,
+)
+from soccer_env.train.ppo.run_folder import BEST, CURVE, REPORT, RunFolder
+from soccer_env.train.ppo.settings import LAST, TrainSettings
+from soccer_env.train.ppo.stages import StageClock
 from soccer_env.train.ppo.teaching.lessons import KeptRounds, Lessons
 from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
+
+CHECKPOINT_SHARE = 0.05  # of a run's time, at most
 
 
 @dataclass(frozen=True)
@@ -43,16 +52,14 @@ class TrainResult:
 class Training:
     """One training run; a context manager that shows a progress bar and closes threads and logs."""
 
-    def __init__(
-        self, settings: TrainSettings, folder: RunFolder, curriculum: Curriculum, matches: SoccerVecEnv,
-        learner: Learner,
-    ) -> None:  # fmt: skip
+    def __init__(self, settings: TrainSettings, folder: RunFolder, curriculum: Curriculum, learner: Learner) -> None:
         self.settings, self.folder = settings, folder
         self.curriculum = curriculum
-        self.matches = matches
         self.learner = learner
+        self.clock = StageClock(settings.stages, settings.stage_share, settings.stage_steps)
         self.board = ProgressBoard(settings, folder)
         self.rollouts = 0  # so far
+        self.next_checkpoint = 0.0  # [s] of the clock of `time.perf_counter`
         self.started = time.perf_counter()
 
     def __enter__(self) -> Training:
@@ -87,22 +94,44 @@ class Training:
 
     def log(self, results: Sequence[Result]) -> None:
         """Write the log record of a rollout and its update, with the results of the episodes that ended in it."""
+        matches, standings = self.learner.matches, self.curriculum.standings
         self.board.log(
-            self.learner.steps, self.rollouts, results, self.curriculum, self.learner.noted(),
-            self.matches.take_seconds(),
+            {
+                "step": self.learner.steps, "rollout": self.rollouts, "stage": self.clock.number + 1,
+                "episodes": len(results),
+                "goals_for": sum(result.goals_for for result in results),
+                "goals_against": sum(result.goals_against for result in results),
+                "points": {name: round(standings[name].points, 4) for name in self.curriculum.names},
+                "rating": {name: round(standing.mu, 3) for name, standing in standings.items()},
+                **{name: rounded(value) for name, value in self.learner.noted.items()},
+                "goals": goals_a_minute(results),
+                "minute": matches.take_tally(),
+                "playing": matches.take_seconds(),
+            }
         )  # fmt: skip
+
+    def move_on(self, results: Sequence[Result]) -> None:
+        """Count the goals of finished episodes; begin the next stage, if the present one is over."""
+        self.clock.take(results)
+        if self.clock.move_on(self.learner.steps):
+            self.learner.begin_matches(self._matches_of_stage())
+
+    def _matches_of_stage(self) -> SoccerVecEnv:
+        """Make the matches of the present stage, and meet its opponents in them."""
+        self.curriculum.begin_stage(self.clock.stage.opponents)
+        return make_matches(self.settings, self.curriculum, self.clock.stage.sizes)
 
     def evaluation_is_due(self) -> bool:
         """Tell whether the last rollout passed a multiple of `evaluate_every`, or ended the run."""
         step, every = self.learner.steps, self.settings.evaluate_every
-        before = step - self.settings.rollout * self.matches.num_envs
-        return step >= self.settings.steps or step // every > before // every
+        before = step - self.settings.rollout * self.learner.matches.num_envs
+        return self._is_over() or step // every > before // every
 
     def begin(self, lessons: Lessons) -> None:
         """Let the teacher teach the actor, with an evaluation after every round; then start the matches."""
         for advised in lessons.teach():
             self.evaluate(advised)
-        self.learner.reset_matches()
+        self.learner.begin_matches()
         self.save_checkpoint()
         lessons.kept.forget()
 
@@ -113,17 +142,16 @@ class Training:
         """
         with self.timed("evaluation"):
             policy = self.policy()
-            record = {"step": self.learner.steps, "advised": advised}
+            record: dict[str, Any] = {"step": self.learner.steps, "advised": advised}
             self.folder.remove_evaluations_from(record)  # left by a run that was interrupted before its checkpoint
-            best = max((one["mean"] for one in self.folder.evaluations()), default=-np.inf)
-            rows = evaluate_policy(policy, self.settings)
-            mean = float(np.mean([row["goal_difference"] for row in rows]))
+            best = max(map(merit, self.folder.evaluations()), default=None)
+            record["rows"] = rows = evaluate_policy(policy, self.settings)
             data = dump(policy)
             self.folder.write(LAST, data)
             warn_if_observing_truth(policy)
-            if mean > best:
+            if best is None or merit(record) > best:
                 self.folder.write(BEST, data)
-            self.folder.log_evaluation({**record, "mean": mean, "rows": rows})
+            self.folder.log_evaluation(record)
             curve = learning_curve(self.folder.evaluations(), self.settings)
             if curve:
                 self.folder.write(CURVE, curve)
@@ -149,16 +177,30 @@ class Training:
     # Checkpoints
 
     def save_checkpoint(self) -> None:
-        """Write a checkpoint from which the run resumes with identical results."""
+        """Write a checkpoint from which the run resumes with identical results, if the last one is old enough.
+
+        Matches are rebuilt as by a save in any case, so that results do not depend on how fast a checkpoint is written.
+        """
         with self.timed("checkpoint"):
+            started = time.perf_counter()
+            if started < self.next_checkpoint and not self._is_over():
+                self.learner.matches.rebuild()
+                return
             state = {
                 **self.learner.state(),
-                "matches": self.matches.save(),
+                "matches": self.learner.matches.save(),
                 "curriculum": self.curriculum.state(),
+                "stage": self.clock.state(),
                 "generators": generator_states(),
                 "rollouts": self.rollouts,
             }
             write_checkpoint(self.folder.path, state, self.learner.steps)
+            ended = time.perf_counter()
+            self.next_checkpoint = ended + (ended - started) / CHECKPOINT_SHARE
+
+    def _is_over(self) -> bool:
+        """Tell whether the run has all its steps."""
+        return self.learner.steps >= self.settings.steps
 
     def restore_checkpoint(self) -> bool:
         """Resume from the newest checkpoint; return False if there is none.
@@ -171,14 +213,17 @@ class Training:
         else:
             self._restore(saved)
         self.folder.cut_logs_after(self.learner.steps if saved else -1)
-        self.learner.model.set_logger(self.board.open_logs(self.learner.steps))
+        self.board.open_logs(self.learner.steps)
         return saved is not None
 
     def _restore(self, saved: dict[str, Any]) -> None:
         """Restore the run from the state that `save_checkpoint` wrote."""
         try:
+            self.clock.restore(saved["stage"])
             self.curriculum.restore(saved["curriculum"])  # first: saved matches refer to their opponents
-            self.learner.restore(saved, self.matches.load(saved["matches"]))
+            if self.clock.number:
+                self.learner.begin_matches(self._matches_of_stage())
+            self.learner.restore(saved, self.learner.matches.load(saved["matches"]))
             self.rollouts = saved["rollouts"]
             restore_generators(saved["generators"])
             KeptRounds(self.folder.path).forget()  # a run may be killed between a checkpoint and this

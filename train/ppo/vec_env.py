@@ -26,7 +26,7 @@ except ModuleNotFoundError as error:
     raise ImportError(f'SoccerVecEnv needs stable-baselines3: pip install "soccer_env[train]" ({error})') from error
 
 from soccer_env.agents.learned import first_decision_step
-from soccer_env.guards.checking import short_repr
+from soccer_env.guards.checking import check_whole_number, short_repr
 from soccer_env.guards.names import Made
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
@@ -36,20 +36,23 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.train.ppo.critic_state import append_state
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
+from soccer_env.train.ppo.tally import Tally, per_minute
+from soccer_env.types import MAX_TEAM
 
 
 class SoccerVecEnv(VecEnv):
     """Matches whose home robots learn, or the robots of both sides, as rows of one environment.
 
-    players: team sizes (home, away), the matches being shared evenly among them; ideal_share: share of each size's
-    matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, a `Lineup` whose
-    weights choose anew for each episode, or None: both sides learn (self-play), the rows of home first in each match;
-    gamma: discount of one step, which the shaping of `rewards` takes over; state: append the state from the robot's own
-    side, `Match.state("home")` or "away", to every observation, for a centralised critic; stagger: begin the first
-    episodes at different times of play. max_cycles counts steps of `action_repeat` control steps. Other settings are
-    those of `Match` (observe="truth" unless told otherwise). `results` collects how episodes ended until somebody takes
-    them, `seconds` the time [s] that steps took. Every reset plays the episodes of the seed again. An episode that does
-    not last whole steps shifts the next one's decisions within the gait.
+    players: team sizes (home, away); matches are shared so that each size has as many home robots; ideal_share: share
+    of each size's matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, a
+    `Lineup` whose weights choose anew for each episode, or None: both sides learn (self-play), the rows of home first
+    in each match; gamma: discount of one step, which the shaping of `rewards` takes over; state: append the state from
+    the robot's own side, `Match.state("home")` or "away", to every observation, for a centralised critic, with room for
+    the largest team (True) or for this number of robots a side; stagger: begin the first episodes at different times of
+    play. max_cycles counts steps of `action_repeat` control steps. Other settings are those of `Match` (observe="truth"
+    unless told otherwise). `results` collects how episodes ended until somebody takes them, `seconds` the time [s] that
+    steps took. Every reset plays the episodes of the seed again. An episode that does not last whole steps shifts the
+    next one's decisions within the gait.
 
         env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
         model = A2C("MlpPolicy", env).learn(100_000)
@@ -75,7 +78,7 @@ class SoccerVecEnv(VecEnv):
         action_repeat: int = 1,
         gamma: float = 0.99,
         rewards: Rewards | str = "default",
-        state: bool = False,
+        state: bool | int = False,
         stagger: bool = False,
         seed: int = 0,
         threads: int = 1,
@@ -97,12 +100,17 @@ class SoccerVecEnv(VecEnv):
             for (home, away), count, senses in blocks
         ]  # fmt: skip
         self._workers = Workers(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
-        self.largest, self.state = max(match.settings.max_players for match in self.matches), state
+        self.room = max(match.settings.max_players for match in self.matches) * (state is not False)
+        if not isinstance(state, bool):
+            self.room = check_whole_number("state", state, self.room, MAX_TEAM) if state else 0
         both = opponents is None
         self.learners = [match.settings.home + both * match.settings.away for match in self.matches]  # the first rows
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         self.first_decision = first_decision_step(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
+        sizes = [tuple(pair) for pair in players]
+        self.size_of_row = np.repeat([sizes.index((m.settings.home, m.settings.away)) for m in self.matches], rows)
+        self.tallies = [Tally(*pair) for pair in zip(self.matches, self.learners, strict=True)]
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
@@ -179,6 +187,7 @@ class SoccerVecEnv(VecEnv):
         gained, over = rewards[rows].reshape(match.count, learners), np.zeros(match.count, bool)
         for step in range(self.repeat):
             _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
+            self.tallies[index].add()
             gained += np.where(over[:, None], 0.0, paid[:, :learners])
             if len(match.ended):
                 results += self._write_terminal_infos(index, terminated, over, infos)
@@ -193,8 +202,8 @@ class SoccerVecEnv(VecEnv):
         results = []
         match, learners = self.matches[index], self.learners[index]
         last = match.final["observations"][:, :learners]
-        if self.state:
-            last = append_state(last, match, match.final, self.largest)
+        if self.room:
+            last = append_state(last, match, match.final, self.room)
         for i, m in enumerate(match.ended):
             if over[m]:
                 continue
@@ -205,7 +214,8 @@ class SoccerVecEnv(VecEnv):
                 infos[first + r]["opponent"] = opponent
             score = match.final["matches"]["score"][i]
             players = match.settings.home, match.settings.away
-            results.append(Result(players, opponent, int(score[0]), int(score[1])))
+            minutes = float(match.final["matches"]["step"][i]) * match.league.dt / 60.0
+            results.append(Result(players, opponent, int(score[0]), int(score[1]), minutes))
         self.opponents[index] = playing(match)
         return results
 
@@ -214,8 +224,8 @@ class SoccerVecEnv(VecEnv):
         parts = []
         for match, learners in zip(self.matches, self.learners, strict=True):
             seen = match.observations[:, :learners]
-            if self.state:
-                seen = append_state(seen, match, records_of(match), self.largest)
+            if self.room:
+                seen = append_state(seen, match, records_of(match), self.room)
             parts.append(seen.reshape(match.count * learners, -1))
         return np.concatenate(parts)
 
@@ -223,6 +233,10 @@ class SoccerVecEnv(VecEnv):
         """Return the results of the episodes that ended since the last call of this method."""
         taken, self.results = self.results, []
         return taken
+
+    def take_tally(self) -> dict[str, dict[str, Any]]:
+        """Return what was paid, kicked and whistled a minute at each team size since the last call (`per_minute`)."""
+        return per_minute(self.tallies)
 
     def take_seconds(self) -> float:
         """Return the time [s] that steps have taken since the last call of this method."""
@@ -270,6 +284,11 @@ class SoccerVecEnv(VecEnv):
         return self.matches[0]._repr_png_()
 
     # Saving
+
+    def rebuild(self) -> None:
+        """Rebuild the physics of all matches as `save` does, without a save."""
+        for match in self.matches:
+            match.rebuild()
 
     def save(self) -> dict[str, Any]:
         """Return the full state of the environment as plain values, and rebuild the matches from it."""

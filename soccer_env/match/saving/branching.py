@@ -36,6 +36,8 @@ class Branching:
 
         def _observe_own(self) -> None: ...
 
+        def _take_up_added_teams(self) -> None: ...
+
     @property
     def play_fingerprint(self) -> tuple[str, list[Any]]:
         """Return the fingerprint of settings and squads; a save can be loaded only where it is equal."""
@@ -77,6 +79,7 @@ class Branching:
         rows: number of a match, or several; None: all matches. ValueError for a number that no match has.
         """
         numbers = None if rows is None else branches.check_rows("rows", rows, self.count)
+        self._take_up_added_teams()
         saved = saves.dump(self, rows=numbers)
         self.rebuild(numbers)
         return saved
@@ -90,6 +93,7 @@ class Branching:
         numbers = None if rows is None else branches.check_rows("rows", rows, self.count, once=True)
         if not (self.started or numbers is None):
             raise RuntimeError("load: an error has interrupted the last call: load all matches, or call reset")
+        self._take_up_added_teams()
         records = saves.arrays_of_save(self, saved, rows=numbers)
         self.started = False
         saves.fill_match(self, records, numbers)
@@ -109,6 +113,7 @@ class Branching:
         different numbers of `rows` and `at`, and for a Match that does not fit.
         """
         numbers = branches.check_rows("rows", rows, self.count)
+        self._take_up_added_teams()
         other = type(self)(**self._changed_arguments(matches=len(numbers))) if into is None else into
         if other not in self._known_to_fit:
             branches.check_fits(self, other)

@@ -11,7 +11,6 @@ from soccer_env.observations import layout
 pytest.importorskip("stable_baselines3")
 
 import torch
-from gymnasium import spaces
 
 from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.perceptron import pack_policy
@@ -29,9 +28,8 @@ NAMES = [entry.name for entry in ENTRIES]
 def network(seed: int = 1, **settings: Any) -> SoccerPolicy:
     """Return an actor with attention for beliefs of the legged league."""
     torch.manual_seed(seed)
-    seen, done = spaces.Box(-1.0, 1.0, (len(NAMES),), np.float32), spaces.Box(-1.0, 1.0, (4,), np.float32)
     shape: dict[str, Any] = {"hidden": (16,), "critic": (16,), **settings}
-    return SoccerPolicy(seen, done, lambda _: 1e-3, entries=ENTRIES, kind="attention", **shape)
+    return SoccerPolicy(ENTRIES, len(ENTRIES), kind="attention", **shape)
 
 
 @pytest.mark.parametrize("hidden", ["64,64", "12"])
@@ -69,10 +67,10 @@ def test_fitting_teaches_attention_as_well(mirror: bool) -> None:
     actions = np.zeros((4000, 4), np.float32)
     actions[:, 0] = place
     made = network(mirror=mirror)
-    before = [parameter.clone() for parameter in made.mlp_extractor.attention.encoders.parameters()]
+    before = [parameter.clone() for parameter in made.attention.encoders.parameters()]
     errors = fit(made, rows, actions, 20, 1, batch=128)
     assert errors[-1] < 0.1 * errors[0] and errors[-1] < 0.003
-    after = list(made.mlp_extractor.attention.encoders.parameters())
+    after = list(made.attention.encoders.parameters())
     assert all((one != other).any() for one, other in zip(before[2:], after[2:], strict=True)), "opponents' encoder"
 
 
@@ -80,7 +78,7 @@ def test_the_actors_parameters_are_all_but_the_critics() -> None:
     made = network()
     own = {id(parameter) for parameter in made.actor_parameters()}
     rest = [name for name, parameter in made.named_parameters() if id(parameter) not in own]
-    assert rest and all("value_net" in name for name in rest)
+    assert rest and all("critic_net" in name for name in rest)
     assert made.actor_parameters()[-1] is made.log_std
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from soccer_env.agents.perceptron import pack_policy
 from soccer_env.leagues import find_league
 from soccer_env.match.match import BLOCK
-from soccer_env.train.ppo.curriculum import FLOOR, LEARNER, Curriculum
+from soccer_env.train.ppo.curriculum import LEARNER, LEAST, Curriculum
 from soccer_env.train.ppo.match_blocks import split_evenly, split_matches
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
@@ -35,16 +35,27 @@ def policy_with(number: float) -> Any:
 
 
 def test_an_opponent_is_met_the_oftener_the_more_even_it_is() -> None:
-    """Always beaten: p = 1, the floor alone is left. Even: p (1 - p) is largest. At first all are met alike."""
+    """Always beaten: p = 1, the least share alone is left. Even: p (1 - p) is largest. At first all are met alike."""
     made = curriculum()
     assert made.lineup.weights == pytest.approx([1 / 3] * 3)
     made.take(results("still", [1.0] * 500) + results("random", [1.0, 1.0, 0.0, 1.0] * 100))
     still, random, chaser = made.lineup.weights
     p = made.standings["random"].points
     assert 0.6 < p < 0.9
-    assert still / chaser == pytest.approx(FLOOR, rel=1e-6)
-    assert random / chaser == pytest.approx(FLOOR + (1 - FLOOR) * 4 * p * (1 - p))
+    assert still == pytest.approx(LEAST, rel=1e-4) == 0.1
+    assert (random - LEAST) / (chaser - LEAST) == pytest.approx(4 * p * (1 - p), rel=1e-4)
     assert sum(made.lineup.weights) == pytest.approx(1.0)
+
+
+def test_a_stage_meets_its_own_opponents_and_past_selves_none_less_than_a_tenth() -> None:
+    made = curriculum(past=1)
+    made.begin_stage(("random", "chaser"))
+    made.take(results("random", [1.0] * 500))
+    assert made.lineup.weights == pytest.approx([0.0, 0.1, 0.9, 0.0], abs=1e-3)
+    made.add_past(BLANK, 48)
+    assert made.lineup.weights == pytest.approx([0.0, 0.1, 0.45, 0.45], abs=1e-3)
+    many = Curriculum([f"chaser@0.{number:02}" for number in range(20)], 0, BLANK)
+    assert many.lineup.weights == pytest.approx([1 / 20] * 20)
 
 
 def test_points_are_those_of_late() -> None:
@@ -135,13 +146,13 @@ def test_standings_survive_a_checkpoint() -> None:
 IDEAL = {"senses": "ideal"}
 
 
-def test_every_size_has_as_many_matches_in_blocks_of_up_to_64() -> None:
+def test_every_size_has_as_many_robots_in_blocks_of_up_to_64_matches() -> None:
     assert BLOCK == 64
     assert split_matches([(3, 3)], 64, 0.0) == [((3, 3), 64, {})]
     assert split_matches([(3, 3)], 129, 0.0) == [((3, 3), 43, {})] * 3
-    assert split_matches([(1, 1), (3, 3)], 9, 0.0) == [((1, 1), 4, {}), ((3, 3), 5, {})]
-    assert split_matches([(1, 1), (2, 2)], 200, 0.25) == [
-        ((1, 1), 37, {}), ((1, 1), 38, {}), ((1, 1), 25, IDEAL), ((2, 2), 37, {}), ((2, 2), 38, {}), ((2, 2), 25, IDEAL)
+    assert split_matches([(1, 1), (3, 1)], 8, 0.0) == [((1, 1), 6, {}), ((3, 1), 2, {})]
+    assert split_matches([(1, 1), (2, 2)], 150, 0.25) == [
+        ((1, 1), 37, {}), ((1, 1), 38, {}), ((1, 1), 25, IDEAL), ((2, 2), 38, {}), ((2, 2), 12, IDEAL)
     ]  # fmt: skip
 
 
@@ -155,10 +166,11 @@ def test_matches_add_up_and_no_block_is_empty_or_too_large(sizes: int, matches: 
         return
     assert sum(count for _, count, _ in blocks) == matches
     assert all(1 <= count <= BLOCK for _, count, _ in blocks)
+    whole_share = sum(1.0 / home for home, _ in players)
     for player in players:
         ideal = sum(count for size, count, told in blocks if size == player and told == IDEAL)
         whole = sum(count for size, count, _ in blocks if size == player)
-        assert abs(ideal - share * whole) <= 0.5 and abs(whole - matches / sizes) < 1.0
+        assert abs(ideal - share * whole) <= 0.5 and abs(whole - matches / player[0] / whole_share) <= 1.0
 
 
 @given(whole=st.integers(0, 10_000), count=st.integers(1, 50))

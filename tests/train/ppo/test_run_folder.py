@@ -12,7 +12,7 @@ import pytest
 
 from soccer_env.train.ppo.checkpoints import as_tensors, from_tensors
 from soccer_env.train.ppo.reporting import loggers
-from soccer_env.train.ppo.reporting.loggers import Logs
+from soccer_env.train.ppo.reporting.loggers import UPDATE, Logs
 from soccer_env.train.ppo.run_folder import TRAINING, RunFolder, flattened
 from soccer_env.train.ppo.settings import TrainSettings
 from tests.train.ppo.staged_training import records, tiny_settings
@@ -66,8 +66,8 @@ def test_the_lock_ends_with_the_process(tmp_path: Path) -> None:
 
 def test_what_decides_is_refused_and_named_and_all_else_may_change(tmp_path: Path) -> None:
     opened(tiny_settings(tmp_path))
-    with pytest.raises(ValueError, match="seed 3 there, 4 now; .*gamma 0.99 there, 0.9 now"):
-        RunFolder(tiny_settings(tmp_path, seed=4, gamma=0.9))
+    with pytest.raises(ValueError, match="seed 3 there, 4 now; .*noise 0.6 there, 0.9 now"):
+        RunFolder(tiny_settings(tmp_path, seed=4, noise=0.9))
     for name, value in {"steps": 900, "threads": 2, "torch_threads": 2, "device": "auto", "log": "csv"}.items():
         opened(tiny_settings(tmp_path, **{name: value}))
         assert json.loads((tmp_path / "settings.json").read_text())["about"][name] == value
@@ -121,18 +121,17 @@ def test_plain_values_survive_as_tensors() -> None:
 
 
 RECORD: dict[str, Any] = {
-    "step": 128, "episodes": 3, "goals_for": 2, "goals_against": 1,
+    "step": 128, "stage": 1, "episodes": 3, "goals_for": 2, "goals_against": 1,
     "points": {"chaser": 0.5}, "rating": {"chaser": 25.0},
-    "seconds": {"matches": 1.0},
+    "seconds": {"matches": 1.0}, **dict.fromkeys(UPDATE, 0.01),
 }  # fmt: skip
-ROW = {"opponent": "chaser", "goal_difference": 0.5, "low": 0.0, "high": 1.0, "points": 0.75}
+ROW = {"players": "3v3", "opponent": "chaser", "goal_difference": 0.5, "low": 0.0, "high": 1.0, "points": 0.75}
 
 
 def written(out: Path, log: str, step: int = 0) -> Path:
     settings = tiny_settings(out, log=log)
     with RunFolder(settings) as folder:
         logs = Logs(settings, folder, step)
-        logs.logger.record("train/approx_kl", 0.01)
         logs.write(RECORD)
         logs.write_evaluation(256, [ROW])
         logs.close()
@@ -144,8 +143,8 @@ def test_csv_holds_both_and_a_run_that_goes_on_adds_a_file(tmp_path: Path) -> No
         written(tmp_path, "csv", step)
     assert {path.name for path in (tmp_path / "csv").iterdir()} == {"progress-0.csv", "progress-256.csv"}
     first, second = csv.DictReader((tmp_path / "csv" / "progress-0.csv").read_text().splitlines())
-    assert first["train/approx_kl"] == "0.01" and first["rollout/goals_for"] == "2" and first["points/chaser"] == "0.5"
-    assert second["evaluation/goal_difference_chaser"] == "0.5"
+    assert first["train/kl"] == "0.01" and first["rollout/goals_for"] == "2" and first["points/chaser"] == "0.5"
+    assert second["evaluation/goal_difference_3v3_chaser"] == "0.5"
 
 
 def test_tensorboard_holds_both(tmp_path: Path) -> None:
@@ -155,13 +154,14 @@ def test_tensorboard_holds_both(tmp_path: Path) -> None:
     found = EventAccumulator(str(written(tmp_path, "tensorboard") / "tensorboard"))
     found.Reload()
     told = {name: [(one.step, one.value) for one in found.Scalars(name)] for name in found.Tags()["scalars"]}
-    assert told["rollout/goals_for"] == [(128, 2.0)] and told["train/approx_kl"][0][0] == 128
-    assert told["evaluation/goal_difference_chaser"] == [(256, 0.5)]
+    assert told["rollout/goals_for"] == [(128, 2.0)] and told["train/kl"][0][0] == 128
+    assert told["evaluation/goal_difference_3v3_chaser"] == [(256, 0.5)]
 
 
 def test_nothing_is_written_that_nobody_asked_for(tmp_path: Path) -> None:
     assert {path.name for path in written(tmp_path, "").iterdir()} <= {"settings.json", ".lock"}
-    assert flattened({"step": 1, "seconds": {"a": 2, "b": 3}}) == {"step": 1, "seconds_a": 2, "seconds_b": 3}
+    record = {"step": 1, "seconds": {"a": 2, "b": 3}, "goals": {"1v1 still": {"for": 1.0}}}
+    assert flattened(record) == {"step": 1, "seconds_a": 2, "seconds_b": 3}, "same columns at each stage"
 
 
 @pytest.mark.parametrize("kind", ["tensorboard", "wandb"])

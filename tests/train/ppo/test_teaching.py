@@ -20,6 +20,7 @@ import torch
 
 from soccer_env import Match
 from soccer_env.agents.learned import first_decision_step
+from soccer_env.train.ppo.checkpoints import read_checkpoint
 from soccer_env.train.ppo.networks import widened_policy
 from soccer_env.train.ppo.reports import best_evaluation_sentence, decisions_of
 from soccer_env.train.ppo.teaching import lessons
@@ -27,9 +28,18 @@ from soccer_env.train.ppo.teaching.advice import BEND, KICK_WEIGHT, KNOWN, WALK_
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, record
 from soccer_env.train.ppo.teaching.lessons import KeptRounds
 from soccer_env.train.ppo.training import Training
-from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
+from tests.train.ppo.staged_training import (
+    ROLLOUT,
+    as_plain_values,
+    outcome,
+    records,
+    tiny_settings,
+    train_plainly,
+    weights,
+    whole_run,
+)
 
-ADVISED: dict[str, Any] = {"rounds": 3, "teacher_until": 1.0, "steps": 4 * ROLLOUT}
+ADVISED: dict[str, Any] = {"rounds": 3, "steps": 4 * ROLLOUT}
 
 
 @pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])
@@ -41,6 +51,21 @@ def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, ch
     assert weights(tmp_path / "next" / "last.safetensors") == weights(first)
     made = load(tmp_path / "next" / "last.safetensors").made
     assert str(tmp_path) not in str(made) and made["start"] == sha256(first.read_bytes()).hexdigest()
+
+
+def test_a_run_may_go_on_with_actor_critic_and_noise_of_another_run(tmp_path: Path) -> None:
+    """Of other team sizes: the critic has room for five a side. Nothing is learned in a run of no steps."""
+    train_plainly(tiny_settings(tmp_path / "first", steps=ROLLOUT, past=0, critic_first=0, players="1v1", teacher=""))
+    changes = {"past": 0, "start": str(tmp_path / "first"), "seed": 4, "players": "2v2", "noise": 0.9}
+    train_plainly(tiny_settings(tmp_path / "next", steps=0, **changes))
+    one, other = (read_checkpoint(tmp_path / name) for name in ("first", "next"))
+    assert one is not None and other is not None
+    assert as_plain_values(one["network"]) == as_plain_values(other["network"])
+    assert float(other["network"]["log_std"].exp().mean()) < 0.7
+    with pytest.raises(ValueError, match=r"start: .* has hidden layers of 8, the run 9"):
+        train_plainly(tiny_settings(tmp_path / "wide", steps=0, hidden="9", **changes))
+    with pytest.raises(ValueError, match="start: the networks of the run in .* are not those of this run"):
+        train_plainly(tiny_settings(tmp_path / "wise", steps=0, critic="9", **changes))
 
 
 CLOCKS = ("own_pushing", "own_holding", "own_penalty", "ball_still")

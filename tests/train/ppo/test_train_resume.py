@@ -28,8 +28,11 @@ ROOT = Path(__file__).parents[3]
 CUTTING = r"""
 import os, random, resource, signal, sys, time, traceback
 from pathlib import Path
+from soccer_env.train.ppo import training
 from tests.train.ppo.staged_training import train_plainly, tiny_settings
 from soccer_env.train.ppo.checkpoints import read_latest
+
+training.CHECKPOINT_SHARE = 1e9  # one after each rollout, however short it is
 
 base, cuts, draw, sync = Path(sys.argv[1]), sys.argv[2].split(","), random.Random(5), os.fsync
 rollouts = 3 * len(cuts)
@@ -221,7 +224,7 @@ def test_a_checkpoint_never_runs_code(run: Path, tmp_path: Path, write: Callable
     assert not canary.exists()
 
 
-@pytest.mark.parametrize("lacking", ["network", "matches", "curriculum", "generators", "starts"])
+@pytest.mark.parametrize("lacking", ["network", "matches", "curriculum", "generators", "stage"])
 def test_a_checkpoint_that_lacks_something_is_refused(run: Path, lacking: str) -> None:
     state = torch.load(newest(run), weights_only=True)
     del state[lacking]

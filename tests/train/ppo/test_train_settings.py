@@ -16,15 +16,15 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import check_playable
-from soccer_env.train.ppo.learner import minibatch_size
 from soccer_env.train.ppo.settings import TrainSettings, command_of
+from soccer_env.train.ppo.update import minibatch_size
 from soccer_env.train.written_settings import split_names
 from tests.train.ppo.staged_training import tiny_settings
 
 ROOT = Path(__file__).parents[3]
-SHARES = ("gae_lambda", "clip", "gamma", "learning_rate")
-ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes")
-FROM_ZERO = ("ideal_share", "entropy", *NAMES)
+SHARES = ("learning_rate", "target_kl", "stage_share")
+ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes", "discount_half_life", "advantage_half_life")
+FROM_ZERO = ("ideal_share", *NAMES)
 COUNTS = ("threads", *(name for name, bounds in BOUNDS.items() if bounds.low == 1.0))
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -71,7 +71,7 @@ def test_a_count_is_a_whole_number(name: str) -> None:
         ({"activation": "gelu"}, "activation must be one of tanh, relu"),
         ({"device": "tpu"}, "device must be one of auto, cpu, cuda"),
         ({"mirror": "yes"}, "mirror must be True or False, got 'yes'"),
-        ({"decay": 1}, "decay must be True or False, got 1"),
+        ({"central_critic": 1}, "central_critic must be True or False, got 1"),
         ({"name": 3}, "name must be a text, got 3"),
         ({"senses": "eyes"}, "senses must be one of ideal, sensors"),
         ({"senses": None}, "senses must be a text"),
@@ -89,6 +89,8 @@ def test_a_count_is_a_whole_number(name: str) -> None:
         ({"players": "3v12"}, "players must be 1 to 11"),
         ({"players": "1v1,,2v2"}, "players must be names with commas"),
         ({"players": "a few"}, "players must be 1 to 11"),
+        ({"players": "1v1;2v2;3v3", "opponents": "still;chaser"}, "equally many stages, or one .* got 3 and 2"),
+        ({"players": "1v1;"}, "players must be names with commas"),
         ({"opponents": ""}, "opponents must be names with commas"),
         ({"opponents": "chaser,chaser"}, "opponents must be different"),
         ({"evaluate_against": "chaser,"}, "evaluate_against must be names with commas"),
@@ -154,7 +156,7 @@ def test_a_rollout_is_cut_into_nearly_equal_parts() -> None:
 
 @given(decisions=st.integers(2, 100_000), batch=st.integers(2, 20_000))
 def test_no_part_of_a_rollout_is_a_scrap(decisions: int, batch: int) -> None:
-    """stable-baselines3 takes a gradient step as long from a scrap of 3 decisions as from a whole batch."""
+    """A gradient step is as long from a scrap of 3 decisions as from a whole batch."""
     size = minibatch_size(decisions, batch)
     parts = -(-decisions // size)
     last = decisions - (parts - 1) * size
@@ -176,7 +178,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
     **dict.fromkeys(("ideal_share",), st.floats(0.0, 1.0)),
     **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
     **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
-    **dict.fromkeys(("mirror", "decay", "central_critic"), st.booleans()),
+    **dict.fromkeys(("mirror", "central_critic"), st.booleans()),
     "start": st.sampled_from(["", "my policy.safetensors"]),
     "teacher": st.sampled_from(["", "chaser", "sacks-2001@0.25", "my policy.safetensors"]),
     "opponents": st.sampled_from(["still", "sacks-2001:pull=True,other=2,chaser", "a b.zip:observe=belief", "'\"$x"]),
@@ -184,7 +186,7 @@ CHANGES: dict[str, st.SearchStrategy[Any]] = {
     "pose": st.sampled_from(["particles", "percept"]),
     "activation": st.sampled_from(["tanh", "relu"]),
     "out": st.sampled_from([Path("a b"), Path("/tmp/it's")]),
-    "players": st.sampled_from(["1v1", "1v1,2v2,3v5"]),
+    "players": st.sampled_from(["1v1", "1v1,2v2,3v5", "1v1;2v2,3v3"]),
     "senses": st.sampled_from(["ideal", "home=ideal,away=sensors"]),
 }
 
@@ -197,7 +199,7 @@ def test_a_command_asks_for_the_same_settings(changes: dict[str, Any]) -> None:
 
 
 def test_a_flag_may_say_what_is_the_default_and_names_keep_the_commas_of_their_switches() -> None:
-    for word in ("--mirror", "--no-mirror", "--decay", "--no-decay"):
+    for word in ("--mirror", "--no-mirror"):
         name, value = word.replace("no-", "")[2:], "no-" not in word
         assert getattr(from_words(f"soccer train {word}"), name) is value
     assert split_names("chaser, sacks-2001:a=1,b=2,still", "x") == ("chaser", "sacks-2001:a=1,b=2", "still")

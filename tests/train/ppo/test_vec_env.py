@@ -25,20 +25,20 @@ from soccer_env.train.ppo.vec_env import Result
 @pytest.mark.parametrize("observe", ["truth", "belief", "percepts"])
 def test_shapes_types_and_bounds_are_those_of_the_spaces(observe: str, actions: str, state: bool) -> None:
     env = rows(observe=observe, actions=actions, state=state, players=MIXED, senses="sensors", minutes=0.05)
-    assert env.num_envs == 2 * 1 + 2 * 3 and env.action_space.shape == ({"box": 4, "full": 7}[actions],)
+    assert env.num_envs == 3 * 1 + 1 * 3 and env.action_space.shape == ({"box": 4, "full": 7}[actions],)
     seen = env.reset()
-    history = [(seen, np.zeros(8, np.float32), np.zeros(8, bool), [{}] * 8), *play(env, 60)]
+    history = [(seen, np.zeros(6, np.float32), np.zeros(6, bool), [{}] * 6), *play(env, 60)]
     for seen, rewards, dones, infos in history:
-        assert seen.shape == (8, *env.observation_space.shape) and seen.dtype == env.observation_space.dtype  # type: ignore[misc]
+        assert seen.shape == (6, *env.observation_space.shape) and seen.dtype == env.observation_space.dtype  # type: ignore[misc]
         assert all(row in env.observation_space for row in seen)
-        assert rewards.shape == dones.shape == (8,)
+        assert rewards.shape == dones.shape == (6,)
         assert rewards.dtype == np.float32 and dones.dtype == bool and np.isfinite(rewards).all()
-        assert isinstance(infos, list) and len(infos) == 8
+        assert isinstance(infos, list) and len(infos) == 6
         for info, done in zip(infos, dones, strict=True):
             at_end = {"terminal_observation", "TimeLimit.truncated", "episode", "opponent"}
             assert set(info) == (at_end if done else set())
             assert not done or info["terminal_observation"] in env.observation_space
-    assert sum(dones.sum() for _, _, dones, _ in history) == 8, "each row ended once"
+    assert sum(dones.sum() for _, _, dones, _ in history) == 6, "each row ended once"
 
 
 def test_what_rows_share_can_be_asked_for_and_what_they_have_not_is_said() -> None:
@@ -79,10 +79,10 @@ def test_a_share_of_the_matches_of_each_size_has_ideal_senses() -> None:
     env = rows(players=MIXED, matches=16, observe="belief", senses="sensors", ideal_share=0.25)
     told = [(match.settings.home, match.count, match.settings.senses) for match in env.matches]
     sensors, ideal = ("sensors", "sensors"), ("ideal", "ideal")
-    assert told == [(1, 6, sensors), (1, 2, ideal), (3, 6, sensors), (3, 2, ideal)]
+    assert told == [(1, 9, sensors), (1, 3, ideal), (3, 3, sensors), (3, 1, ideal)]
     seen, age = env.reset(), env.matches[0].observation_names.index("ball_age")
-    assert seen.shape == (8 * 1 + 8 * 3, len(env.matches[0].observation_names))
-    by_match = np.repeat([False, True, False, True], [6, 2, 18, 6])
+    assert seen.shape == (12 * 1 + 4 * 3, len(env.matches[0].observation_names))
+    by_match = np.repeat([False, True, False, True], [9, 3, 9, 3])
     assert (seen[by_match, age] == 0.0).all() and (seen[~by_match, age] > 0.0).any()
     alone = rows(players=MIXED, matches=16, observe="belief", senses="ideal")
     assert assert_same_play(play(rows(players=MIXED, matches=16, observe="belief", ideal_share=1.0), 3), play(alone, 3))
@@ -150,15 +150,15 @@ def test_a_repeat_pays_what_its_control_steps_pay() -> None:
 def test_a_mix_of_team_sizes_plays_as_each_size_alone(repeat: int) -> None:
     mixed = rows(players=MIXED, action_repeat=repeat, senses="sensors", observe="belief")
     mixed.reset()
-    assert mixed.learners == [1, 3] and mixed.edges == [0, 2, 8]
-    for size, match, seeds in zip(MIXED, mixed.matches, np.split(seeds_for(3, 4), 2), strict=True):
+    assert mixed.learners == [1, 3] and mixed.edges == [0, 3, 6]
+    for size, match, seeds in zip(MIXED, mixed.matches, np.split(seeds_for(3, 4), [3]), strict=True):
         assert (match.settings.home, match.settings.away) == size and match.seeds.tolist() == seeds.tolist()
-    alone = rows(players=MIXED[:1], action_repeat=repeat, senses="sensors", observe="belief", matches=2)
+    alone = rows(players=MIXED[:1], action_repeat=repeat, senses="sensors", observe="belief", matches=3)
     alone.reset()
     rng = np.random.default_rng(0)
     for _ in range(30):
         actions = draw(mixed, rng)
-        assert (mixed.step(actions)[0][:2] == alone.step(actions[:2])[0]).all()
+        assert (mixed.step(actions)[0][:3] == alone.step(actions[:3])[0]).all()
 
 
 def test_a_seed_tells_the_episodes() -> None:
@@ -178,7 +178,7 @@ def test_all_matches_differ_whatever_their_team_size() -> None:
     assert len({match.state_hash(m) for match in env.matches for m in range(2)}) == 4
 
 
-@pytest.mark.parametrize(("players", "matches"), [(((2, 2),), 8), (MIXED, 8), (MIXED, 140)])  # 1, 2 and 4 blocks
+@pytest.mark.parametrize(("players", "matches"), [(((2, 2),), 8), (MIXED, 8), (MIXED, 140)])  # 1, 2 and 3 blocks
 def test_threads_change_nothing(players: tuple[tuple[int, int], ...], matches: int) -> None:
     one, two = (rows(players=players, matches=matches, minutes=0.05, threads=threads) for threads in (1, 2))
     one.reset(), two.reset()
@@ -213,7 +213,8 @@ def test_a_goal_that_ends_the_episode_is_no_time_limit_and_ends_its_match_alone(
     assert np.flatnonzero(dones).tolist() == [4, 5]
     assert infos[4]["TimeLimit.truncated"] is False and infos[5]["TimeLimit.truncated"] is False
     assert (rewards == np.array([0, 0, 0, 0, 1, 1, 0, 0])).all()
-    assert env.results == [Result((2, 2), "chaser", 1, 0)]
+    (result,) = env.results
+    assert result == Result((2, 2), "chaser", 1, 0, result.minutes) and 0.0 < result.minutes < 0.02
     assert [Result((1, 1), "x", *score).points for score in ((2, 1), (1, 1), (0, 3))] == [1.0, 0.5, 0.0]
 
 

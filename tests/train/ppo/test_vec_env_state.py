@@ -68,7 +68,7 @@ def test_an_episode_ends_for_both_sides_and_is_told_from_home() -> None:
         ended += dones
         for row in np.flatnonzero(dones):
             assert infos[row]["terminal_observation"].shape == env.observation_space.shape
-    assert env.num_envs == 2 * 2 + 2 * 4 and (ended == ended[0]).all() and ended[0] >= 1
+    assert env.num_envs == 3 * 2 + 1 * 4 and (ended == ended[0]).all() and ended[0] >= 1
     assert {(result.opponent, result.players) for result in env.results} == {("learner", (1, 1)), ("learner", (2, 2))}
 
 

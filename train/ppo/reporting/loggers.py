@@ -1,7 +1,7 @@
 """Logs of a training run by stable-baselines3's own logger: CSV, TensorBoard, Weights & Biases.
 
-Names are those of stable-baselines3 (`train/approx_kl`), with our own beside them (`rollout/goals_for`,
-`points/chaser`, `rating/chaser`, `seconds/matches`, `evaluation/goal_difference_chaser`). Each kind has a folder of the
+Names are those of log.jsonl in groups (`train/kl`, `rollout/goals_for`, `points/chaser`, `rating/chaser`,
+`seconds/matches`, `evaluation/goal_difference_3v3_chaser`). Each kind has a folder of the
 run; a run that goes on adds to it: TensorBoard shows the parts as one, CSV has a file for each, named by the step that
 it begins at, and Weights & Biases goes on with the same run.
 """
@@ -20,6 +20,8 @@ from soccer_env.train.ppo.settings import TrainSettings
 
 CSV, TENSORBOARD, WANDB = LOGS
 PACKAGES: dict[str, tuple[str, ...]] = {CSV: (), TENSORBOARD: ("tensorboard",), WANDB: ("wandb", "tensorboard")}
+ROLLOUT = ("stage", "episodes", "goals_for", "goals_against")  # names in log.jsonl, by group
+UPDATE = ("kl", "clipped", "explained", "value_loss", "entropy", "noise", "learning_rate")
 PROJECT, RUN = "soccer_env", "run.txt"  # of Weights & Biases: the project, and the file with the run's name there
 
 
@@ -31,7 +33,7 @@ def check_packages(kinds: Sequence[str]) -> None:
 
 
 class Logs:
-    """The optional logs of a run, which stable-baselines3 writes through `logger`."""
+    """The optional logs of a run, written by stable-baselines3's `logger`."""
 
     def __init__(self, settings: TrainSettings, folder: RunFolder, step: int) -> None:
         kinds = settings.logs
@@ -45,19 +47,20 @@ class Logs:
         self.logger = Logger(None, formats)
 
     def write(self, record: Mapping[str, Any]) -> None:
-        """Write stable-baselines3's statistics of an update and the run's own log line to all optional logs."""
+        """Write a line of the run's log to all optional logs."""
         for group in ("points", "rating", "seconds"):
             for name, value in record[group].items():
                 self.logger.record(f"{group}/{name}", value)
-        for name in ("episodes", "goals_for", "goals_against"):
-            self.logger.record(f"rollout/{name}", record[name])
+        for group, names in (("rollout", ROLLOUT), ("train", UPDATE)):
+            for name in names:
+                self.logger.record(f"{group}/{name}", record[name])
         self.logger.dump(record["step"])
 
     def write_evaluation(self, step: int, rows: Sequence[Mapping[str, Any]]) -> None:
         """Write the results of an evaluation, one row per opponent, to all optional logs."""
         for row in rows:
             for name in ("goal_difference", "low", "high", "points"):
-                self.logger.record(f"evaluation/{name}_{row['opponent']}", row[name])
+                self.logger.record(f"evaluation/{name}_{row['players']}_{row['opponent']}", row[name])
         self.logger.dump(step)
 
     def close(self) -> None:

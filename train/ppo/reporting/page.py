@@ -5,7 +5,7 @@ from typing import Any
 
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.evaluate.replays.keep import add_replays
-from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, decisions_of, evaluation_rows, step_unit
+from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, decisions_of, evaluation_rows, merit, name_of, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, version_of
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_heat_table
@@ -17,6 +17,7 @@ COURSES = (  # title, quantity, and which numbers of the log's lines
     ("How far each update went", "divergence, share", ("kl", "clipped")),
     ("The critic", "explained variance", ("explained",)),
     ("Noise of the actions", "standard deviation", ("noise",)),
+    ("Learning rate of the actor", "rate", ("learning_rate",)),
 )
 Lines = Sequence[dict[str, Any]]
 
@@ -25,8 +26,12 @@ def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Seq
     """Return the HTML page of a run, made from its log `lines`, its evaluations, and its kept replays."""
     page = ReportPage(f"{settings.name}, {settings.league}, {settings.players}", "soccer train")
     if evaluations:
-        best = max(evaluations, key=lambda one: one["mean"])
-        page.say(f"Best: {best['mean']:+.2f} goals a match on average, after {best['step']:,} steps.", strong=True)
+        best = max(evaluations, key=merit)
+        points, goals = merit(best)
+        page.say(
+            f"Best: {100.0 * points:.0f} % of points and {goals:+.2f} goals a match on average, "
+            f"after {best['step']:,} steps.", strong=True,
+        )  # fmt: skip
         page.say("The largest of several is a lucky one: evaluate best.safetensors with another seed.")
         add_evaluations(page, settings, evaluations)
     add_replays(page, kept)
@@ -67,7 +72,7 @@ def opponents_table(evaluations: Lines) -> bytes:
     decisions = decisions_of(evaluations)
     unit, words = step_unit(max(decisions))
     columns = [f"{decisions[at] / unit:.3g}" for at in shown]
-    opponents = [row["opponent"] for row in evaluations[-1]["rows"]]
+    opponents = [name_of(row) for row in evaluations[-1]["rows"]]
     values = [[evaluations[at]["rows"][index]["goal_difference"] for at in shown] for index in range(len(opponents))]
     title = "Goal difference a match"
     return draw_heat_table(title, opponents, columns, values, f"decisions{words}", "against", form="svg")

@@ -14,13 +14,10 @@ from soccer_env.agents.learned import first_decision_step
 from soccer_env.match import Match
 from soccer_env.observations.entry import OWN_COMMAND, Entry
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.settings import TrainSettings
 
 Rows = tuple[np.ndarray, np.ndarray]  # observations (n, entries), actions (n, 4)
 WALK = ("forward", "left", "turn")
 NO_KICK = -0.4  # near enough to a kick (0.3) for a learner's noise to find one; with -1 it never did
-HOLD_RATE = 1e-4  # learning rate of the fits between updates at the start, HOLD_PARTS of HOLD_PART rows each time
-HOLD_PARTS, HOLD_PART = 8, 4096
 
 
 def record(
@@ -79,27 +76,6 @@ def fit(
         errors.append(total / len(order))
         advance(1.0 / epochs)
     return errors
-
-
-def imitation_weight(settings: TrainSettings, step: int) -> float:
-    """Return the weight of the imitation loss after `step` steps: it falls linearly from 1 to 0."""
-    last = settings.teacher_until * settings.steps
-    return max(1.0 - step / last, 0.0) if settings.teacher and last > 0.0 else 0.0
-
-
-def fit_a_little(network: SoccerPolicy, rows: Rows, strength: float, seed: int) -> None:
-    """Take a few gradient steps towards the recorded decisions, so that the actor does not forget rare kicks.
-
-    The optimiser is made anew each time, so that checkpoints need not keep it.
-    """
-    optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=HOLD_RATE * strength)
-    chosen = np.random.default_rng(seed).integers(0, len(rows[0]), (HOLD_PARTS, HOLD_PART))
-    for part in chosen:
-        seen, asked = (torch.as_tensor(kept[part]).to(network.device) for kept in rows)
-        error = ((network.mean_actions(seen) - asked) ** 2).mean()
-        optimizer.zero_grad()
-        error.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
-        optimizer.step()
 
 
 def permute_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:

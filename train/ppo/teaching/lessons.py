@@ -14,18 +14,12 @@ from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy_file import load
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.observations.entry import Entry
+from soccer_env.train.ppo.checkpoints import read_checkpoint
 from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_policy
 from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.teaching.advice import advice_error, advised
-from soccer_env.train.ppo.teaching.imitation import (
-    Rows,
-    fit,
-    fit_a_little,
-    imitation_weight,
-    permute_own_commands,
-    record,
-)
+from soccer_env.train.ppo.teaching.imitation import Rows, fit, permute_own_commands, record
 from soccer_env.train.progress import Progress
 
 TEACHER_SEED = 2_000_003  # added to the run's seed: the teacher plays other matches than the learner
@@ -73,19 +67,11 @@ def join_lessons(parts: Sequence[Rows], settings: TrainSettings, entries: Sequen
 
 
 class Lessons:
-    """The lessons that a teacher gives a run's actor: before PPO, and for a while between its updates."""
+    """The lessons that a teacher gives a run's actor: before PPO."""
 
     def __init__(self, settings: TrainSettings, network: SoccerPolicy) -> None:
         self.settings, self.network = settings, network
         self.kept = KeptRounds(settings.out)
-        self._rows: Rows | None = None
-
-    @property
-    def rows(self) -> Rows:
-        """Return the teacher's recorded decisions; a resumed run records them again."""
-        if self._rows is None:
-            self._rows = lessons(self.settings, self.network.entries)
-        return self._rows
 
     def teach(self) -> Iterator[int]:
         """Initialise the actor from a policy file or by its teacher, as the settings say.
@@ -94,8 +80,10 @@ class Lessons:
         such as an evaluation, is repeated if the run is interrupted before the round is kept.
         """
         settings = self.settings
-        if settings.start:
-            copy_actor(self.network, load(settings.start))
+        if settings.start_file is not None:
+            copy_actor(self.network, load(settings.start_file))
+            if Path(settings.start).is_dir():
+                take_over(self.network, Path(settings.start))
         if settings.rounds:
             yield from self._take_advice()
             return
@@ -107,8 +95,8 @@ class Lessons:
         """Fit the actor to the teacher's recorded decisions."""
         settings, epochs = self.settings, self.settings.teacher_epochs
         with Progress(f"learning from {settings.teacher}", len(teaching_cases(settings)) + epochs / 2) as progress:
-            self._rows = lessons(settings, self.network.entries, progress.advance)
-            fit(self.network, *self._rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
+            rows = lessons(settings, self.network.entries, progress.advance)
+            fit(self.network, *rows, epochs, settings.seed, lambda share: progress.advance(share * epochs / 2))
 
     def _take_advice(self) -> Iterator[int]:
         """Play rounds of advice, the first by the teacher unless `start` is set; fit the actor after each round."""
@@ -156,11 +144,14 @@ class Lessons:
             )  # fmt: skip
         )
 
-    def continue_imitation(self, step: int, rollout: int) -> None:
-        """After an update of PPO, fit the actor a little to the teacher, while the imitation loss has a weight."""
-        settings, strength = self.settings, imitation_weight(self.settings, step)
-        if rollout >= settings.critic_first and strength > 0.0:
-            fit_a_little(self.network, self.rows, strength, settings.seed + rollout)
+
+def take_over(network: SoccerPolicy, run: Path) -> None:
+    """Copy actor, noise and critic from the newest checkpoint of a run's folder; ValueError if they do not fit."""
+    saved = read_checkpoint(run)
+    try:
+        network.load_state_dict((saved or {})["network"])
+    except (KeyError, RuntimeError) as error:
+        raise ValueError(f"start: the networks of the run in {run} are not those of this run ({error})") from error
 
 
 ROWS = ("observations", "advice")

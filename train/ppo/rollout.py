@@ -1,0 +1,118 @@
+"""A rollout: what the robots of all matches saw, did and were paid between two updates, and their advantages.
+
+T decisions of N robots (rows), n numbers seen, a numbers in an action.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+
+from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.vec_env import SoccerVecEnv
+
+CHUNK = 16_384  # rows in a pass of a network over a rollout
+LEAST_SCALE = 1e-6  # of a standard deviation
+
+
+@dataclass
+class Rollout:
+    """The arrays of a rollout, of single precision."""
+
+    observations: np.ndarray  # (T, N, n)
+    means: np.ndarray  # (T, N, a) of the action's distribution
+    actions: np.ndarray  # (T, N, a) drawn from it, not clipped
+    values: np.ndarray  # (T, N) of the critic
+    advantages: np.ndarray  # (T, N)
+    groups: np.ndarray  # (N,) number of the team size
+
+    @property
+    def returns(self) -> np.ndarray:
+        """Return the values that the critic is to learn (T, N)."""
+        returns: np.ndarray = self.values + self.advantages
+        return returns
+
+
+def collect(
+    network: SoccerPolicy, matches: SoccerVecEnv, seen: np.ndarray, length: int, gamma: float, lam: float,
+    each_step: Callable[[], None], threads: int = 1,
+) -> tuple[Rollout, np.ndarray]:  # fmt: skip
+    """Play `length` decisions from the observations `seen` (N, n); return the rollout, and the observations after it.
+
+    `each_step` is called after each decision; threads: of torch, for the values of all decisions at once. A time
+    limit ends an episode in the log only: the value of its last observation is added to the last reward [Pardo et al.
+    2018].
+    """
+    rows, actions = matches.num_envs, network.log_std.shape[0]
+    observations = np.empty((length, rows, seen.shape[1]), np.float32)
+    means, drawn = (np.empty((length, rows, actions), np.float32) for _ in range(2))
+    rewards, dones = np.empty((length, rows), np.float32), np.empty((length, rows), bool)
+    cut_off: list[tuple[int, int]] = []
+    last_seen: list[np.ndarray] = []
+    torch.set_num_threads(1)  # an actor of few rows is slower on more
+    for t in range(length):
+        observations[t] = seen
+        with torch.no_grad():
+            mean = network.mean_actions(torch.as_tensor(seen, device=network.device))
+            drawn[t] = (mean + network.log_std.exp() * torch.randn_like(mean)).cpu()
+            means[t] = mean.cpu()
+        seen, rewards[t], dones[t], infos = matches.step(drawn[t])
+        for row in np.flatnonzero(dones[t]):
+            if infos[row]["TimeLimit.truncated"]:
+                cut_off.append((t, row))
+                last_seen.append(infos[row]["terminal_observation"])
+        each_step()
+    torch.set_num_threads(threads)
+    if cut_off:
+        rewards[tuple(np.transpose(cut_off))] += gamma * values_of(network, np.array(last_seen))
+    values = values_of(network, observations.reshape(length * rows, -1)).reshape(length, rows)
+    gained = advantages(rewards, values, dones, values_of(network, seen), gamma, lam)
+    return Rollout(observations, means, drawn, values, gained, matches.size_of_row), seen
+
+
+def values_of(network: SoccerPolicy, observations: np.ndarray) -> np.ndarray:
+    """Return the critic's values (B,) of observations (B, n)."""
+    with torch.no_grad():
+        parts = [
+            network.values(torch.as_tensor(observations[first : first + CHUNK], device=network.device)).cpu()
+            for first in range(0, len(observations), CHUNK)
+        ]
+    values: np.ndarray = torch.cat(parts).numpy()
+    return values
+
+
+def advantages(
+    rewards: np.ndarray, values: np.ndarray, dones: np.ndarray, last_values: np.ndarray, gamma: float, lam: float
+) -> np.ndarray:
+    """Return generalised advantage estimates (T, N) [Schulman et al. 2016].
+
+    rewards, values, dones: (T, N), of each decision; dones: its episode ended with it. last_values: (N,) of the
+    observations after the last decision.
+    """
+    found, later, after = np.empty_like(rewards), np.zeros_like(last_values), last_values
+    for t in reversed(range(len(rewards))):
+        goes_on = ~dones[t]
+        difference = rewards[t] + gamma * after * goes_on - values[t]
+        later = difference + gamma * lam * later * goes_on
+        found[t], after = later, values[t]
+    return found
+
+
+def normalised(numbers: np.ndarray, groups: np.ndarray) -> np.ndarray:
+    """Return (T, N) numbers with mean 0 and deviation 1 within each group of columns; groups: (N,)."""
+    result = np.empty_like(numbers)
+    for group in np.unique(groups):
+        part = numbers[:, groups == group]
+        result[:, groups == group] = (part - part.mean()) / max(float(part.std()), LEAST_SCALE)
+    return result
+
+
+def scales(numbers: np.ndarray, groups: np.ndarray, least: float) -> np.ndarray:
+    """Return for each column (N,) the standard deviation of the numbers (T, N) of its group, `least` at least."""
+    result = np.empty(len(groups), numbers.dtype)
+    for group in np.unique(groups):
+        result[groups == group] = max(float(numbers[:, groups == group].std()), least)
+    return result

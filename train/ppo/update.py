@@ -1,0 +1,125 @@
+"""The update of PPO: several passes over a rollout in gradient steps [Schulman et al. 2017].
+
+Advantages have mean 0 and deviation 1 at each team size, and the errors of the critic are divided by the deviation of
+the returns at their team size, so that sizes with few goals count as much as those with many. The actor's learning
+rate follows the divergence of the policy, as in rsl_rl [Rudin et al. 2022].
+"""
+
+from __future__ import annotations
+
+from math import e, log, pi
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from torch import nn
+
+from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.rollout import Rollout, normalised, scales
+from soccer_env.train.ppo.settings import TrainSettings
+
+CLIP = 0.2  # [1] range of the probability ratio around 1
+MAX_NORM = 0.5  # of the gradient of the actor, and of that of the critic
+EPSILON = 1e-5  # of Adam, as in most implementations of PPO
+LEAST_SCALE = 0.05  # of the returns' deviation at a team size, assumed
+RATES = (1e-5, 3e-3)  # the actor's learning rate stays within
+STEP = 1.5  # factor by which it changes
+Parts = tuple[torch.Tensor, ...]
+
+
+def make_optimizer(network: SoccerPolicy, rate: float) -> torch.optim.Adam:
+    """Return Adam over three groups of parameters: those of the actor, its noise, and those of the critic.
+
+    The rate of the last two stays: at the rate that the actor's divergence allows, the noise would be gone too early.
+    """
+    *actor, noise = network.actor_parameters()
+    groups = [actor, [noise], list(network.critic_net.parameters())]
+    return torch.optim.Adam([{"params": group} for group in groups], lr=rate, eps=EPSILON)
+
+
+def update(
+    network: SoccerPolicy, optimizer: torch.optim.Adam, rollout: Rollout, settings: TrainSettings, actor: bool
+) -> dict[str, float]:
+    """Update actor and critic, without `actor` only the critic; return the statistics of the update by name."""
+    rows = as_rows(rollout, network.device)
+    count, std = len(rows[0]), network.log_std.detach().exp()
+    size = minibatch_size(count, settings.batch)
+    noted: list[tuple[float, ...]] = []  # value loss, divergence, clipped share of each gradient step
+    for _ in range(settings.epochs):
+        for chosen in torch.randperm(count).to(network.device).split(size):
+            seen, means, actions, advantages, returns, scale = (row[chosen] for row in rows)
+            loss = value_loss = (((network.values(seen) - returns) / scale) ** 2).mean()
+            kl = clipped = torch.zeros(())
+            if actor:
+                old, new = Normal(means, std), Normal(network.mean_actions(seen), network.log_std.exp())
+                ratio = (log_prob(new, actions) - log_prob(old, actions)).exp()
+                clamped = ratio.clamp(1.0 - CLIP, 1.0 + CLIP)
+                loss = loss - torch.min(ratio * advantages, clamped * advantages).mean()
+                kl, clipped = divergence(old, new), (ratio != clamped).float().mean()
+                follow_divergence(optimizer, float(kl), settings.target_kl)
+            optimizer.zero_grad()
+            loss.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
+            for group in optimizer.param_groups:
+                nn.utils.clip_grad_norm_(group["params"], MAX_NORM)
+            optimizer.step()
+            noted.append(tuple(float(number.detach()) for number in (value_loss, kl, clipped)))
+    value_loss, kl, clipped = np.mean(noted, axis=0).tolist()
+    returns = rollout.returns
+    return {
+        "kl": kl, "clipped": clipped, "value_loss": value_loss,
+        "explained": 1.0 - float(np.var(returns - rollout.values)) / max(float(np.var(returns)), 1e-12),
+        "entropy": float(entropy(network.log_std.detach())), "noise": float(std.mean()),
+        "learning_rate": optimizer.param_groups[0]["lr"],
+    }  # fmt: skip
+
+
+def as_rows(rollout: Rollout, device: torch.device) -> Parts:
+    """Return observations, means, actions, advantages, returns and their scales as tensors with a row a decision."""
+    scale = scales(rollout.returns, rollout.groups, LEAST_SCALE)
+    arrays = (
+        rollout.observations, rollout.means, rollout.actions, normalised(rollout.advantages, rollout.groups),
+        rollout.returns, np.broadcast_to(scale, rollout.returns.shape),
+    )  # fmt: skip
+    return tuple(
+        torch.as_tensor(np.ascontiguousarray(array).reshape(-1, *array.shape[2:]), device=device) for array in arrays
+    )
+
+
+class Normal(NamedTuple):
+    """Independent normal distributions of the numbers of an action."""
+
+    means: torch.Tensor  # (B, a)
+    std: torch.Tensor  # (a,)
+
+
+def log_prob(policy: Normal, actions: torch.Tensor) -> torch.Tensor:
+    """Return the logarithm of the density of actions (B, a), without the constant that all policies share: (B,)."""
+    density: torch.Tensor = -0.5 * ((actions - policy.means) / policy.std) ** 2 - policy.std.log()
+    return density.sum(1)
+
+
+def divergence(old: Normal, new: Normal) -> torch.Tensor:
+    """Return the Kullback-Leibler divergence of the new policy from the old one, KL(old | new), mean of all rows."""
+    with torch.no_grad():
+        square = old.std**2 + (old.means - new.means) ** 2
+        return ((new.std / old.std).log() + 0.5 * square / new.std**2 - 0.5).sum(1).mean()
+
+
+def entropy(log_std: torch.Tensor) -> torch.Tensor:
+    """Return the entropy of the action's distribution in nats."""
+    return (log_std + 0.5 * log(2.0 * pi * e)).sum()
+
+
+def follow_divergence(optimizer: torch.optim.Adam, kl: float, target: float) -> None:
+    """Change the actor's learning rate by a factor where the divergence is far from its target."""
+    group, (least, most) = optimizer.param_groups[0], RATES
+    if kl > 2.0 * target:
+        group["lr"] = max(group["lr"] / STEP, least)
+    elif 0.0 < kl < 0.5 * target:
+        group["lr"] = min(group["lr"] * STEP, most)
+
+
+def minibatch_size(decisions: int, batch: int) -> int:
+    """Return a batch size near `batch` that divides a rollout's decisions into nearly equal parts."""
+    parts = max(1, round(decisions / batch))
+    return -(-decisions // parts)
