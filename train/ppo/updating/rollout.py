@@ -59,8 +59,9 @@ def collect(
             mean = network.mean_actions(torch.as_tensor(seen, device=network.device))
             drawn[t] = (mean + network.log_std.exp() * torch.randn_like(mean)).cpu()
             means[t] = mean.cpu()
-        seen, rewards[t], dones[t], infos = matches.step(drawn[t])
-        for row in np.flatnonzero(dones[t]):
+        matches.step_async(drawn[t])
+        seen, rewards[t], dones[t], infos = matches.step_wait()
+        for row in np.flatnonzero(dones[t]).tolist():
             if infos[row]["TimeLimit.truncated"]:
                 cut_off.append((t, row))
                 last_seen.append(infos[row]["terminal_observation"])

@@ -15,8 +15,8 @@ import torch
 from torch import nn
 
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.rollout import Rollout, normalised, scales
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.updating.rollout import Rollout, normalised, scales
 
 CLIP = 0.2  # [1] range of the probability ratio around 1
 MAX_NORM = 0.5  # of the gradient of the actor, and of that of the critic
