@@ -79,12 +79,6 @@ def split_matches(
     return blocks
 
 
-def size_numbers(matches: Sequence[Match]) -> list[int]:
-    """Return for each block the number of its team size, in the order in which sizes first come."""
-    sizes = [(match.settings.home, match.settings.away) for match in matches]
-    return [list(dict.fromkeys(sizes)).index(one) for one in sizes]
-
-
 def split_evenly(whole: int, count: int) -> list[int]:
     """Split `whole` into `count` nearly equal whole numbers."""
     return [whole * (i + 1) // count - whole * i // count for i in range(count)]

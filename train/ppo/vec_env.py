@@ -36,7 +36,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.train.ppo.critic_state import append_state, room_for
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
-from soccer_env.train.ppo.reporting.tally import Tally
+from soccer_env.train.ppo.reporting.tally import make_tallies, size_numbers
 
 
 class SoccerVecEnv(VecEnv):
@@ -100,22 +100,18 @@ class SoccerVecEnv(VecEnv):
         ]  # fmt: skip
         self._workers = Workers(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
         self.room = room_for(state, max(match.settings.max_players for match in self.matches))
-        self.learners = [
-            m.settings.home + (opponents is None) * m.settings.away for m in self.matches
-        ]  # the first rows
+        self.learners = [m.settings.home + m.settings.away * (opponents is None) for m in self.matches]  # first rows
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         self.first_decision = first_decision_step(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
-        self.size_of_row = np.repeat(size_numbers(self.matches), rows)
-        self.tallies = [Tally(*pair) for pair in zip(self.matches, self.learners, strict=True)]
+        self.size_of_row, self.tallies = np.repeat(size_numbers(self.matches), rows), make_tallies(self)
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
         kind = self.matches[0].settings.actions
         self._actions = np.zeros((self.edges[-1], *kind.shape), np.int64 if kind.parts else np.float64)
-        super().__init__(
-            self.edges[-1], spaces.Box(-1.0, 1.0, self._observations().shape[1:], np.float32), kind.space()
-        )
+        seen = spaces.Box(-1.0, 1.0, self._observations().shape[1:], np.float32)
+        super().__init__(self.edges[-1], seen, kind.space())
         self._seed, self._asked = seed, False  # whether a step was asked for
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 

@@ -61,10 +61,9 @@ def collect(
             means[t] = mean.cpu()
         matches.step_async(drawn[t])
         seen, rewards[t], dones[t], infos = matches.step_wait()
-        for row in np.flatnonzero(dones[t]).tolist():
-            if infos[row]["TimeLimit.truncated"]:
-                cut_off.append((t, row))
-                last_seen.append(infos[row]["terminal_observation"])
+        rows_cut = [row for row in np.flatnonzero(dones[t]).tolist() if infos[row]["TimeLimit.truncated"]]
+        cut_off += [(t, row) for row in rows_cut]
+        last_seen += [infos[row]["terminal_observation"] for row in rows_cut]
         each_step()
     torch.set_num_threads(threads)
     if cut_off:
