@@ -208,7 +208,8 @@ class SoccerVecEnv(VecEnv):
                 infos[first + r]["opponent"] = opponent
             record, players = match.final["matches"][i], (match.settings.home, match.settings.away)
             minutes = float(record["step"]) * match.league.dt / 60.0
-            results.append(Result(players, opponent, *map(int, record["score"]), minutes))
+            goals_for, goals_against = map(int, record["score"])
+            results.append(Result(players, opponent, goals_for, goals_against, minutes))
         self.opponents[index] = playing(match)
         return results
 
