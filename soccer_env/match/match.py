@@ -14,24 +14,14 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import actions_to_numbers, write_learner_commands
-from soccer_env.guards.turns import ObjectLock
 from soccer_env.guards.workers import Workers
 from soccer_env.match import truth_state
 from soccer_env.match.arguments import MatchArguments, init_takes_fields_of
 from soccer_env.match.batch import ActionSums, MatchBatch
-from soccer_env.match.saving import Branching, calls_python, guard_match_methods
+from soccer_env.match.saving import Branching, guard_match_methods
 from soccer_env.match.senses import sensing_sides
 from soccer_env.match.settings import make_settings
-from soccer_env.match.squads import (
-    TeamArrays,
-    assign_teams,
-    belief_readers,
-    choose_teams,
-    make_squads,
-    run_compiled,
-    run_python,
-    with_added_teams,
-)
+from soccer_env.match.squads import TeamArrays, assign_teams, choose_teams, make_squads, run_compiled, run_python
 from soccer_env.match.user_code import UserObservations, UserRewardTerms
 from soccer_env.match.views import Views
 from soccer_env.observations import layout
@@ -71,8 +61,6 @@ class Match(Views, Branching):
     | `seeds` | (M,) | seed of each match: `Match(seeds=[match.seeds[17]])` is match 17 alone |
     | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
     """
-
-    _turn: ObjectLock  # of `guard_match_methods`
 
     @init_takes_fields_of(MatchArguments)
     def __init__(self, arguments: MatchArguments) -> None:
@@ -115,9 +103,8 @@ class Match(Views, Branching):
 
     def _make_squads(self, who: dict[str, Any]) -> None:
         """Make a squad for each team, with its memory, and the sensors of the sides that need them."""
-        self.squads = make_squads(self.agents, who, self.settings, self.count)
+        self._use_squads(make_squads(self.agents, who, self.settings, self.count))
         self.learns = np.array([agent not in who for agent in self.agents], np.int64)
-        self._readers = belief_readers(self.squads)
         sides = sensing_sides(self.settings, self.squads, self.learns)
         if sides:
             self.batch.use_sensors(sides)
@@ -125,19 +112,6 @@ class Match(Views, Branching):
         self._team_arrays = TeamArrays(batch.beliefs, batch.tracks, robots["noise"], robots["command"], batch.constants)
         unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
         self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
-
-    def _take_up_added_teams(self) -> None:
-        """Make squads for the teams that were added to lineups; ValueError if one needs sensors that nobody uses."""
-        squads = with_added_teams(self.squads, self.settings, self.count)
-        if len(squads) == len(self.squads):
-            return
-        sides = self.batch.senses.sides if self.batch.senses is not None else ()
-        if sensing_sides(self.settings, squads, self.learns) != tuple(sides):
-            raise ValueError("a team that was added to a Lineup needs sensors, and no team before it used them")
-        self.squads, self._readers = squads, belief_readers(squads)
-        self._known_to_fit.clear()
-        self._own_terms.forget_teams()
-        self._turn.expect_code(calls_python(self))
 
     # Starting
 

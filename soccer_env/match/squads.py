@@ -156,11 +156,6 @@ def make_squad(team: Any, players: np.ndarray, settings: Settings, matches: int,
     return Squad(team, players, memory, np.zeros((matches, robots, observed), np.float32), team.name, numbers)
 
 
-def belief_readers(squads: list[Squad]) -> np.ndarray:
-    """Return the rows of the robots whose teams read beliefs."""
-    return np.array([r for squad in squads if squad.reads_beliefs for r in squad.players], np.int64)
-
-
 def choose_teams(squads: list[Squad], home: int, m: int, seed: int, episode: int) -> None:
     """Choose which team of each lineup plays the next episode of match m; home has the first `home` rows."""
     for squad in squads:

@@ -22,7 +22,7 @@ ENTRY = re.compile(r"(?:^|\s{2,})([a-z_0-9]+(?:\.py|/))(?=\s|$)", re.MULTILINE)
 LETTERS = ("k", "s", "w", "play")  # constants, sensors, memory; how a team plays
 
 # Functions that are longer, each with the lines that it may have. This list may only shrink.
-LONGER = {"train/ppo/vec_env.py __init__": 51}
+LONGER = {"train/ppo/vec_env.py __init__": 48}
 
 
 def name_of(file: Path) -> str:

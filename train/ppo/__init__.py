@@ -1,13 +1,12 @@
 """Train a policy: `soccer train`. PPO over the batched core; `train` below is the outline.
 
     settings.py        the options of the command                  toml_file.py      options from a file
-    bounds.py          ranges of numeric options
+    options.py         their texts                                 bounds.py         ranges of numeric options
     checks.py          check that a run is playable                training.py       a run: its state and its output
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
-    tally.py           what matches pay and count, for the log     stages.py         stages of team sizes and opponents
-    curriculum.py      the choice of opponents                     teaching/         a scripted teacher, before rewards
+    curriculum.py      the choice of opponents                     stages.py         stages of team sizes and opponents
     networks.py        actor and critic                            critic_state.py   the critic's view of the truth
-    rollout.py         play, and its advantages                    update.py         PPO
+    teaching/          a scripted teacher, before rewards          updating/         rollouts and updates of PPO
     learner.py         both in turn, and their state               checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
     reporting/         other logs, the report as a page

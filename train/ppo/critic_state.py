@@ -4,7 +4,16 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.guards.checking import check_whole_number
 from soccer_env.match import Match, truth_state
+from soccer_env.types import MAX_TEAM
+
+
+def room_for(state: bool | int, largest: int) -> int:
+    """Return the slots a side in the state: 0 without one, for the largest team (True), or the asked number."""
+    if state is False or state is True:
+        return largest * state
+    return check_whole_number("state", state, largest, MAX_TEAM) if state else 0
 
 
 def append_state(observations: np.ndarray, match: Match, records: Any, players: int) -> np.ndarray:

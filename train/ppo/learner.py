@@ -8,9 +8,9 @@ import torch
 
 from soccer_env.observations import layout
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.rollout import Rollout, collect
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.ppo.update import make_optimizer, update
+from soccer_env.train.ppo.updating.rollout import Rollout, collect
+from soccer_env.train.ppo.updating.update import make_optimizer, update
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 

@@ -21,6 +21,7 @@ from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner
 from soccer_env.train.ppo.networks import export_policy
 from soccer_env.train.ppo.reporting.page import page_of
+from soccer_env.train.ppo.reporting.tally import per_minute
 from soccer_env.train.ppo.reports import (
     ProgressBoard,
     evaluate_policy,
@@ -105,7 +106,7 @@ class Training:
                 "rating": {name: round(standing.mu, 3) for name, standing in standings.items()},
                 **{name: rounded(value) for name, value in self.learner.noted.items()},
                 "goals": goals_a_minute(results),
-                "minute": matches.take_tally(),
+                "minute": per_minute(matches.tallies),
                 "playing": matches.take_seconds(),
             }
         )  # fmt: skip
@@ -184,7 +185,8 @@ class Training:
         with self.timed("checkpoint"):
             started = time.perf_counter()
             if started < self.next_checkpoint and not self._is_over():
-                self.learner.matches.rebuild()
+                for match in self.learner.matches.matches:
+                    match.rebuild()
                 return
             state = {
                 **self.learner.state(),

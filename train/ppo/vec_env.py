@@ -26,7 +26,7 @@ except ModuleNotFoundError as error:
     raise ImportError(f'SoccerVecEnv needs stable-baselines3: pip install "soccer_env[train]" ({error})') from error
 
 from soccer_env.agents.learned import first_decision_step
-from soccer_env.guards.checking import check_whole_number, short_repr
+from soccer_env.guards.checking import short_repr
 from soccer_env.guards.names import Made
 from soccer_env.guards.workers import Workers
 from soccer_env.match import Match
@@ -34,10 +34,9 @@ from soccer_env.match.saving import calls_python, reduce_by_save, signals_wait
 from soccer_env.match.truth_state import records_of
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
-from soccer_env.train.ppo.critic_state import append_state
+from soccer_env.train.ppo.critic_state import append_state, room_for
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
-from soccer_env.train.ppo.tally import Tally, per_minute
-from soccer_env.types import MAX_TEAM
+from soccer_env.train.ppo.reporting.tally import make_tallies, size_numbers
 
 
 class SoccerVecEnv(VecEnv):
@@ -100,24 +99,19 @@ class SoccerVecEnv(VecEnv):
             for (home, away), count, senses in blocks
         ]  # fmt: skip
         self._workers = Workers(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
-        self.room = max(match.settings.max_players for match in self.matches) * (state is not False)
-        if not isinstance(state, bool):
-            self.room = check_whole_number("state", state, self.room, MAX_TEAM) if state else 0
-        both = opponents is None
-        self.learners = [match.settings.home + both * match.settings.away for match in self.matches]  # the first rows
+        self.room = room_for(state, max(match.settings.max_players for match in self.matches))
+        self.learners = [m.settings.home + m.settings.away * (opponents is None) for m in self.matches]  # first rows
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         self.first_decision = first_decision_step(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
-        sizes = [tuple(pair) for pair in players]
-        self.size_of_row = np.repeat([sizes.index((m.settings.home, m.settings.away)) for m in self.matches], rows)
-        self.tallies = [Tally(*pair) for pair in zip(self.matches, self.learners, strict=True)]
+        self.size_of_row, self.tallies = np.repeat(size_numbers(self.matches), rows), make_tallies(self)
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
-        width = self._observations().shape[1]
         kind = self.matches[0].settings.actions
         self._actions = np.zeros((self.edges[-1], *kind.shape), np.int64 if kind.parts else np.float64)
-        super().__init__(self.edges[-1], spaces.Box(-1.0, 1.0, (width,), np.float32), kind.space())
+        seen = spaces.Box(-1.0, 1.0, self._observations().shape[1:], np.float32)
+        super().__init__(self.edges[-1], seen, kind.space())
         self._seed, self._asked = seed, False  # whether a step was asked for
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 
@@ -212,10 +206,10 @@ class SoccerVecEnv(VecEnv):
                 infos[first + r]["terminal_observation"] = last[i, r]
                 infos[first + r]["TimeLimit.truncated"] = not terminated[m]
                 infos[first + r]["opponent"] = opponent
-            score = match.final["matches"]["score"][i]
-            players = match.settings.home, match.settings.away
-            minutes = float(match.final["matches"]["step"][i]) * match.league.dt / 60.0
-            results.append(Result(players, opponent, int(score[0]), int(score[1]), minutes))
+            record, players = match.final["matches"][i], (match.settings.home, match.settings.away)
+            minutes = float(record["step"]) * match.league.dt / 60.0
+            goals_for, goals_against = map(int, record["score"])
+            results.append(Result(players, opponent, goals_for, goals_against, minutes))
         self.opponents[index] = playing(match)
         return results
 
@@ -233,10 +227,6 @@ class SoccerVecEnv(VecEnv):
         """Return the results of the episodes that ended since the last call of this method."""
         taken, self.results = self.results, []
         return taken
-
-    def take_tally(self) -> dict[str, dict[str, Any]]:
-        """Return what was paid, kicked and whistled a minute at each team size since the last call (`per_minute`)."""
-        return per_minute(self.tallies)
 
     def take_seconds(self) -> float:
         """Return the time [s] that steps have taken since the last call of this method."""
@@ -284,11 +274,6 @@ class SoccerVecEnv(VecEnv):
         return self.matches[0]._repr_png_()
 
     # Saving
-
-    def rebuild(self) -> None:
-        """Rebuild the physics of all matches as `save` does, without a save."""
-        for match in self.matches:
-            match.rebuild()
 
     def save(self) -> dict[str, Any]:
         """Return the full state of the environment as plain values, and rebuild the matches from it."""

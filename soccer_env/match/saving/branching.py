@@ -12,6 +12,9 @@ import numpy as np
 from soccer_env.guards.names import Made
 from soccer_env.match.arguments import MatchArguments, select_fields
 from soccer_env.match.saving import branches, fitting, saves
+from soccer_env.match.saving.whole import calls_python
+from soccer_env.match.senses import sensing_sides
+from soccer_env.match.squads import with_added_teams
 from soccer_env.random_numbers import seeds_for
 
 if TYPE_CHECKING:
@@ -34,9 +37,12 @@ class Branching:
         rewards: np.ndarray
         terms: np.ndarray
 
-        def _observe_own(self) -> None: ...
+        learns: np.ndarray
+        _own_terms: Any
+        _readers: np.ndarray
+        _turn: Any
 
-        def _take_up_added_teams(self) -> None: ...
+        def _observe_own(self) -> None: ...
 
     @property
     def play_fingerprint(self) -> tuple[str, list[Any]]:
@@ -60,6 +66,24 @@ class Branching:
     def _known_to_fit(self) -> WeakSet[Any]:
         """Return the set of other Matches already known to have compatible settings and teams, which never change."""
         return WeakSet()
+
+    def _use_squads(self, squads: list[Any]) -> None:
+        """Set the squads, and the rows of the robots whose teams read beliefs."""
+        self.squads = squads
+        self._readers = np.array([r for squad in squads if squad.reads_beliefs for r in squad.players], np.int64)
+
+    def _take_up_added_teams(self) -> None:
+        """Make squads for the teams that were added to lineups; ValueError if one needs sensors that nobody uses."""
+        squads = with_added_teams(self.squads, self.settings, self.count)
+        if len(squads) == len(self.squads):
+            return
+        sides = self.batch.senses.sides if self.batch.senses is not None else ()
+        if sensing_sides(self.settings, squads, self.learns) != tuple(sides):
+            raise ValueError("a team that was added to a Lineup needs sensors, and no team before it used them")
+        self._use_squads(squads)
+        self._known_to_fit.clear()
+        self._own_terms.forget_teams()
+        self._turn.expect_code(calls_python(self))
 
     def rebuild(self, rows: Iterable[int] | None = None) -> None:
         """Rebuild the physics from the records, as loading does, so that equal records have equal futures."""

@@ -16,8 +16,9 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import check_playable
+from soccer_env.train.ppo.options import PlainSettings
 from soccer_env.train.ppo.settings import TrainSettings, command_of
-from soccer_env.train.ppo.update import minibatch_size
+from soccer_env.train.ppo.updating.update import minibatch_size
 from soccer_env.train.written_settings import split_names
 from tests.train.ppo.staged_training import tiny_settings
 
@@ -209,7 +210,7 @@ def test_every_setting_is_explained(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         main(["train", "--help-all"])
     text = " ".join(capsys.readouterr().out.replace("│", " ").split())
-    source = Path(sys.modules[TrainSettings.__module__].__file__ or "").read_text()
+    source = Path(sys.modules[PlainSettings.__module__].__file__ or "").read_text()
     for field in fields(TrainSettings):
         assert f"--{field.name.replace('_', '-')}" in text
         if field.name in NAMES:  # the weight of a reward

@@ -15,9 +15,9 @@ from soccer_env.leagues import find_league
 from soccer_env.match.truth_state import entries
 from soccer_env.observations import layout
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.rollout import advantages, collect, normalised, scales, values_of
 from soccer_env.train.ppo.settings import TrainSettings, half_life_factor
-from soccer_env.train.ppo.update import (
+from soccer_env.train.ppo.updating.rollout import advantages, collect, normalised, scales, values_of
+from soccer_env.train.ppo.updating.update import (
     RATES,
     Normal,
     divergence,

@@ -37,6 +37,17 @@ class Tally:
         ]  # fmt: skip
 
 
+def make_tallies(env: Any) -> list[Tally]:
+    """Return a tally of each block of a `SoccerVecEnv`."""
+    return [Tally(*pair) for pair in zip(env.matches, env.learners, strict=True)]
+
+
+def size_numbers(matches: Sequence[Match]) -> list[int]:
+    """Return for each block the number of its team size, in the order in which sizes first come."""
+    sizes = [(match.settings.home, match.settings.away) for match in matches]
+    return [list(dict.fromkeys(sizes)).index(one) for one in sizes]
+
+
 def per_minute(tallies: Sequence[Tally]) -> dict[str, dict[str, Any]]:
     """Return for each team size: reward terms a robot and minute, and COUNTS a match and minute; clear the tallies."""
     found: dict[str, dict[str, Any]] = {}

@@ -59,11 +59,11 @@ def collect(
             mean = network.mean_actions(torch.as_tensor(seen, device=network.device))
             drawn[t] = (mean + network.log_std.exp() * torch.randn_like(mean)).cpu()
             means[t] = mean.cpu()
-        seen, rewards[t], dones[t], infos = matches.step(drawn[t])
-        for row in np.flatnonzero(dones[t]):
-            if infos[row]["TimeLimit.truncated"]:
-                cut_off.append((t, row))
-                last_seen.append(infos[row]["terminal_observation"])
+        matches.step_async(drawn[t])
+        seen, rewards[t], dones[t], infos = matches.step_wait()
+        rows_cut = [row for row in np.flatnonzero(dones[t]).tolist() if infos[row]["TimeLimit.truncated"]]
+        cut_off += [(t, row) for row in rows_cut]
+        last_seen += [infos[row]["terminal_observation"] for row in rows_cut]
         each_step()
     torch.set_num_threads(threads)
     if cut_off:

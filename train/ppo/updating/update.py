@@ -15,8 +15,8 @@ import torch
 from torch import nn
 
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.rollout import Rollout, normalised, scales
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.updating.rollout import Rollout, normalised, scales
 
 CLIP = 0.2  # [1] range of the probability ratio around 1
 MAX_NORM = 0.5  # of the gradient of the actor, and of that of the critic
@@ -46,16 +46,13 @@ def update(
     size = minibatch_size(count, settings.batch)
     noted: list[tuple[float, ...]] = []  # value loss, divergence, clipped share of each gradient step
     for _ in range(settings.epochs):
-        for chosen in torch.randperm(count).to(network.device).split(size):
-            seen, means, actions, advantages, returns, scale = (row[chosen] for row in rows)
-            loss = value_loss = (((network.values(seen) - returns) / scale) ** 2).mean()
-            kl = clipped = torch.zeros(())
+        for chosen in torch.randperm(count).to(network.device).split(size):  # type: ignore[no-untyped-call]
+            parts = [row[chosen] for row in rows]
+            loss, kl, clipped = critic_loss(network, parts), torch.zeros(()), torch.zeros(())
+            value_loss = loss.detach()
             if actor:
-                old, new = Normal(means, std), Normal(network.mean_actions(seen), network.log_std.exp())
-                ratio = (log_prob(new, actions) - log_prob(old, actions)).exp()
-                clamped = ratio.clamp(1.0 - CLIP, 1.0 + CLIP)
-                loss = loss - torch.min(ratio * advantages, clamped * advantages).mean()
-                kl, clipped = divergence(old, new), (ratio != clamped).float().mean()
+                gain, kl, clipped = actor_gain(network, parts, std)
+                loss = loss - gain
                 follow_divergence(optimizer, float(kl), settings.target_kl)
             optimizer.zero_grad()
             loss.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
@@ -63,14 +60,31 @@ def update(
                 nn.utils.clip_grad_norm_(group["params"], MAX_NORM)
             optimizer.step()
             noted.append(tuple(float(number.detach()) for number in (value_loss, kl, clipped)))
-    value_loss, kl, clipped = np.mean(noted, axis=0).tolist()
-    returns = rollout.returns
+    means, returns = np.mean(noted, axis=0).tolist(), rollout.returns
     return {
-        "kl": kl, "clipped": clipped, "value_loss": value_loss,
+        **dict(zip(("value_loss", "kl", "clipped"), means, strict=True)),
         "explained": 1.0 - float(np.var(returns - rollout.values)) / max(float(np.var(returns)), 1e-12),
         "entropy": float(entropy(network.log_std.detach())), "noise": float(std.mean()),
         "learning_rate": optimizer.param_groups[0]["lr"],
     }  # fmt: skip
+
+
+def critic_loss(network: SoccerPolicy, parts: list[torch.Tensor]) -> torch.Tensor:
+    """Return the mean square error of the critic, in deviations of the returns, on rows of `as_rows`."""
+    seen, _, _, _, returns, scale = parts
+    return (((network.values(seen) - returns) / scale) ** 2).mean()
+
+
+def actor_gain(
+    network: SoccerPolicy, parts: list[torch.Tensor], std: torch.Tensor
+) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+    """Return the clipped gain of the actor on rows of `as_rows`, its divergence, and the share that is clipped."""
+    seen, means, actions, gains, _, _ = parts
+    old, new = Normal(means, std), Normal(network.mean_actions(seen), network.log_std.exp())
+    ratio = (log_prob(new, actions) - log_prob(old, actions)).exp()
+    clamped = ratio.clamp(1.0 - CLIP, 1.0 + CLIP)
+    gain = torch.min(ratio * gains, clamped * gains).mean()
+    return gain, divergence(old, new), (ratio != clamped).float().mean()
 
 
 def as_rows(rollout: Rollout, device: torch.device) -> Parts:
