@@ -67,16 +67,16 @@ def omni_sensors(parts: int) -> Any:
             return
         robot, hand = robots[r], match.handedness
         noise = robot.noise
-        around, maps = scratch
+        around, maps, glass = scratch
         count = mirror.find_bodies_around(robots, r, k, around)
         if parts > 1:
-            mirror.find_ball(ball, robot, percept, around, count, k, s, noise, hand, 1.0)
+            mirror.find_ball(ball, robot, percept, around, count, glass, k, s, noise, hand, 1.0)
         if parts > 2:
-            mirror.find_players(percept, around, count, k, s, noise, hand, 1.0)
+            mirror.find_players(percept, around, count, glass, k, s, noise, hand, 1.0)
         if parts > 3:
-            mirror.find_goals(match, robot, percept, around, count, k, s, noise, hand, 1.0)
+            mirror.find_goals(match, robot, percept, around, count, glass, k, s, noise, hand, 1.0)
         if parts > 4:
-            mirror.find_lines(robot, percept.lines, around, count, maps[0], k, s, noise, hand, 1.0)
+            mirror.find_lines(robot, percept.lines, around, count, maps[0], glass, k, s, noise, hand, 1.0)
 
     return make_sensor_kernel(mirror.make_scratch, sense_robot)
 
