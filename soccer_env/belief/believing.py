@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.compiling.borrowing import borrow_arrays, keep_alive
 
 
 class BeliefArrays(NamedTuple):
@@ -50,13 +51,14 @@ def make_belief_kernel(
 
         Matches that are `asleep` (M,), because they ended before this step, stay unchanged.
         """
-        numbers = MemoryNumbers(*numbers)
+        numbers = MemoryNumbers(*borrow_arrays(numbers))
         k = numbers.constants[0]
         s = numbers.sensors[0]
         w = numbers.memory[0]
         table = numbers.tables[0]
-        beliefs, tracks, memories, particles, messages, noise, gazes = BeliefArrays(*minds)
-        scratch = make_scratch()
+        beliefs, tracks, memories, particles, messages, noise, gazes = BeliefArrays(*borrow_arrays(minds))
+        percepts, owned = borrow_arrays(percepts), make_scratch()
+        scratch = borrow_arrays(owned)
         for m in range(first, last):
             if asleep[m]:
                 continue
@@ -66,5 +68,6 @@ def make_belief_kernel(
                     gazes[m, r], scratch, k, s, w, table,
                 )  # fmt: skip
             talk(percepts[m], beliefs[m], tracks[m], messages[m], noise[m], k, s, w, numbers.home, rows)
+        keep_alive(owned)
 
     return believe_slice

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.compiling.borrowing import borrow_arrays, keep_alive
 from soccer_env.perception.body import sense_body
 from soccer_env.records.world import World
 
@@ -39,12 +40,13 @@ def make_sensor_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[.
     @compiled
     def sense_slice(world, sensing, numbers, asleep, rows, first, last):
         """Compute the percepts of some robots of a slice of matches; matches that are `asleep` (M,) stay unchanged."""
-        world = World(*world)
-        numbers = SensorNumbers(*numbers)
+        world = World(*borrow_arrays(world))
+        numbers = SensorNumbers(*borrow_arrays(numbers))
         k, s = numbers.constants[0], numbers.sensors[0]
         pose_sensed = numbers.pose_sensed
-        percepts, states, pending = SensorArrays(*sensing)
-        scratch = make_scratch(k, s)
+        percepts, states, pending = SensorArrays(*borrow_arrays(sensing))
+        owned = make_scratch(k, s)
+        scratch = borrow_arrays(owned)
         for m in range(first, last):
             if asleep[m]:
                 continue
@@ -55,5 +57,6 @@ def make_sensor_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[.
                 state = states[m, r]
                 sense_body(match, robots[r], robot_events[r], percept.body, state.pose_error, k, s, pose_sensed)
                 sense_robot(match, ball, robots, r, percept, state, pending[m, r], scratch, k, s)
+        keep_alive(owned)
 
     return sense_slice

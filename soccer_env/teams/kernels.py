@@ -16,6 +16,7 @@ from collections.abc import Callable
 import numpy as np
 
 from soccer_env.compiled import compiled, scratch_records
+from soccer_env.compiling.borrowing import borrow_arrays, keep_alive
 from soccer_env.guards.ranges import ANY, ranged_record
 
 NO_MEMORY = ranged_record([("unused", "i8", ANY)])  # of players that remember nothing
@@ -34,12 +35,14 @@ def per_player(act: Callable[..., None], scratch: np.dtype = NO_SCRATCH) -> Call
 
     @compiled
     def kernel(beliefs, tracks, memory, noise, commands, players, constants, settings, first, last):
-        work, k = scratch_records(1, scratch), constants[0]
-        own = settings[k.drive_kind if len(settings) > 1 else 0]
+        owned, k = scratch_records(1, scratch), constants[0]
+        own, work = settings[k.drive_kind if len(settings) > 1 else 0], borrow_arrays(owned)
+        beliefs, tracks, memory, noise, commands = borrow_arrays((beliefs, tracks, memory, noise, commands))
         for m in range(first, last):
             for p in range(len(players)):
                 r = players[p]
                 act(beliefs[m, r], tracks[m, r], memory[m, p], noise[m, r], commands[m, r], k, own, work[0])
+        keep_alive(owned)
 
     return kernel
 

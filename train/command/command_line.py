@@ -203,14 +203,14 @@ def run_bench(words: list[str]) -> int:
     from soccer_env.train.bench.settings import BenchSettings
 
     settings = read_settings(BenchSettings, words, "bench")
-    from soccer_env.train.bench import against, benchmark
+    from soccer_env.train.bench import against, benchmark, profile
 
-    chosen = benchmark if settings.against is None else against
-    report = (benchmark.run_benchmark if settings.against is None else against.compare_checkouts)(settings)
+    run = profile.profile_step if settings.profile else benchmark.run_benchmark
+    report = (run if settings.against is None else against.compare_checkouts)(settings)
     if settings.json:
         print_json(report)
     else:
-        console().print(chosen.screen_table(report))
+        console().print((benchmark if settings.against is None else against).screen_table(report))
     return 0
 
 

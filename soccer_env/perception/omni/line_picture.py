@@ -2,16 +2,16 @@
 
 Direction i of s.lines lies 2 pi i / s.lines to the left of straight ahead; i and s.lines - i are mirror images.
 
-`k`: the league's constants; `s`: settings of the sensors.
+`k`: the league's constants; `s`: settings of the sensors; `mirror`: the result of `mirror_parameters`.
 """
 
-from math import ceil, cos, floor, pi, sin, sqrt
+from math import ceil, cos, floor, inf, pi, sin, sqrt
 
 import numpy as np
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import out_of_frame
-from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_parameters
+from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.perception.omni.around import body_radius
 from soccer_env.perception.omni.sightings import CAMERA, to_pixel
 from soccer_env.random_numbers import draw_uniform
@@ -26,7 +26,16 @@ LINE_MAP = np.dtype(
         ("along_from", "f8", (3,)),  # [m] |x| from which they run to the goal line
         ("cosine", "f8", (LINES,)),  # [1] of the directions
         ("sine", "f8", (LINES,)),
-        ("free", "f8", (LINES,)),  # [m] scratch: how far the view goes in each direction
+        # scratch, for each direction
+        ("free", "f8", (LINES,)),  # [m] how far the view goes
+        ("first", "f8", (LINES,)),  # [m] to the first line, or as `free`
+        ("per_x", "f8", (LINES,)),  # [1] length of the ray for a metre along the pitch, inf for a ray across it
+        ("slope", "f8", (LINES,)),  # [1] metres across the pitch for a metre along it
+        ("per_y", "f8", (LINES,)),  # [1] the same, with along and across exchanged
+        ("lean", "f8", (LINES,)),  # [1]
+        ("middle", "f8", (LINES,)),  # [m] to the point of the ray that is nearest to the centre spot
+        ("half", "f8", (LINES,)),  # [m] from there to the centre circle, inf for a ray that passes it
+        ("radius", "f8", (LINES,)),  # [px] of the line in the image
     ]
 )
 SPAN = sqrt(12.0)  # [1] width of an even distribution of sd 1
@@ -52,27 +61,29 @@ def draw_map(map, k, s):
 
 
 @compiled
-def find_lines(robot, lines, around, count, map, k, s, noise, handedness, colour):
+def find_lines(robot, lines, around, count, map, mirror, k, s, noise, handedness, colour):
     """Measure the distance of the first white line in each direction, 0 for none; return the number of lines seen.
 
-    MH02, MH07, MH08
+    MH02, MH07, MH08. Steps run over all directions, one after the other, so that the processor takes several at once.
     """
     fill_view_lengths(map.free, around, count, k, s)
-    cosine, sine = cos(robot.heading), sin(robot.heading)
-    chance, mirror = (1.0 - s.line_miss) * colour, mirror_parameters(s)
+    turn_directions(robot, map, k.pitch_circle, s.lines)
+    meet_lines(robot.x, robot.y, map, s.hidden_radius, s.lines)
+    for i in range(s.lines):
+        map.radius[i] = image_radius(mirror, map.first[i])
+    chance = (1.0 - s.line_miss) * colour
     seen = 0
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
-        dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)
-        distance = first_line_distance(robot.x, robot.y, dx, dy, map, k.pitch_circle, s.hidden_radius, map.free[i])
-        lines[i] = 0.0
-        if distance < map.free[i]:
-            # the line is seen if the draw is below `chance`; within that range the draw is even and gives the noise
-            draw = draw_uniform(noise, CAMERA)
-            if draw < chance:
-                radius = image_radius(mirror, distance) + s.pixel_noise * SPAN * (draw / chance - 0.5)
-                lines[i] = ground_distance(mirror, max(to_pixel(radius), 0.0))
-                seen += 1
+        # the line is seen if the draw is below `chance`; within that range the draw is even and gives the noise
+        draw = draw_uniform(noise, CAMERA) if map.first[i] < map.free[i] else chance
+        if draw < chance:
+            map.radius[i] = max(to_pixel(map.radius[i] + s.pixel_noise * SPAN * (draw / chance - 0.5)), 0.0)
+            seen += 1
+        else:
+            map.radius[i] = 0.0
+    for i in range(s.lines):
+        lines[i] = ground_distance(mirror, map.radius[i])
     return seen
 
 
@@ -92,29 +103,45 @@ def fill_view_lengths(free, around, count, k, s):
 
 
 @compiled
-def first_line_distance(x, y, dx, dy, map, circle, nearest, farthest):
-    """Return the distance [m] at which a ray first meets a line beyond `nearest`, or `farthest`."""
-    best = farthest
-    if abs(dx) > PARALLEL:
-        per_x, slope = 1.0 / dx, dy / dx
-        for i in range(4):
-            for side in (-1.0, 1.0):
-                ahead = side * map.across[i] - x
-                if nearest < ahead * per_x < best and abs(y + ahead * slope) <= map.across_to[i]:
-                    best = ahead * per_x
-    if abs(dy) > PARALLEL:
-        per_y, slope = 1.0 / dy, dx / dy
-        for i in range(3):
-            for side in (-1.0, 1.0):
-                aside = side * map.along[i] - y
-                if nearest < aside * per_y < best and map.along_from[i] <= abs(x + aside * slope) <= map.end:
-                    best = aside * per_y
-    middle, beside = -(x * dx + y * dy), x * dy - y * dx  # where the ray passes the centre spot, and how far from it
-    square = circle * circle - beside * beside
-    if square > 0.0:
-        half = sqrt(square)
-        if nearest < middle - half < best:
-            best = middle - half
-        elif nearest < middle + half < best:
-            best = middle + half
-    return best
+def turn_directions(robot, map, circle, lines):
+    """Compute for each direction, turned with the robot, what the search for lines needs to know of the ray."""
+    cosine, sine = cos(robot.heading), sin(robot.heading)
+    x, y = robot.x, robot.y
+    for i in range(lines):
+        dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)
+        map.per_x[i], map.slope[i] = 1.0 / dx if abs(dx) > PARALLEL else inf, dy / dx
+        map.per_y[i], map.lean[i] = 1.0 / dy if abs(dy) > PARALLEL else inf, dx / dy
+        beside = x * dy - y * dx
+        square = circle * circle - beside * beside
+        map.middle[i] = -(x * dx + y * dy)
+        map.half[i] = sqrt(square) if square > 0.0 else inf
+
+
+@compiled
+def meet_lines(x, y, map, nearest, lines):
+    """Compute the distances `map.first` [m] at which rays first meet a line beyond `nearest`, at most `map.free`."""
+    first = map.first
+    first[:] = map.free
+    for line in range(4):
+        for side in (-1.0, 1.0):
+            ahead = side * map.across[line] - x
+            meet_line(first, map.per_x, map.slope, ahead, y, 0.0, map.across_to[line], nearest, lines)
+    for line in range(3):
+        for side in (-1.0, 1.0):
+            aside = side * map.along[line] - y
+            meet_line(first, map.per_y, map.lean, aside, x, map.along_from[line], map.end, nearest, lines)
+    for side in (-1.0, 1.0):
+        for i in range(lines):
+            distance = map.middle[i] + side * map.half[i]
+            first[i] = distance if nearest < distance < first[i] else first[i]
+
+
+@compiled
+def meet_line(first, per, slope, away, place, least, most, nearest, lines):
+    """Shorten the rays that meet a straight line, `away` [m] off, which runs from `least` to `most` [m] to both sides.
+
+    place: position of the robot along the line [m], from the line's middle.
+    """
+    for i in range(lines):
+        distance, at = away * per[i], abs(place + away * slope[i])
+        first[i] = distance if nearest < distance < first[i] and least <= at <= most else first[i]

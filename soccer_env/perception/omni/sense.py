@@ -9,6 +9,7 @@ A robot that was just placed gets its first pictures without delay: pictures on 
 
 from soccer_env.compiled import compiled, scratch_records
 from soccer_env.guards.ranges import NUMBER, ranged_record
+from soccer_env.optics.mirror_camera import mirror_parameters
 from soccer_env.perception.body import POSE_ERROR, sense_light_barrier
 from soccer_env.perception.omni.around import AROUND, find_bodies_around
 from soccer_env.perception.omni.lighting import (
@@ -38,29 +39,26 @@ OMNI_SENSOR_STATE = ranged_record(
 
 @compiled
 def make_scratch(k, s):
-    """Return scratch arrays for sensing: the robots in view, and the map of the pitch's lines for the camera."""
+    """Return scratch for sensing: the robots in view, the map of the pitch's lines for the camera, and the mirror."""
     around, maps = scratch_records(2 * MAX_TEAM, AROUND), scratch_records(1, LINE_MAP)
     draw_map(maps[0], k, s)
-    return around, maps
+    return around, maps, mirror_parameters(s)
 
 
 @compiled
 def sense_robot(match, ball, robots, r, percept, state, pending, scratch, k, s):
     """Compute the percept of robot r; pending (camera_delay,) holds pictures that are not yet delivered."""
     sense_light_barrier(robots[r], percept.body, s)
-    around, maps = scratch
-    take_and_deliver_picture(
-        match, ball, robots, r, percept, state, pending, brightness(match, s), around, maps[0], k, s
-    )
+    take_and_deliver_picture(match, ball, robots, r, percept, state, pending, brightness(match, s), scratch, k, s)
 
 
 @compiled
-def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, light, around, map, k, s):
+def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, light, scratch, k, s):
     """Take a new picture, and deliver the delayed picture that is due in this frame.  MH02"""
     late, robot = pending.shape[0], robots[r]
     if late == 0:
         percept.age = 0.0
-        take_picture(match, ball, robots, r, percept, state, percept.body.pose, light, around, map, k, s)
+        take_picture(match, ball, robots, r, percept, state, percept.body.pose, light, scratch, k, s)
         return
     slot = pending[match.step % late]
     if robot.placed == 1:  # pictures on their way show the old place
@@ -69,7 +67,7 @@ def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, li
     due = slot.body.active == 1 and slot.body.frame + late == match.step
     if due:
         copy_picture(slot, percept)
-    take_picture(match, ball, robots, r, slot, state, percept.body.pose, light, around, map, k, s)
+    take_picture(match, ball, robots, r, slot, state, percept.body.pose, light, scratch, k, s)
     slot.body.frame, slot.body.active = match.step, robot.active
     percept.age = late * k.dt if due else 0.0
     if not due:
@@ -77,7 +75,7 @@ def take_and_deliver_picture(match, ball, robots, r, percept, state, pending, li
 
 
 @compiled
-def take_picture(match, ball, robots, r, picture, state, pose, light, around, map, k, s):
+def take_picture(match, ball, robots, r, picture, state, pose, light, scratch, k, s):
     """Compute the camera's picture of this frame, and adapt the colour table to it.  MH07"""
     robot, handedness = robots[r], match.handedness
     picture.light = measure_light(light, s, robot.noise)
@@ -86,11 +84,12 @@ def take_picture(match, ball, robots, r, picture, state, pose, light, around, ma
         clear_picture(picture)
         return
     colour = recognised_share(light, state.table, s)
+    around, maps, mirror = scratch
     count = find_bodies_around(robots, r, k, around)
-    find_ball(ball, robot, picture, around, count, k, s, robot.noise, handedness, colour)
-    find_players(picture, around, count, k, s, robot.noise, handedness, colour)
-    find_goals(match, robot, picture, around, count, k, s, robot.noise, handedness, colour)
-    lines = find_lines(robot, picture.lines, around, count, map, k, s, robot.noise, handedness, colour)
+    find_ball(ball, robot, picture, around, count, mirror, k, s, robot.noise, handedness, colour)
+    find_players(picture, around, count, mirror, k, s, robot.noise, handedness, colour)
+    find_goals(match, robot, picture, around, count, mirror, k, s, robot.noise, handedness, colour)
+    lines = find_lines(robot, picture.lines, around, count, maps[0], mirror, k, s, robot.noise, handedness, colour)
     placed = pose != NO_POSE or lines >= LEAST_LINES
     state.table = train_colour_table(state.table, picture.light, s, k.dt, placed)
 

@@ -6,14 +6,14 @@ is a whole pixel: bearings are good everywhere, errors of distances grow with th
 Unlike the pitches of 2006 this one has no corner poles: four more landmarks would make sensing and belief a tenth
 slower, and lines and goals give the own place to centimetres.
 
-`k`: the league's constants; `s`: settings of the sensors.
+`k`: the league's constants; `s`: settings of the sensors; `mirror`: the result of `mirror_parameters`.
 """
 
 from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import attack_direction, clip, into_frame, length, wrap
-from soccer_env.optics.mirror_camera import ground_distance, image_radius, mirror_parameters
+from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.perception.omni.around import body_radius, half_angle, visible_part
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.types import RobotStream
@@ -41,9 +41,8 @@ def clear_sighting(sighting):
 
 
 @compiled
-def measure_sighting(sighting, distance, bearing, farthest, s, noise, handedness):
+def measure_sighting(sighting, distance, bearing, farthest, mirror, s, noise, handedness):
     """Measure an object at a noisy whole pixel of the picture; return whether it is within `farthest` [px].  MH02"""
-    mirror = mirror_parameters(s)
     radius = image_radius(mirror, distance)
     error = s.pixel_noise * sqrt(-2.0 * log(1.0 - draw_uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
     turn = 2.0 * pi * draw_uniform(noise, CAMERA)
@@ -65,7 +64,7 @@ def sighting_probability(distance, reach, miss, s):
 
 
 @compiled
-def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colour):
+def find_ball(ball, robot, percept, around, count, mirror, k, s, noise, handedness, colour):
     """Measure the ball's sighting; `colour` [1]: share of pixels that the colour table recognises.  MH02, MH07, MH24
 
     The own body hides everything within `hidden_radius`, other robots everything behind them. A blob that has lost its
@@ -85,17 +84,16 @@ def find_ball(ball, robot, percept, around, count, k, s, noise, handedness, colo
         shown = share * recognised * sighting_probability(distance, s.ball_range, s.ball_miss, s)
         if share > 0.0 and draw_uniform(noise, CAMERA) < shown:
             seems = distance + (1.0 - kept) * k.ball_radius
-            measure_sighting(sighting, seems, bearing + aside, 0.5 * s.image, s, noise, handedness)
-    add_false_ball(sighting, s, noise, handedness)
+            measure_sighting(sighting, seems, bearing + aside, 0.5 * s.image, mirror, s, noise, handedness)
+    add_false_ball(sighting, mirror, s, noise, handedness)
 
 
 @compiled
-def add_false_ball(sighting, s, noise, handedness):
+def add_false_ball(sighting, mirror, s, noise, handedness):
     """Add a rare false ball in a random direction; it replaces the sighting of the ball if it is nearer."""
     rate = s.false_balls + (0.0 if s.ball_coloured == 1 else UNCOLOURED_FALSE)
     if rate <= 0.0 or draw_uniform(noise, FALSE_BLOBS) >= rate:
         return
-    mirror = mirror_parameters(s)
     nearest = image_radius(mirror, s.hidden_radius)
     radius = nearest + (0.5 * s.image - nearest) * draw_uniform(noise, FALSE_BLOBS)
     bearing = handedness * pi * (1.0 - 2.0 * draw_uniform(noise, FALSE_BLOBS))
@@ -107,7 +105,7 @@ def add_false_ball(sighting, s, noise, handedness):
 
 
 @compiled
-def find_players(percept, around, count, k, s, noise, handedness, colour):
+def find_players(percept, around, count, mirror, k, s, noise, handedness, colour):
     """Measure the sightings of other robots, sorted by apparent distance, nearest first.  MH02, MH07"""
     players, seen = percept.players, 0
     for j in range(count):
@@ -120,7 +118,7 @@ def find_players(percept, around, count, k, s, noise, handedness, colour):
         ):
             continue
         seems = other.distance + (1.0 - colour) * body_radius(k)
-        if measure_sighting(players[seen], seems, other.bearing + aside, 0.5 * s.image, s, noise, handedness):
+        if measure_sighting(players[seen], seems, other.bearing + aside, 0.5 * s.image, mirror, s, noise, handedness):
             players[seen].teammate = other.teammate
             insert_by_distance(players, seen)
             seen += 1
@@ -147,15 +145,15 @@ def insert_by_distance(players, last):
 
 
 @compiled
-def find_goals(match, robot, percept, around, count, k, s, noise, handedness, colour):
+def find_goals(match, robot, percept, around, count, mirror, k, s, noise, handedness, colour):
     """Measure the sightings of the own goal and of the opponents' goal.  MH02"""
     end = 0.5 * attack_direction(match, robot.team) * k.pitch_length
-    find_goal(percept.own_goal, robot, -end, around, count, k, s, noise, handedness, colour)
-    find_goal(percept.opponent_goal, robot, end, around, count, k, s, noise, handedness, colour)
+    find_goal(percept.own_goal, robot, -end, around, count, mirror, k, s, noise, handedness, colour)
+    find_goal(percept.opponent_goal, robot, end, around, count, mirror, k, s, noise, handedness, colour)
 
 
 @compiled
-def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour):
+def find_goal(sighting, robot, x, around, count, mirror, k, s, noise, handedness, colour):
     """Measure the sighting of the goal at x [m]: bearing of its visible part's middle, distance of the goal's middle.
 
     A goal is 1 m tall: it is visible from everywhere, over the heads of robots that are not near. Where its foot lies
@@ -169,7 +167,7 @@ def find_goal(sighting, robot, x, around, count, k, s, noise, handedness, colour
     centre = middle + 0.5 * (one + other)
     aside, share = visible_part(around, count, centre, half, distance, GOAL_HEIGHT, k, s, handedness)
     if share > 0.0 and draw_uniform(noise, CAMERA) < share * colour * (1.0 - s.goal_miss):
-        measure_sighting(sighting, distance, centre + aside, inf, s, noise, handedness)
+        measure_sighting(sighting, distance, centre + aside, inf, mirror, s, noise, handedness)
 
 
 @compiled
