@@ -125,6 +125,7 @@ class Claim:
     least: int = 1  # batches of a seed before the first verdict; more than 1 where few units of a batch count
     quick: int = 1
     seconds: float = 3.0  # [s] of one batch on one core, compiled: --minutes derives the number of batches from it
+    condition: str = ""  # that the verdict names: "reproduced, with ..."
     ingredients: tuple[str, ...] = ()  # settings and models that the result depends on
     without: Ablation | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = lambda samples: ()

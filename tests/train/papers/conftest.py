@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from soccer_env import Match
-from soccer_env.train.papers.claims.stuck import branches, sampled
+from soccer_env.train.papers.claims.stuck import branches, sampled, surface
 
 
 @pytest.fixture
@@ -22,4 +22,5 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[set[str]]:
     monkeypatch.setattr(Match, "__init__", record)
     sampled._sample_cached.cache_clear()
     branches._follow_cached.cache_clear()
+    surface._measure_cached.cache_clear()
     yield names

@@ -16,11 +16,6 @@ from soccer_env.train.papers.values import least_rise, mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 COUNTS = (3, 6, 9, 12, 15)  # thresholds, S25
-VARIANTS: dict[str, dict[str, Any]] = {  # beside the team's own settings: S23
-    "steps of 0.9 at least": {"near_step": 0.9},
-    "steps of 0.1 at least": {"near_step": 0.1},
-    "a threshold of 5 readings": {"stuck_count": 5},
-}
 ROLLS = (0.1, 0.5)  # [m/s] of a ball that rolls
 TRIES, TIME = 48, 20.0  # approaches of each kind a batch, [s] of each at most
 
@@ -45,55 +40,6 @@ def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
             break
     match.close()
     return alarms
-
-
-def compare_counters(batch: Batch) -> Samples:
-    """Return false alarms with one counter and with two counters, in approaches to a still ball (M,)."""
-    found = {}
-    for n in (1, 2):
-        found[f"counters {n}"] = approach(batch, rolls=False, two_counters=n == 2)
-        for name, settings in VARIANTS.items():
-            found[f"{name} {n}"] = approach(batch, rolls=False, two_counters=n == 2, **settings)
-    return {**found, "approaches": np.ones(TRIES)}
-
-
-def alarm_ratio(samples: Samples, name: str) -> float:
-    """Return the number of alarms with one counter divided by that with two (at least half an alarm); NaN: no alarm."""
-    one, two = samples[f"{name} 1"].sum(), samples[f"{name} 2"].sum()
-    return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
-
-
-def alarms_per_hundred(samples: Samples, name: str) -> float:
-    """Return the number of alarms of the variant `name` in 100 approaches."""
-    return 100.0 * mean(samples[name])
-
-
-S23 = Claim(
-    id="S23",
-    section="3.3",
-    statement="One counter often raises false alarms near the ball; the second remedies this.",
-    method=f"{TRIES} approaches a batch to a still ball 40 to 90 cm away in any direction, nothing in the way, with "
-    "one counter and with two: a recovery that begins is a false alarm.",
-    criteria=(
-        counted("one counter: approaches with a false alarm", "counters 1", "approaches", at_least=5.0),
-        measured("alarms with one counter over those with two", alarm_ratio, "counters", at_least=5.0),
-        reported("two counters: alarms in 100 approaches", alarms_per_hundred, "counters 2"),
-        *(
-            reported(
-                f"{name}, {n} counter(s): alarms in 100 approaches", lambda s, name: 100 * mean(s[name]), f"{name} {n}"
-            )
-            for name in VARIANTS
-            for n in (1, 2)
-        ),
-    ),
-    measure=compare_counters,
-    ingredients=("near_step 0.25 and near_time 8 s: assumed",),
-    note="With the paper's smaller steps the ball's velocity drops to 3 cm/s, but the ball is reached before nine "
-    "readings are net. With a threshold of five one counter does what the paper says, and two counters mend it; the "
-    "paper does not tell its threshold.",
-    seconds=2.0,
-    batches=16,
-)
 
 
 def sweep_thresholds(batch: Batch) -> Samples:

@@ -123,8 +123,7 @@ S27 = Claim(
     "way. Angle between the ways from robot to ball and from ball to goal, before and when the robot has the ball; "
     "beside it a side drawn at random, and the angle right after the recovery.",
     criteria=(
-        counted("cleared the obstacle: at least 50 %", "clear", "aside", at_least=50.0),
-        counted("cleared the obstacle: at most 95 %", "clear", "aside", at_most=95.0),
+        counted("cleared the obstacle", "clear", "aside", at_least=50.0, at_most=95.0),
         measured("change of the misalignment until the robot has the ball", misalignment_change, unit="deg", below=0.0),
         measured("misalignment when it has the ball, less that with a random side",
                  lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
@@ -231,6 +230,7 @@ S29 = Claim(
     ),
     rules=PLAYED_AND_STAGED,
     measure=compare_recoveries,
+    condition="where the recovery is begun for the robot",
     figures=tries_figure,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
