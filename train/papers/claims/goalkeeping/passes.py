@@ -32,10 +32,10 @@ BALL_TEXT = (
 )
 
 
-def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE) -> Samples:
+def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE, **more: Any) -> Samples:
     """Roll balls past a field player of heinemann-2006; return which it gets (M,), times [s] and ball speeds [m/s]."""
     rng, team = batch.rng(), make_team("heinemann-2006", **settings)
-    match = stage(batch, league, matches=BALLS, home=2, controllers={"home": team, "away": "still"})
+    match = stage(batch, league, matches=BALLS, home=2, controllers={"home": team, "away": "still"}, **more)
     x, y = rng.uniform(-2.0, 1.0, BALLS), rng.uniform(-1.5, 1.5, BALLS)
     from_, away = rng.uniform(-np.pi, np.pi, BALLS), rng.uniform(*FROM, BALLS)
     aside, speed = rng.choice([-1.0, 1.0], BALLS) * rng.uniform(*ASIDE, BALLS), rng.uniform(*SPEEDS, BALLS)
@@ -96,16 +96,19 @@ H24 = Claim(
     id="H24",
     section="1",
     statement="A pass receiver uses the ball's velocity to intercept it.",
-    method=f"{BALL_TEXT}; with the ball's velocity, and going to where the ball is.",
+    method=f"{BALL_TEXT}; with the ball's velocity, and with none in its belief (filter=none), all else the same.",
     criteria=(
         measured("more balls are had, of 100", got_more, "with", "without", above=5.0),
         reported("with the velocity", "with got", unit="%"),
         reported("without it", "without got", unit="%"),
+        reported("with it, going to where the ball is (intercepts=False)", "follows got", unit="%"),
         reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
     measure=lambda batch: (
-        prefix_names("with", receive(batch, {})) | prefix_names("without", receive(batch, {"intercepts": False}))
+        prefix_names("with", receive(batch, {}))
+        | prefix_names("without", receive(batch, {}, memory={"filter": "none"}))
+        | prefix_names("follows", receive(batch, {"intercepts": False}))
     ),
     seconds=5.0,
     batches=6,
@@ -175,9 +178,9 @@ H03 = Claim(
     method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
     criteria=(
-        measured("fastest ball after a full kick (mean)", "full top", unit="m/s", at_most=10.3),
         measured("more passes are had, of 100", got_more, "soft", "full", above=20.0),
-        reported("controlled passes had", "soft got", unit="%"),
+        measured("controlled passes had", "soft got", unit="%", above=50.0),
+        reported("fastest ball after a full kick (mean), which was put in", "full top", unit="m/s"),
         reported("full kicks had", "full got", unit="%"),
         reported("speed after a controlled kick", "soft top", unit="m/s"),
     ),
