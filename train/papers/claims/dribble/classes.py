@@ -17,7 +17,7 @@ from soccer_env.train.papers.claims.dribble.past import (
     RULES,
     Plan,
     outcome_share,
-    play_two_distances,
+    play_all,
 )
 from soccer_env.train.papers.dribble_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -45,9 +45,9 @@ OPPOSITE = len(CLASSES) - 1
 
 
 def dribble_past_classes(batch: Batch) -> Samples:
-    """Dribble in all classes; return means over each class's drills (M, classes), named as in `play_two_distances`."""
+    """Dribble in all classes; return means over each class's drills (M, classes), named as in `play_drill`."""
     plan: Plan = [(scene, {}, PAPER) for _, scenes in CLASSES for scene in scenes]
-    runs = play_two_distances(batch, plan, MATCHES)
+    runs = play_all(batch, plan, MATCHES)
     ends = np.cumsum([0] + [len(scenes) for _, scenes in CLASSES])
     return {
         name: np.stack([values[:, a:b].mean(axis=1) for a, b in zip(ends, ends[1:], strict=False)], axis=1)
@@ -55,19 +55,15 @@ def dribble_past_classes(batch: Batch) -> Samples:
     }
 
 
-def still_player_advantage(samples: Samples, name: str = "clean") -> float:
+def still_player_advantage(samples: Samples) -> float:
     """Return the clean share [%] with one still player minus the best clean share of the other classes."""
-    return outcome_share(samples, name, 0) - max(outcome_share(samples, name, i) for i in range(1, len(CLASSES)))
+    return outcome_share(samples, "clean", 0) - max(outcome_share(samples, "clean", i) for i in range(1, len(CLASSES)))
 
 
-def opposite_sides_disadvantage(samples: Samples, name: str = "clean") -> float:
+def opposite_sides_disadvantage(samples: Samples) -> float:
     """Return the smallest clean share [%] of the other classes minus the share with players on opposite sides."""
-    return min(outcome_share(samples, name, i) for i in range(OPPOSITE)) - outcome_share(samples, name, OPPOSITE)
-
-
-def mover_excess(samples: Samples, name: str) -> float:
-    """Return the share [%] of runs with the result `name` past one mover minus that past one still player."""
-    return outcome_share(samples, name, 1) - outcome_share(samples, name, 0)
+    others = min(outcome_share(samples, "clean", i) for i in range(OPPOSITE))
+    return others - outcome_share(samples, "clean", OPPOSITE)
 
 
 S64 = Claim(
@@ -85,12 +81,6 @@ S64 = Claim(
                    unit="%") for i, (name, _) in enumerate(CLASSES)),
         *(reported(f"past, touched or not, {name}", outcome_share, "past", i, unit="%")
           for i, (name, _) in enumerate(CLASSES)),
-        *(reported(f"from the middle: clean, {name}", outcome_share, "middle clean", i, unit="%")
-          for i, (name, _) in enumerate(CLASSES)),
-        reported("from the middle: one still player less the best other class", still_player_advantage, "middle clean",
-                 unit="%"),
-        reported("from the middle: the least other class less opposite sides", opposite_sides_disadvantage,
-                 "middle clean", unit="%"),
     ),
     measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
@@ -106,11 +96,10 @@ S43 = Claim(
     method="The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. \"About as well\" is "
     f"read as {AS_WELL:g} points more at most. {RULES}",
     criteria=(
-        measured("touched, one mover less one who stands", mover_excess, "touched", unit="pp", at_most=AS_WELL),
-        *(reported(f"{where}touched, {text}", outcome_share, f"{prefix}touched", i, unit="%")
-          for prefix, where in (("", ""), ("middle ", "from the middle: "))
+        measured("touched, one mover less one who stands", 
+                 lambda s: outcome_share(s, "touched", 1) - outcome_share(s, "touched", 0), unit="pp", at_most=AS_WELL),
+        *(reported(f"touched, {text}", outcome_share, "touched", i, unit="%")
           for i, text in ((0, "one still player"), (1, "one mover"))),
-        reported("from the middle: touched, mover less still", mover_excess, "middle touched", unit="pp"),
     ),
     measure=dribble_past_classes,
     ingredients=("the walker goes straight on and never gives way",),

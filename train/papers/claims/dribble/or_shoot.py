@@ -7,7 +7,7 @@ import numpy as np
 
 from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, start_drill
+from soccer_env.train.papers.dribble_runs import start_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 
@@ -20,7 +20,6 @@ BLOCKERS = {
     " alone": None,
 }  # suffix of the samples: team; None: no blockers
 MORE: dict[str, dict[str, Any]] = {
-    "dribble, distances from the middle": FROM_MIDDLE,
     "dribble, no shots": {"shoots": False},
     "dribble, choose_shots": {"choose_shots": True},
 }

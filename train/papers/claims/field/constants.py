@@ -9,7 +9,7 @@ import numpy as np
 from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.movers import SPEEDS, approaching_player
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, player_near_path, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -44,16 +44,15 @@ def vary_each_constant(batch: Batch) -> Samples:
             for value in TRIED[axis]:
                 play = {SETTINGS[axis]: value}
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
-                samples |= {f"{prefix}robots {kind} {axis} {value:g}": clean for prefix, clean in robots.items()}
+                samples[f"robots {kind} {axis} {value:g}"] = robots
     return samples
 
 
 def robots_succeed(
     batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int
-) -> dict[str, np.ndarray]:
-    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN; keys as in `run_two_distances`."""
-    both = run_two_distances(batch, start[:count], crowd[:count], **play)
-    return {prefix: pad_with_nan(runs.is_clean) for prefix, runs in both}
+) -> np.ndarray:
+    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN."""
+    return pad_with_nan(run_robots(batch, start[:count], crowd[:count], **play).is_clean)
 
 
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
@@ -117,12 +116,8 @@ S53 = Claim(
         ),
         *(
             reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
-            for who in ("points", "robots", "middle robots")
+            for who in ("points", "robots")
             for kind in KINDS
-        ),
-        *(
-            reported(f"robots, distances from the middle: {axis}", moving_over_standing_value, "middle robots", axis)
-            for axis in AXES
         ),
     ),
     measure=vary_each_constant,
@@ -143,13 +138,11 @@ def compare_tuned_constants(batch: Batch) -> Samples:
         for name, play in constants.items():
             runs = run_points(batch.rng(1), start, crowd, None, **play)
             samples[f"points {kind} {name}"] = is_clean(runs).astype(float)
-            robots = robots_succeed(batch, start, crowd, play, ROBOTS)
-            samples |= {f"{prefix}robots {kind} {name}": clean for prefix, clean in robots.items()}
+            samples[f"robots {kind} {name}"] = robots_succeed(batch, start, crowd, play, ROBOTS)
     gain, far = tune(start, {"standing": crowds["standing"]})
     short: dict[str, Any] = {"player_gain": gain, "player_range": far}
     samples["points standing short"] = is_clean(run_points(batch.rng(1), start, crowds["standing"], None, **short))
-    robots = robots_succeed(batch, start, crowds["standing"], short, FEW)
-    samples |= {f"{prefix}robots standing short": clean for prefix, clean in robots.items()}
+    samples["robots standing short"] = robots_succeed(batch, start, crowds["standing"], short, FEW)
     return samples | {"short gain": np.full(SCENES, gain), "short range": np.full(SCENES, far)}
 
 
@@ -166,9 +159,9 @@ def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float
     return chosen
 
 
-def success_drop(samples: Samples, name: str, who: str = "robots", kinds: Sequence[str] = KINDS) -> float:
+def success_drop(samples: Samples, name: str, kinds: Sequence[str] = KINDS) -> float:
     """Return the share of clean passes of points minus the share of robots [pp]."""
-    return clean_share(samples, "points", name, kinds) - clean_share(samples, who, name, kinds)
+    return clean_share(samples, "points", name, kinds) - clean_share(samples, "robots", name, kinds)
 
 
 def clean_share(samples: Samples, who: str, name: str, kinds: Sequence[str] = KINDS) -> float:
@@ -188,11 +181,6 @@ S65 = Claim(
         reported("the same with the paper's constants", success_drop, "paper", unit="pp"),
         reported("tuned past standing players alone: the same there",
                  partial(success_drop, name="short", kinds=KINDS[:1]), unit="pp"),
-        reported("distances from the middle: constants of the points", success_drop, "tuned", "middle robots",
-                 unit="pp"),
-        reported("distances from the middle: the paper's constants", success_drop, "paper", "middle robots", unit="pp"),
-        reported("distances from the middle: tuned past standing players alone", success_drop, "short", "middle robots",
-                 KINDS[:1], unit="pp"),
         reported("k2 tuned past standing players alone", "short gain", unit="m"),
         reported("x0 tuned past standing players alone", "short range", unit="m"),
         reported("k2 tuned with points", "gain", unit="m"),

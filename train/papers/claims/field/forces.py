@@ -21,7 +21,7 @@ from soccer_env.train.papers.claims.field.points import (
     run_points,
     starts,
 )
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -162,9 +162,9 @@ def compare_cosine_factor(batch: Batch) -> Samples:
         runs = run_points(rng, start, crowd, cosine_factor=cosine)
         samples[f"deviation {name}"], samples[f"length {name}"] = runs.deviation, runs.length
         samples[f"hit {name}"] = collided(runs).astype(float)
-        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine):
-            samples[f"{prefix}robots deviation {name}"] = pad_with_nan(robots.deviation)
-            samples[f"{prefix}robots clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine)
+        samples[f"robots deviation {name}"] = pad_with_nan(robots.deviation)
+        samples[f"robots clean {name}"] = pad_with_nan(robots.is_clean)
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 
@@ -203,8 +203,6 @@ S47 = Claim(
                  at_least=20.0),
         reported("robots: clean with the factor", "robots clean with", unit="%"),
         reported("robots: clean without", "robots clean without", unit="%"),
-        reported("robots, distances from the middle: deviation is less by", cosine_reduction, "middle robots deviation",
-                 unit="%"),
         reported("extra length of the path is less by",
                  lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),

@@ -9,7 +9,7 @@ from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, gap_with_third_player, side_change_share
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, draw_field, gap_ahead, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, pad_with_nan, run_robots, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, pad_with_nan, run_robots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -42,9 +42,9 @@ def compare_angle_limits(batch: Batch) -> Samples:
             name = f"{scene}, limit {limit}"
             samples[f"points {name}: stalls"] = (~runs.arrived).astype(float)
             samples[f"points {name}: retreats"] = (runs.retreats > 0).astype(float)
-            for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
-                samples[f"{prefix}robots {name}: stalls"] = pad_with_nan(~robots.arrived)
-                samples[f"{prefix}robots {name}: retreats"] = pad_with_nan(robots.retreat > BACK)
+            robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **play)
+            samples[f"robots {name}: stalls"] = pad_with_nan(~robots.arrived)
+            samples[f"robots {name}: retreats"] = pad_with_nan(robots.retreat > BACK)
     return samples
 
 
@@ -98,8 +98,6 @@ S54 = Claim(
             reported(f"robots with the limits, {scene}", trouble_share, "robots", "on", (scene,), unit="%")
             for scene in ("head-on", "gap")
         ),
-        reported("robots, distances from the middle: the same difference", trouble_without_limits, "middle robots",
-                 unit="pp"),
     ),
     measure=compare_angle_limits,
     seconds=9.0,
@@ -117,9 +115,9 @@ def count_side_changes(batch: Batch) -> Samples:
     for name, play in DECISIONS.items():
         runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
         samples[f"points {name}"] = runs.flips.astype(float)
-        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **play):
-            samples[f"{prefix}robots {name}"] = pad_with_nan(robots.flips)
-            samples[f"{prefix}clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **play)
+        samples[f"robots {name}"] = pad_with_nan(robots.flips)
+        samples[f"clean {name}"] = pad_with_nan(robots.is_clean)
     ideal = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], senses="ideal")
     return samples | {"robots that see all": pad_with_nan(ideal.flips)}
 
@@ -151,9 +149,6 @@ S68 = Claim(
         reported("robots that see all (ideal senses) (mean)", "robots that see all"),
         reported("robots that pass and touch nobody", "clean all rules", unit="%"),
         reported("the same of decisive ones", "clean decisive", unit="%"),
-        reported("robots, distances from the middle: runs with a change of side", side_change_share,
-                 "middle robots all rules", unit="%"),
-        reported("robots, distances from the middle: that pass and touch nobody", "middle clean all rules", unit="%"),
     ),
     measure=count_side_changes,
     seconds=7.0,

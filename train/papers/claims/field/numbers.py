@@ -15,7 +15,7 @@ from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
 from soccer_env.train.papers.staging import LEGGED, kick_off
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -123,9 +123,10 @@ def walls_with_robots(batch: Batch, **play: Any) -> Samples:
     """Return the samples of `walls_against_players`, and whether robots pass cleanly in the first scenes."""
     start, crowd = scenes_along_wall(batch.rng())
     robots = {
-        f"{prefix}robots {name}": pad_with_nan(runs.is_clean)
+        f"robots {name}": pad_with_nan(
+            run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play}).is_clean
+        )
         for name, walls in (("with", True), ("without", False))
-        for prefix, runs in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play})
     }
     return walls_against_players(batch, **play) | robots
 
@@ -166,8 +167,6 @@ S50 = Claim(
         reported("distance kept without", "clearance without", of=median, unit="cm"),
         reported("robots that pass and touch nobody, with it", "robots with", unit="%"),
         reported("robots that do so without", "robots without", unit="%"),
-        reported("distances from the middle: with it", "middle robots with", unit="%"),
-        reported("distances from the middle: without", "middle robots without", unit="%"),
     ),
     measure=walls_with_robots,
     seconds=4.0,

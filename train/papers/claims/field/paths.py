@@ -19,7 +19,7 @@ from soccer_env.train.papers.claims.field.points import (
     run_points,
     starts,
 )
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -135,9 +135,9 @@ def compare_gaps_with_robots(batch: Batch) -> Samples:
     start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
     samples = compare_gaps(batch)
     for name, keep in (("limit", False), ("rule", True)):
-        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep):
-            samples[f"{prefix}robots {name}"] = pad_with_nan(robots.flips)
-            samples[f"{prefix}clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep)
+        samples[f"robots {name}"] = pad_with_nan(robots.flips)
+        samples[f"clean {name}"] = pad_with_nan(robots.is_clean)
     return samples
 
 
@@ -248,8 +248,6 @@ S57 = Claim(
         reported("robots: changes with the rule (mean)", "robots rule"),
         reported("robots that pass and touch nobody, with the rule", "clean rule", unit="%"),
         reported("robots that do so without the rule", "clean limit", unit="%"),
-        reported("robots, distances from the middle: without over with", side_change_ratio, "middle robots "),
-        reported("robots, distances from the middle: clean with it", "middle clean rule", unit="%"),
     ),
     measure=compare_gaps_with_robots,
     seconds=6.0,

@@ -9,7 +9,7 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, stage_watchers
-from soccer_env.train.papers.dribble_runs import WAYS, play_drill
+from soccer_env.train.papers.dribble_runs import play_drill
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
 from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -69,21 +69,20 @@ def walk_off(batch: Batch) -> Samples:
 def walk_off_and_pass(batch: Batch) -> Samples:
     """Let movers walk off; let a robot dribble past a far mover with the forces' cut-off and without ("with clean").
 
-    Without the cut-off k2 is matched: a force is 1 at the same distance; "unmatched" keeps k2; "middle ..." counts
-    distances from middle to middle. NaN in scenes without a dribbler.
+    Without the cut-off k2 is matched: a force is 1 at the same distance; "unmatched" keeps k2. NaN in
+    scenes without a dribbler.
     """
     samples = walk_off(batch)
-    for prefix, way in WAYS.items():
-        for name, cut_off in CUT_OFFS.items():
-            runs = play_drill(batch, FAR_DRILL, {**cut_off, **way}, RUNS)
-            for key in ("clean", "past"):
-                samples[f"{prefix}{name} {key}"] = np.concatenate([runs[key], np.full(SCENES - RUNS, np.nan)])
+    for name, cut_off in CUT_OFFS.items():
+        runs = play_drill(batch, FAR_DRILL, cut_off, RUNS)
+        for key in ("clean", "past"):
+            samples[f"{name} {key}"] = np.concatenate([runs[key], np.full(SCENES - RUNS, np.nan)])
     return samples
 
 
-def cut_off_gain(samples: Samples, name: str, way: str = "", other: str = "without") -> float:
+def cut_off_gain(samples: Samples, name: str, other: str = "without") -> float:
     """Return the gain [pp] that the cut-off brings in the share `name` of the runs past a far mover."""
-    return 100.0 * (mean(samples[f"{way}with {name}"]) - mean(samples[f"{way}{other} {name}"]))
+    return 100.0 * (mean(samples[f"with {name}"]) - mean(samples[f"{other} {name}"]))
 
 
 def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
@@ -150,11 +149,7 @@ S70 = Claim(
         reported("past a far mover without a touch, with the cut-off", "with clean", unit="%"),
         reported("past a far mover untouched, with the cut-off less without", cut_off_gain, "clean", unit="pp"),
         reported("past it, touched or not, with the cut-off less without", cut_off_gain, "past", unit="pp"),
-        reported("untouched, less with the same k2 and no cut-off", cut_off_gain, "clean", "", "unmatched", unit="pp"),
-        reported("distances from the middle: untouched, with the cut-off", "middle with clean", unit="%"),
-        reported("distances from the middle: with less without", cut_off_gain, "clean", "middle ", unit="pp"),
-        reported("distances from the middle: less with the same k2", cut_off_gain, "clean", "middle ", "unmatched",
-                 unit="pp"),
+        reported("untouched, less with the same k2 and no cut-off", cut_off_gain, "clean", "unmatched", unit="pp"),
     ),
     measure=walk_off_and_pass,
     seconds=6.0,
