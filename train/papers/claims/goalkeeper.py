@@ -118,42 +118,31 @@ SHOT_SCENE = (
 )
 
 S67 = Claim(
-    id="S67",
-    section="3.2, 5",
+    id="S67", section="3.2, 5",
     statement="The ball's angular velocity helps the goalkeeper to decide how to block.",
     method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
     "within their reach, in time. Share of the same shots saved, with angular_keeper on and off.",
     criteria=(
-        measured("saved with the angular velocity less saved without",
-                 saved_more, "on", "off", unit="%", above=0.0),
+        measured("saved with the angular velocity less saved without", saved_more, "on", "off", unit="%", above=0.0),
         reported("saved with the angular velocity", "on", of=saved, unit="%"),
         reported("saved by the bearing alone", "off", of=saved, unit="%"),
-        reported("far off the line: with less without", saved_more, "far on", "far off",
-                 unit="%"),
+        reported("far off the line: with less without", saved_more, "far on", "far off", unit="%"),
         reported("far off the line: by the bearing alone", "far off", of=saved, unit="%"),
-        reported("far off, ideal senses: with less without",
-                 saved_more, "ideal on", "ideal off", unit="%"),
-        reported("no block: with less without", saved_more, "step on", "step off",
-                 unit="%"),
+        reported("far off, ideal senses: with less without", saved_more, "ideal on", "ideal off", unit="%"),
+        reported("no block: with less without", saved_more, "step on", "step off", unit="%"),
         reported("no block: with the angular velocity", "step on", of=saved, unit="%"),
         reported("no block: by the bearing alone", "step off", of=saved, unit="%"),
         reported("no block: guarding the line, no reaction", "step guards", of=saved, unit="%"),
     ),
-    measure=compare_angular_velocity,
-    figures=angular_figure,
-    ingredients=(
-        "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
-        "when to block: goalkeeper.will_block, ours, for the paper does not say how its goalkeeper decides",
-        "drive.sideways and drive.delay: 8 cm/s after 0.1 s",
-    ),
+    measure=compare_angular_velocity, figures=angular_figure, least=4, batches=20, seconds=3.0,
+    ingredients=("the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
+                 "when to block: goalkeeper.will_block, ours, for the paper does not say how its goalkeeper decides",
+                 "drive.sideways and drive.delay: 8 cm/s after 0.1 s"),
     note="With its legs spread a goalkeeper reaches 23 cm to either side and covers 46 of the goal's 60 cm: where it "
     "stands about right nearly all shots come within reach, and there is nothing to decide. In matches it stands "
-    "within 13 cm of the line at 9 shots in 10. Beside it, therefore, the same from "
-    f"{100 * FAR[0]:.0f} to {100 * FAR[1]:.0f} cm off the line. The block is the same to both sides: a motion to one "
-    "side, which has to know the side, has no reach that a source gives.",
-    seconds=3.0,
-    least=4,
-    batches=20,
+    f"within 13 cm of the line at 9 shots in 10. Beside it, therefore, the same from {100 * FAR[0]:.0f} to "
+    f"{100 * FAR[1]:.0f} cm off the line. The block is the same to both sides: a motion to one side, which has to know "
+    "the side, has no reach that a source gives.",
 )  # fmt: skip
 
 # Reactions by the ball's speed, at two resolutions
@@ -184,8 +173,7 @@ def layer_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S71 = Claim(
-    id="S71",
-    section="5",
+    id="S71", section="5",
     statement="A better camera would allow goalkeeper reactions by the ball's speed.",
     method=f"{SHOT_SCENE} It can spread its forelegs ({BLOCKING}). With keeper_speed, a setting of sacks-2001-future, "
     "it does so by the time in which the ball will arrive, and steps aside faster for a fast ball; without, all balls "
@@ -198,14 +186,8 @@ S71 = Claim(
         reported("saved at 88x72, one reaction", "off 88x72", of=saved, unit="%"),
         reported("saved at 176x144, one reaction", "off 176x144", of=saved, unit="%"),
     ),
-    measure=compare_resolutions,
-    figures=layer_figure,
-    ingredients=(
-        "what keeper_speed does: assumed, for the paper leaves it to the future",
-        "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
-        "drive.sideways: 8 cm/s",
-    ),
-    seconds=2.0,
-    least=4,
-    batches=30,
+    measure=compare_resolutions, figures=layer_figure, least=4, batches=30, seconds=2.0,
+    ingredients=("what keeper_speed does: assumed, for the paper leaves it to the future",
+                 "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
+                 "drive.sideways: 8 cm/s"),
 )  # fmt: skip

@@ -62,8 +62,7 @@ def layer_figures(samples: Samples) -> Sequence[Figure]:
 
 
 S66 = Claim(
-    id="S66",
-    section="5",
+    id="S66", section="5",
     statement="The high resolution camera would steady the ball's distance, and so its velocity.",
     method=f"{MATCHES} robots a batch stare at a still ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm away for "
     f"{SECONDS:g} s with each layer of the camera; deviation of the latest range from each run's mean, and of the "
@@ -72,8 +71,8 @@ S66 = Claim(
     criteria=(
         measured("deviation of the range at 176x144 over that at 88x72", ratio, "range 176x144", "range 88x72", rms,
                  at_least=0.4, at_most=0.6),
-        measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms,
-                 at_least=0.4, at_most=0.6),
+        measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms, at_least=0.4,
+                 at_most=0.6),
         reported("range, ranger included", ratio, "range 176x144 rules", "range 88x72 rules", rms),
         reported("velocity, ranger included", ratio, "velocity 176x144 rules", "velocity 88x72 rules", rms),
         reported("range at 88x72", "range 88x72", of=rms, unit="cm"),
@@ -81,12 +80,9 @@ S66 = Claim(
         reported("velocity at 88x72", "velocity 88x72", of=rms, unit="cm/s"),
         reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
     ),
-    measure=compare_layers,
-    seconds=1.5,
-    batches=32,
+    measure=compare_layers, figures=layer_figures, batches=32, seconds=1.5,
     without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",
                      partial(compare_layers, dither=2.0 * find_league(LEGGED).sensors.dither)),
-    figures=layer_figures,
     ingredients=("sensors.dither", "pixels of half the size"),
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
     "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",

@@ -154,8 +154,7 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S19 = Claim(
-    id="S19",
-    section="3.2",
+    id="S19", section="3.2",
     statement="A velocity over 1.5 s without sight is likely to be wrong.",
     method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "
     f"{100 * ROOM:.0f} cm while they walk to it and back, {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from it; now "
@@ -173,12 +172,9 @@ S19 = Claim(
         reported("in play, without the rule: the first ratio", long_gap_error_ratio, "play off"),
         reported("in play, with the rule: the second ratio", long_gap_error_ratio, "play on"),
     ),
-    measure=compare_velocity_gate,
-    figures=gap_figure,
+    measure=compare_velocity_gate, figures=gap_figure, batches=24, seconds=1.5,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
     note="In play it is the other way round: a ball that creeps makes a velocity over a long gap better than one over "
     "1/3 s, whose error the sensors make; and the first reading after the ball was found again is bad with the rule "
     "too. Neither cause was tested.",
-    seconds=1.5,
-    batches=24,
 )  # fmt: skip

@@ -158,8 +158,7 @@ def readings_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S18 = Claim(
-    id="S18",
-    section="3.2",
+    id="S18", section="3.2",
     statement="Velocities read more often than every 1/3 s show sensor errors more than movement.",
     method=f"{MATCHES} robots a batch walk at {100 * TOP_SPEED:.0f} cm/s to a still ball 90 to 40 cm from the camera, "
     "and as many stand so far from one; error of the believed radial velocity (filtered positions) for four intervals "
@@ -177,17 +176,14 @@ S18 = Claim(
                  lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
-    measure=sweep_intervals,
-    figures=interval_figure,
+    measure=sweep_intervals, figures=interval_figure, seconds=3.0,
     ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
-    note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
-    "a part of their error.",
-    seconds=3.0,
+    note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them a "
+    "part of their error.",
 )  # fmt: skip
 
 S20 = Claim(
-    id="S20",
-    section="3.3",
+    id="S20", section="3.3",
     statement="Readings 1/3 s apart that differ by 5 cm exceed the top speed of 12 cm/s.",
     method=f"Arithmetic; and {MATCHES} robots a batch that walk to the ball, as many that are stuck, both with the "
     f"ball {100 * (PLACE - AROUND):.0f} to {100 * (PLACE + AROUND):.0f} cm from the camera: a single reading is wrong "
@@ -196,29 +192,24 @@ S20 = Claim(
         exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
         counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
     ),
-    measure=count_misjudged_readings,
-    without=Ablation(
-        "sensors.dither = 0: blobs without flicker", lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})
-    ),
+    measure=count_misjudged_readings, batches=32, seconds=0.8,
+    without=Ablation("sensors.dither = 0: blobs without flicker",
+                     lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
-    seconds=0.8,
-    batches=32,
-)
+)  # fmt: skip
 
 S21 = Claim(
-    id="S21",
-    section="3.3",
+    id="S21", section="3.3",
     statement="Averaged over several readings the velocity tells accurately enough whether a robot is stuck.",
     method=f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "
     f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
     "against half the top speed.",
-    criteria=(counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),),
-    measure=mean_readings,
-    figures=readings_figure,
+    criteria=(
+        counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),
+    ),
+    measure=mean_readings, figures=readings_figure, batches=32, seconds=0.7,
     ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),
-    seconds=0.7,
-    batches=32,
-)
+)  # fmt: skip
 
 
 def compare_bearings(batch: Batch) -> Samples:
@@ -245,19 +236,16 @@ def compare_bearings(batch: Batch) -> Samples:
 
 
 S73 = Claim(
-    id="S73",
-    section="3.2, footnote 4",
+    id="S73", section="3.2, footnote 4",
     statement="Unfiltered data gives a more current angular velocity than filtered data.",
-    method=f"{MATCHES} robots a batch stare at a ball that rolls past at {100 * ACROSS[0]:.0f} to {100 * ACROSS[1]:.0f} "
-    "cm/s, about 80 cm away: difference of bearings over 1/3 s against the present rate. The filter's delay follows from "
-    "its length, so nothing is judged.",
+    method=f"{MATCHES} robots a batch stare at a ball that rolls past at {100 * ACROSS[0]:.0f} to "
+    f"{100 * ACROSS[1]:.0f} cm/s, about 80 cm away: difference of bearings over 1/3 s against the present rate. The "
+    "filter's delay follows from its length, so nothing is judged.",
     criteria=(
         reported("error, raw bearings", "raw", of=rms, unit="deg/s"),
         reported("error, filtered bearings", "filtered", of=rms, unit="deg/s"),
         reported("error of true bearings: the delay of 1/3 s alone", "true", of=rms, unit="deg/s"),
     ),
-    measure=compare_bearings,
-    batches=2,
-    seconds=1.0,
+    measure=compare_bearings, batches=2, seconds=1.0,
     ingredients=("memory.filter_length",),
 )  # fmt: skip

@@ -67,8 +67,7 @@ def opposite_sides_disadvantage(samples: Samples) -> float:
 
 
 S64 = Claim(
-    id="S64",
-    section="4.3.4",
+    id="S64", section="4.3.4",
     statement="A mover and stationary players are mostly avoided well, but not one on each side.",
     method=f"{MATCHES} runs a batch in each drill of four classes: {', '.join(name for name, _ in CLASSES)}; movers at "
     f"6 cm/s. {RULES}",
@@ -82,28 +81,23 @@ S64 = Claim(
         *(reported(f"past, touched or not, {name}", outcome_share, "past", i, unit="%")
           for i, (name, _) in enumerate(CLASSES)),
     ),
-    measure=dribble_past_classes,
+    measure=dribble_past_classes, batches=6, seconds=8.0,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
     note=BODIES,
-    seconds=8.0,
-    batches=6,
 )  # fmt: skip
 
 S43 = Claim(
-    id="S43",
-    section="4.2",
+    id="S43", section="4.2",
     statement="The potential field handles moving obstacles about as well as stationary ones.",
-    method="The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. \"About as well\" is "
-    f"read as {AS_WELL:g} points more at most. {RULES}",
+    method="The runs of S64: share that touch somebody, one mover at 6 cm/s against one who stands. \"About as well\" "
+    f"is read as {AS_WELL:g} points more at most. {RULES}",
     criteria=(
-        measured("touched, one mover less one who stands", 
+        measured("touched, one mover less one who stands",
                  lambda s: outcome_share(s, "touched", 1) - outcome_share(s, "touched", 0), unit="pp", at_most=AS_WELL),
         *(reported(f"touched, {text}", outcome_share, "touched", i, unit="%")
           for i, text in ((0, "one still player"), (1, "one mover"))),
     ),
-    measure=dribble_past_classes,
+    measure=dribble_past_classes, batches=6, seconds=8.0,
     ingredients=("the walker goes straight on and never gives way",),
     note="The field has positions alone, no velocities.",
-    seconds=8.0,
-    batches=6,
 )  # fmt: skip

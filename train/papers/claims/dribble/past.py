@@ -76,8 +76,7 @@ def still_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S62 = Claim(
-    id="S62",
-    section="4.3.4",
+    id="S62", section="4.3.4",
     statement="A dribbling robot consistently avoids stationary players.",
     method=f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
     criteria=(
@@ -93,16 +92,12 @@ S62 = Claim(
         reported("one, twice k2: clean", "clean strong", unit="%"),
         reported("one who stands 90 to 150 cm off at the start: clean", "clean afar", unit="%"),
     ),
-    measure=dribble_past_still,
-    figures=still_figure,
+    measure=dribble_past_still, figures=still_figure, least=3, batches=8, seconds=8.0,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
-    note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
-    "surface, where he pushes half as much again as the goal pulls before he has been seen. With "
-    "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once "
-    "by 45 degrees, and the ball slips.",
-    least=3,  # for a narrow interval past one player too
-    seconds=8.0,
-    batches=8,
+    note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to surface, "
+    "where he pushes half as much again as the goal pulls before he has been seen. With ideal senses, or begun farther "
+    "off, nearly all runs past one player are clean; else the robot turns off at once by 45 degrees, and the ball "
+    "slips.",
 )  # fmt: skip
 
 # A moving player
@@ -138,8 +133,7 @@ def mover_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S63 = Claim(
-    id="S63",
-    section="4.3.4",
+    id="S63", section="4.3.4",
     statement="One moving player is avoided well too, near or far at the start, even head-on.",
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
@@ -153,13 +147,10 @@ S63 = Claim(
                  speed_columns(0.03, 0.06), unit="%"),
         reported("past with the ball, touched or not, all speeds", outcome_share, "past", unit="%"),
     ),
-    measure=dribble_past_mover,
-    figures=mover_figure,
+    measure=dribble_past_mover, figures=mover_figure, batches=8, seconds=6.0,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
-    note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the "
-    "paper's movers were slower, or stopped, is a guess.",
-    seconds=6.0,
-    batches=8,
+    note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the paper's "
+    "movers were slower, or stopped, is a guess.",
 )  # fmt: skip
 
 # How often to decide
@@ -194,25 +185,20 @@ def replan_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S52 = Claim(
-    id="S52",
-    section="4.3.2",
+    id="S52", section="4.3.2",
     statement="Half a second between recalculations suits steps that take half a second.",
     method=f"{FEWER} runs a batch past two still players and past a mover, with decisions every "
     f"{', '.join(f'{time:g}' for time in REPLANS)} s; a curve of degree {DEGREE} in the logarithm of the time is "
     f"fitted to the clean share. {RULES}",
     criteria=(
         measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points",
-                 lambda s: fitted_clean_share(s, 0.125, 0.25) - fitted_clean_share(s, 0.5), unit="%",
-                 at_most=5.0),
-        measured("curve at 0.5 s less at 1 s", lambda s: fitted_clean_share(s, 0.5) - fitted_clean_share(s, 1.0), unit="%", above=0.0),
-        *(reported(f"clean at {time:g} s", outcome_share, "clean", REPLANS.index(time), unit="%")
-          for time in REPLANS),
+                 lambda s: fitted_clean_share(s, 0.125, 0.25) - fitted_clean_share(s, 0.5), unit="%", at_most=5.0),
+        measured("curve at 0.5 s less at 1 s", lambda s: fitted_clean_share(s, 0.5) - fitted_clean_share(s, 1.0),
+                 unit="%", above=0.0),
+        *(reported(f"clean at {time:g} s", outcome_share, "clean", REPLANS.index(time), unit="%") for time in REPLANS),
     ),
-    measure=compare_decision_times,
-    figures=replan_figure,
+    measure=compare_decision_times, figures=replan_figure, batches=7, seconds=8.0,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),
-    note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "
-    "A second is only two steps, 7 cm.",
-    seconds=8.0,
-    batches=7,
+    note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. A "
+    "second is only two steps, 7 cm.",
 )  # fmt: skip

@@ -75,12 +75,11 @@ def minimum_figures(samples: Samples) -> Sequence[Figure]:
 
 
 S54 = Claim(
-    id="S54",
-    section="4.3.3",
+    id="S54", section="4.3.3",
     statement="An obstacle right between robot and goal sometimes pushes it back: a local minimum.",
-    method=f"{SCENES} points and {ROBOTS} robots a batch before a player within {100 * STRAIGHT:.0f} cm of their "
-    f"way, and as many before a square gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm, without the limits of 70 "
-    "and 45 degrees and with them. A run retreats if a step of a point leads away from the goal, or if a robot is "
+    method=f"{SCENES} points and {ROBOTS} robots a batch before a player within {100 * STRAIGHT:.0f} cm of their way, "
+    f"and as many before a square gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm, without the limits of 70 and 45 "
+    "degrees and with them. A run retreats if a step of a point leads away from the goal, or if a robot is "
     f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
     f"{SECONDS:.0f} s (robots).",
     criteria=(
@@ -89,22 +88,14 @@ S54 = Claim(
         measured("robots that do so: without limits less with them", trouble_without_limits, "robots", unit="pp",
                  above=SOMETIMES),
         reported("points with the limits", trouble_share, "points", "on", unit="%"),
-        *(
-            reported(f"{who} without limits, {scene}", trouble_share, who, "off", (scene,), unit="%")
-            for who in ("points", "robots")
-            for scene in ("head-on", "gap")
-        ),
-        *(
-            reported(f"robots with the limits, {scene}", trouble_share, "robots", "on", (scene,), unit="%")
-            for scene in ("head-on", "gap")
-        ),
+        *(reported(f"{who} without limits, {scene}", trouble_share, who, "off", (scene,), unit="%")
+          for who in ("points", "robots") for scene in ("head-on", "gap")),
+        *(reported(f"robots with the limits, {scene}", trouble_share, "robots", "on", (scene,), unit="%")
+          for scene in ("head-on", "gap")),
     ),
-    measure=compare_angle_limits,
-    seconds=9.0,
-    batches=6,
-    figures=minimum_figures,
-    note="Robots that lose the ball, or touch a player, stall or go back as well: that is what they do with "
-    "the limits.",
+    measure=compare_angle_limits, figures=minimum_figures, batches=6, seconds=9.0,
+    note="Robots that lose the ball, or touch a player, stall or go back as well: that is what they do with the "
+    "limits.",
 )  # fmt: skip
 
 
@@ -133,8 +124,7 @@ def side_changes_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S68 = Claim(
-    id="S68",
-    section="5",
+    id="S68", section="5",
     statement="The problem of local minima is not solved: the robots' indecision remains.",
     method=f"{SCENES} points (range error {100 * NOISE:.0f} %) and {ROBOTS} robots with their sensors a batch before a "
     f"gap of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near it, all of the paper's "
@@ -150,10 +140,7 @@ S68 = Claim(
         reported("robots that pass and touch nobody", "clean all rules", unit="%"),
         reported("the same of decisive ones", "clean decisive", unit="%"),
     ),
-    measure=count_side_changes,
-    seconds=7.0,
-    batches=6,
-    figures=side_changes_figure,
+    measure=count_side_changes, figures=side_changes_figure, batches=6, seconds=7.0,
     note="Most changes of robots come from what they see: with ideal senses there are few. Decisive points "
     "(sacks-2001-future), who leave a side only when the other has clearly become better, hardly ever change sides; "
     "decisive robots do as often as the others.",

@@ -91,8 +91,7 @@ def collision_figures(samples: Samples) -> Sequence[Figure]:
 
 
 S58 = Claim(
-    id="S58",
-    section="4.3.3",
+    id="S58", section="4.3.3",
     statement="Keeping the direction more often made the reaction to moving obstacles too slow.",
     method=f"{SCENES} points a batch and class of scenes, facing the goal, meet a player at {100 * SPEEDS[0]:.0f} to "
     f"{100 * SPEEDS[1]:.0f} cm/s: one that comes straight for them, or one that comes from one side while another "
@@ -103,18 +102,12 @@ S58 = Claim(
         measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
                  unit="pp", above=0.0),
         *(reported(f"collisions at {n} decisions", collision_share, "patience", n, unit="%") for n in PATIENCE),
-        *(
-            reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
-            for key, title in MOVERS.items()
-        ),
+        *(reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
+          for key, title in MOVERS.items()),
         reported("side kept beyond 0 degrees less beyond 135", collision_increase, "keep_side_angle", ANGLES,
                  unit="pp"),
     ),
-    rules=NO_MATCH,
-    measure=collide_with_movers,
-    seconds=1.5,
-    batches=16,
-    figures=collision_figures,
+    rules=NO_MATCH, measure=collide_with_movers, figures=collision_figures, batches=16, seconds=1.5,
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
 )  # fmt: skip

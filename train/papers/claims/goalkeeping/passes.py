@@ -93,8 +93,7 @@ def received_share_figure(samples: Samples) -> Sequence[Figure]:
 
 
 H24 = Claim(
-    id="H24",
-    section="1",
+    id="H24", section="1",
     statement="A pass receiver uses the ball's velocity to intercept it.",
     method=f"{BALL_TEXT}; with the ball's velocity, and with none in its belief (filter=none), all else the same.",
     criteria=(
@@ -105,15 +104,11 @@ H24 = Claim(
         reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
         reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     ),
-    measure=lambda batch: (
-        prefix_names("with", receive(batch, {}))
-        | prefix_names("without", receive(batch, {}, memory={"filter": "none"}))
-        | prefix_names("follows", receive(batch, {"intercepts": False}))
-    ),
-    seconds=5.0,
-    batches=6,
-    figures=received_share_figure,
-)
+    measure=lambda batch: (prefix_names("with", receive(batch, {}))
+                           | prefix_names("without", receive(batch, {}, memory={"filter": "none"}))
+                           | prefix_names("follows", receive(batch, {"intercepts": False}))),
+    figures=received_share_figure, batches=6, seconds=5.0,
+)  # fmt: skip
 
 
 def compare_bases(batch: Batch) -> Samples:
@@ -126,25 +121,21 @@ def compare_bases(batch: Batch) -> Samples:
 
 
 H01 = Claim(
-    id="H01",
-    section="1, 2",
+    id="H01", section="1, 2",
     statement="Omnidirectional robots of 2.6 m/s replaced Pioneers of 1.6 m/s to stay competitive.",
     method=f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
     criteria=(
         measured("more balls are had, of 100", got_more, "fast", "old", above=5.0),
-        measured(
-            "fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]), above=5.0
-        ),
+        measured("fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]),
+                 above=5.0),
         reported("balls had, fast base", "fast got", unit="%"),
         reported("balls had, old base", "old got", unit="%"),
         reported("goals, fast base", "fast goal", unit="%"),
         reported("goals, old base", "old goal", unit="%"),
     ),
-    measure=compare_bases,
-    seconds=9.0,
-    batches=4,
+    measure=compare_bases, batches=4, seconds=9.0,
     note="The old base turns in place and cannot step aside: both differ, as they did.",
-)
+)  # fmt: skip
 
 FAR = (2.5, 4.5)  # [m] of a pass
 
@@ -172,8 +163,7 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
 
 
 H03 = Claim(
-    id="H03",
-    section="2",
+    id="H03", section="2",
     statement="The kicker reaches 10 m/s, and its strength can be controlled for passes.",
     method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
@@ -184,13 +174,11 @@ H03 = Claim(
         reported("full kicks had", "full got", unit="%"),
         reported("speed after a controlled kick", "soft top", unit="m/s"),
     ),
-    measure=lambda batch: (
-        prefix_names("soft", kick_passes(batch, True)) | prefix_names("full", kick_passes(batch, False))
-    ),
-    seconds=5.0,
-    batches=4,
+    measure=lambda batch: (prefix_names("soft", kick_passes(batch, True))
+                           | prefix_names("full", kick_passes(batch, False))),
+    batches=4, seconds=5.0,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),
-)
+)  # fmt: skip
 
 # The length of a decision cycle
 
@@ -222,11 +210,10 @@ def cycle_figure(samples: Samples) -> Sequence[Figure]:
 
 
 H28 = Claim(
-    id="H28",
-    section="2",
+    id="H28", section="2",
     statement="A cycle of 20 ms makes the robot extremely reactive.",
-    method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay "
-    "as they are.",
+    method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay as they "
+    "are.",
     criteria=(
         measured("more saves at 20 than at 100 ms, of 100", share_gain, "saved", 0.1, 0.02, above=0.0),
         measured("more balls had at 20 than at 100 ms, of 100", share_gain, "had", 0.1, 0.02, above=0.0),
@@ -236,9 +223,6 @@ H28 = Claim(
         reported("saves at 20 ms", "saved 0.02", unit="%"),
         reported("balls had at 20 ms", "had 0.02", unit="%"),
     ),
-    measure=compare_cycles,
-    seconds=12.0,
-    batches=4,
-    figures=cycle_figure,
+    measure=compare_cycles, figures=cycle_figure, batches=4, seconds=12.0,
     ingredients=("camera and delay stay at 50 Hz and 0.1 s: only decisions are rarer",),
-)
+)  # fmt: skip

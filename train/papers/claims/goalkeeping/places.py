@@ -76,8 +76,7 @@ def open_angle_gains(samples: Samples) -> np.ndarray:
 
 
 H17 = Claim(
-    id="H17",
-    section="4",
+    id="H17", section="4",
     statement="On the line d through the ball and the goal's middle a goalkeeper minimises the open angles.",
     method=f"{SCENES} still balls a batch, {BALLS[0]:g} to {BALLS[1]:g} m from the goal and up to {ANGLES[1]:g} rad "
     "off its middle: the angle beside the passive keeper, and beside one 10 to 50 cm off along its half circle.",
@@ -90,10 +89,7 @@ H17 = Claim(
         reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
                  unit="deg"),
     ),
-    rules=NO_MATCH,
-    measure=compare_open_angles,
-    seconds=0.2,
-    batches=4,
+    rules=NO_MATCH, measure=compare_open_angles, batches=4, seconds=0.2,
     ingredients=("the keeper as a disc of its body's radius",),
 )  # fmt: skip
 
@@ -126,8 +122,7 @@ def interception_distances(batch: Batch, along_line: bool = False) -> Samples:
 
 
 H21 = Claim(
-    id="H21",
-    section="4",
+    id="H21", section="4",
     statement="Moving perpendicular into the predicted trajectory is a very short way.",
     method=f"{SCENES} shots a batch from 3 to 5 m at passive keepers: way to the foot of the perpendicular, and to "
     "where the trajectory crosses the keeper's line.",
@@ -138,13 +133,8 @@ H21 = Claim(
         reported("perpendicular way (mean)", "perpendicular", unit="cm"),
         reported("way to the crossing (mean)", "crossing", unit="cm"),
     ),
-    rules=NO_MATCH,
-    measure=interception_distances,
-    without=Ablation(
-        "the perpendicular: here the keeper moves along its line to where the ball will cross it",
-        partial(interception_distances, along_line=True)
-    ),
-    seconds=0.2,
-    batches=4,
+    rules=NO_MATCH, measure=interception_distances, batches=4, seconds=0.2,
+    without=Ablation("the perpendicular: here the keeper moves along its line to where the ball will cross it",
+                     partial(interception_distances, along_line=True)),
     note="That the perpendicular is the shortest way to a line is geometry.",
 )  # fmt: skip

@@ -110,8 +110,7 @@ def by_radius(text: str, value: Any, *arguments: Any, unit: str = "%") -> tuple[
 
 
 H18 = Claim(
-    id="H18",
-    section="4",
+    id="H18", section="4",
     statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     method=f"{STANCE_TEXT}.",
     criteria=(
@@ -120,18 +119,13 @@ H18 = Claim(
         *by_radius("goals", conceded_share, "{} passive"),
         reported("at the nearer post", "near passive", unit="%"),
     ),
-    measure=compare_stances,
-    condition="on the goal line",
-    seconds=8.0,
-    batches=4,
-    figures=stance_figures,
+    measure=compare_stances, condition="on the goal line", figures=stance_figures, batches=4, seconds=8.0,
     ingredients=INGREDIENTS,
     note=f"{NOTE} A kicked ball slides first and rolls on at 0.6 of its speed; shots in the paper's words are not.",
-)
+)  # fmt: skip
 
 H19 = Claim(
-    id="H19",
-    section="4",
+    id="H19", section="4",
     statement="Even with its delay the active goalkeeper has a high chance to intercept the ball.",
     method=f"{STANCE_TEXT}.",
     criteria=(
@@ -143,18 +137,14 @@ H19 = Claim(
         *by_radius("saved with the Kalman filter", saved_share, "{} kalman"),
         reported("at the nearer post", saved_share, "near active", unit="%"),
     ),
-    measure=compare_stances,
-    condition="on the goal line, with a fit over five frames",
-    seconds=8.0,
-    batches=8,
-    figures=stance_figures,
+    measure=compare_stances, condition="on the goal line, with a fit over five frames", figures=stance_figures,
+    batches=8, seconds=8.0,
     ingredients=INGREDIENTS,
     note=NOTE,
 )  # fmt: skip
 
 H20 = Claim(
-    id="H20",
-    section="4",
+    id="H20", section="4",
     statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
     method=f"{STANCE_TEXT}.",
     criteria=(
@@ -165,18 +155,14 @@ H20 = Claim(
         reported("goals, active", "line active", unit="%"),
         reported("goals, passive", "line passive", unit="%"),
     ),
-    measure=compare_stances,
-    condition="on the goal line, with a fit over five frames",
-    seconds=8.0,
-    batches=6,
-    figures=stance_figures,
+    measure=compare_stances, condition="on the goal line, with a fit over five frames", figures=stance_figures,
+    batches=6, seconds=8.0,
     ingredients=INGREDIENTS,
     note=NOTE,
-)
+)  # fmt: skip
 
 H23 = Claim(
-    id="H23",
-    section="4",
+    id="H23", section="4",
     statement="The passive goalkeeper is too static until the ball is passing it.",
     method=f"{STANCE_TEXT}; how far the keeper has moved when the ball is past it, saved or in.",
     criteria=(
@@ -185,18 +171,13 @@ H23 = Claim(
         reported("passive keeper's way", "line passive way", unit="cm"),
         reported("active keeper's way", "line active way", unit="cm"),
     ),
-    measure=compare_stances,
-    condition="on the goal line",
-    seconds=8.0,
-    batches=6,
-    figures=stance_figures,
+    measure=compare_stances, condition="on the goal line", figures=stance_figures, batches=6, seconds=8.0,
     ingredients=INGREDIENTS,
     note=NOTE,
-)
+)  # fmt: skip
 
 H30 = Claim(
-    id="H30",
-    section="4",
+    id="H30", section="4",
     statement="Many goalkeepers have a fairly good defensive behaviour on the goal line or a half circle.",
     method=f'{STANCE_TEXT}; passive keepers\' saves. The paper gives no measure of "fairly good".',
     criteria=(
@@ -204,12 +185,9 @@ H30 = Claim(
         reported("saved at the farther post, goal line", saved_share, "line passive", unit="%"),
         *by_radius("saved at the farther post", saved_share, "{} passive"),
     ),
-    measure=compare_stances,
-    seconds=8.0,
-    batches=2,
-    figures=stance_figures,
+    measure=compare_stances, figures=stance_figures, batches=2, seconds=8.0,
     ingredients=INGREDIENTS,
-)
+)  # fmt: skip
 
 NOISES = {"own": 0.7, "tenfold": 7.0, "thirtyfold": 21.0}  # [px] sd of a blob's place in the image
 FITS: dict[str, dict[str, Any]] = {"kalman": {}, "fit": FIT}
@@ -246,11 +224,10 @@ def prevented_goals_figure(samples: Samples) -> Sequence[Figure]:
 
 
 H22 = Claim(
-    id="H22",
-    section="4",
+    id="H22", section="4",
     statement="The active goalkeeper needs the ball's velocity from good tracking.",
-    method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of "
-    "0.7 px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
+    method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of 0.7 "
+    "px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
     criteria=(
         measured("goals spared at the sensor's own noise", prevented_goals, "fit", "own", unit="%", above=10.0),
         measured("goals spared at 30 times the noise, fit over five frames", prevented_goals, "fit", "thirtyfold",
@@ -260,10 +237,7 @@ H22 = Claim(
         reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
         reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
     ),
-    measure=compare_camera_noise,
-    condition="with a fit over five frames",
+    measure=compare_camera_noise, condition="with a fit over five frames", figures=prevented_goals_figure, batches=5,
     seconds=10.5,
-    batches=5,
-    figures=prevented_goals_figure,
     ingredients=INGREDIENTS,
 )  # fmt: skip

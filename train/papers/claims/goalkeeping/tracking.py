@@ -75,12 +75,11 @@ def watch_velocities(batch: Batch) -> Samples:
 
 
 H29 = Claim(
-    id="H29",
-    section="1",
+    id="H29", section="1",
     statement="Robust tracking gives an accurate model of the environment, with the velocities of the objects.",
-    method=f"{MATCHES} matches a batch of 5 v 5 against the chaser, {SECONDS:g} s each, by sensors and particles: error "
-    f"of the believed velocity of ball and opponents that move at {MOVES:g} m/s and more and were seen within {SEEN:g} "
-    "s, over their speed (median). \"Accurate\" is read as a third; the paper gives no number.",
+    method=f"{MATCHES} matches a batch of 5 v 5 against the chaser, {SECONDS:g} s each, by sensors and particles: "
+    f"error of the believed velocity of ball and opponents that move at {MOVES:g} m/s and more and were seen within "
+    f"{SEEN:g} s, over their speed (median). \"Accurate\" is read as a third; the paper gives no number.",
     criteria=(
         measured("ball", "ball", of=lambda values: 100 * median(values), unit="%", at_most=THIRD),
         measured("opponents", "robots", of=lambda values: 100 * median(values), unit="%", at_most=THIRD),
@@ -89,11 +88,8 @@ H29 = Claim(
         reported("balls faster than robots, with that fit", "fit kicked", of=median, unit="%"),
         reported("opponents, with that fit", "fit robots", of=median, unit="%"),
     ),
-    rules=PLAYED,
-    measure=watch_velocities,
+    rules=PLAYED, measure=watch_velocities, batches=4, seconds=8.0,
     ingredients=("memory.ball_agility, player_agility: leagues/omni_sensors.py",),
-    seconds=8.0,
-    batches=4,
 )  # fmt: skip
 
 RUNS = 24  # of the challenge a batch and variant
@@ -133,12 +129,11 @@ def measure_challenge(batch: Batch) -> Samples:
 
 
 H25 = Claim(
-    id="H25",
-    section="1",
+    id="H25", section="1",
     statement="The code won the challenge of 2003: round static obstacles, and with an uncoloured ball.",
-    method=f"{RUNS} runs a batch of the drill {CHALLENGE}, past four still obstacles (dribbles_round=True), by sensors, "
-    "with a coloured ball and with one that is found by its shape: past all of them with the ball, touching none. To "
-    "win is read as most runs.",
+    method=f"{RUNS} runs a batch of the drill {CHALLENGE}, past four still obstacles (dribbles_round=True), by "
+    "sensors, with a coloured ball and with one that is found by its shape: past all of them with the ball, touching "
+    "none. To win is read as most runs.",
     criteria=(
         measured("past without a touch", "coloured clean", unit="%", above=50.0),
         measured("uncoloured ball: past", "plain past", unit="%", above=50.0),
@@ -147,8 +142,6 @@ H25 = Claim(
         reported("past without a touch, ideal senses", "ideal clean", unit="%"),
         reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
     ),
-    measure=measure_challenge,
+    measure=measure_challenge, batches=4, seconds=5.0,
     ingredients=("dribbles_round, which the team leaves off in matches", "the drill's places"),
-    seconds=5.0,
-    batches=4,
-)
+)  # fmt: skip

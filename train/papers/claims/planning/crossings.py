@@ -171,8 +171,7 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
 
 
 H07 = Claim(
-    id="H07",
-    section="3",
+    id="H07", section="3",
     statement="Planned anew constantly, the conventional planner's paths are efficient and smooth for slow obstacles.",
     method=f"{TRAFFIC} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
     "free, by either planner.",
@@ -184,16 +183,12 @@ H07 = Claim(
         reported("travels of the time-variant one with a collision", "new hit", unit="%"),
         reported("conventional: way over the straight line", lambda s: mean(s["old length"]) / WAY),
     ),
-    rules=NO_MATCH,
-    measure=slow_travels,
-    seconds=2.0,
-    batches=8,
+    rules=NO_MATCH, measure=slow_travels, batches=8, seconds=2.0,
     ingredients=ASSUMED,
-)
+)  # fmt: skip
 
 H08 = Claim(
-    id="H08",
-    section="3, figure 1",
+    id="H08", section="3, figure 1",
     statement="Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
     method=f"{DRIVE_TEXT}; crossings with a gap below {100 * NEAR:.0f} cm between surfaces and more than {AWAY} cycles "
     f"away from the target. \"Many situations\" are read as {MANY:g} %. Beside it the figure's scene, of points, and "
@@ -208,46 +203,39 @@ H08 = Claim(
         reported("the figure's scenes (chosen): greater of both gaps", of_figure, "old gap", unit="m"),
         reported("the figure's scenes (chosen): fewer cycles away", of_figure, "old away", min),
     ),
-    measure=measure_crossings,
-    seconds=6.0,
-    batches=6,
-    figures=snapshots,
+    measure=measure_crossings, figures=snapshots, batches=6, seconds=6.0,
     ingredients=ASSUMED,
     note=f"{LOOKED_AT} The figure's scenes were chosen because a sketch showed the paper's picture there: by "
     "construction.",
 )  # fmt: skip
 
 H09 = Claim(
-    id="H09",
-    section="3",
+    id="H09", section="3",
     statement="Time-variant planning avoids the obstacles' predicted trajectories.",
-    method=f"Plans: {POINT_TEXT}: the first plan against the obstacle's predicted way. On real bases: {DRIVE_TEXT}; all "
-    "three scenes together.",
+    method=f"Plans: {POINT_TEXT}: the first plan against the obstacle's predicted way. On real bases: {DRIVE_TEXT}; "
+    "all three scenes together.",
     criteria=(
-        measured("plans that run into a predicted trajectory", lambda s: 100 * mean(s["point new plan"] < 0.0), unit="%",
-                 at_most=5.0),
+        measured("plans that run into a predicted trajectory", lambda s: 100 * mean(s["point new plan"] < 0.0),
+                 unit="%", at_most=5.0),
         measured("drives with a touch, over the conventional planner's", hit_ratio, at_most=0.5),
-        reported("plans of the conventional planner that do", lambda s: 100 * mean(s["point old plan"] < 0.0), unit="%"),
+        reported("plans of the conventional planner that do", lambda s: 100 * mean(s["point old plan"] < 0.0),
+                 unit="%"),
         reported("drives with a touch", "new hit", unit="%"),
         reported(f"drives with a gap of {100 * CLEAR:.0f} cm or more", lambda s: 100 * mean(s["new gap"] >= CLEAR),
                  unit="%"),
         reported("points that keep it", lambda s: 100 * mean(s["point new gap"] >= CLEAR), unit="%"),
         reported("points: gap that 5 % stay below", lambda s: quantile(s["point new gap"], 0.05), unit="m"),
     ),
-    measure=measure_crossings,
-    seconds=6.0,
-    batches=6,
-    figures=gap_figure,
+    measure=measure_crossings, figures=gap_figure, batches=6, seconds=6.0,
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip
 
 H10 = Claim(
-    id="H10",
-    section="3",
+    id="H10", section="3",
     statement="Taking the obstacles' movement into account gives smoother paths and fewer collisions.",
-    method=f"{DRIVE_TEXT}; both planners in the same scenes. \"For several scenarios that frequently occur\": the middle "
-    f"one of the three differences decides, so that two scenes have to show it. Beside it {POINT_TEXT}.",
+    method=f"{DRIVE_TEXT}; both planners in the same scenes. \"For several scenarios that frequently occur\": the "
+    f"middle one of the three differences decides, so that two scenes have to show it. Beside it {POINT_TEXT}.",
     criteria=(
         measured("fewer touches in 100 drives, middle of three scenes", middle_difference, "hit", 100.0, above=0.0),
         measured("less turn, middle of three scenes", middle_difference, "turn", unit="deg", above=0.0),
@@ -260,17 +248,13 @@ H10 = Claim(
         reported("points that collide, time-variant planner", "point new hit", unit="%"),
         reported("points: less turn", lambda s: mean(s["point old turn"] - s["point new turn"]), unit="deg"),
     ),
-    measure=measure_crossings,
-    seconds=6.0,
-    batches=12,
-    figures=gap_figure,
+    measure=measure_crossings, figures=gap_figure, batches=12, seconds=6.0,
     ingredients=ASSUMED,
     note=f"{LOOKED_AT} A point that turns on the spot at full speed nearly always escapes, with either planner.",
 )  # fmt: skip
 
 H11 = Claim(
-    id="H11",
-    section="3, figure 2",
+    id="H11", section="3, figure 2",
     statement="The time-variant planner plans a very efficient path right from the beginning.",
     method=f"{POINT_TEXT}; how often plans change the side on which they pass the obstacle, the way over the straight "
     "line, and how far it strays from that planned at first. Beside it the figure's scenes.",
@@ -285,9 +269,7 @@ H11 = Claim(
         reported("the figure's scenes (chosen): strays by at most", of_figure, "new strays", unit="m"),
         reported("the figure's scenes, conventional: strays by", of_figure, "old strays", min, unit="m"),
     ),
-    measure=measure_crossings,
-    seconds=6.0,
-    batches=6,
+    measure=measure_crossings, batches=6, seconds=6.0,
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip

@@ -50,8 +50,7 @@ def evaluations_per_cell(samples: Samples, name: str) -> float:
 
 
 H04 = Claim(
-    id="H04",
-    section="3",
+    id="H04", section="3",
     statement="Evaluating the potential at adjacent cells alone spares the whole field.",
     method=f"{PLANNED}; evaluations of the potential in a whole plan, all its passes and searches together, over the "
     f"{CELLS} cells of the field.",
@@ -60,13 +59,10 @@ H04 = Claim(
         measured("time-variant planner: evaluations a plan", evaluations_per_cell, "new", unit="%", at_most=5.0),
         reported("of the time-variant one, 99 % below", lambda s: 100 * quantile(s["new"], 0.99) / CELLS, unit="%"),
     ),
-    rules=NO_MATCH,
-    measure=evaluations,
-    seconds=0.6,
-    batches=4,
+    rules=NO_MATCH, measure=evaluations, batches=4, seconds=0.6,
     ingredients=ASSUMED,
     note=LOOKED_AT,
-)
+)  # fmt: skip
 
 
 def compare_local_search(batch: Batch) -> Samples:
@@ -78,8 +74,7 @@ def compare_local_search(batch: Batch) -> Samples:
 
 
 H05 = Claim(
-    id="H05",
-    section="3",
+    id="H05", section="3",
     statement="A local grid search, when the path enters a cell twice, overcomes local minima.",
     method=f"{SCENES} scenes a batch: rows of two or three robots that touch square to the way, cups of nine about the "
     "target; which plans join robot and target, with the search and without it.",
@@ -88,13 +83,10 @@ H05 = Claim(
         counted("plans that arrive without it", "off", "all", at_most=50.0),
         measured("arrive with it and touch nobody", "clean", unit="%", at_least=95.0),
     ),
-    rules=NO_MATCH,
-    measure=compare_local_search,
-    seconds=1.0,
-    batches=4,
+    rules=NO_MATCH, measure=compare_local_search, batches=4, seconds=1.0,
     ingredients=ASSUMED,
     note=LOOKED_AT,
-)
+)  # fmt: skip
 
 
 def first_heading(one: Plan, scene: Scene) -> float:
@@ -122,8 +114,7 @@ def backward_excess(samples: Samples, name: str) -> float:
 
 
 H06 = Claim(
-    id="H06",
-    section="3",
+    id="H06", section="3",
     statement="Backward planning leads around an obstacle at once, instead of heading into it first.",
     method=f"{SCENES} ways a batch of {WAY:g} m with one obstacle that stands on them, planned in both directions; "
     f"first heading over {HEADING:g} m, and length.",
@@ -133,12 +124,9 @@ H06 = Claim(
         reported("first heading, backwards", "back heading", unit="deg"),
         reported("first heading, forwards", "fore heading", unit="deg"),
     ),
-    rules=NO_MATCH,
-    measure=compare_directions,
-    seconds=0.8,
-    batches=4,
+    rules=NO_MATCH, measure=compare_directions, batches=4, seconds=0.8,
     ingredients=ASSUMED,
-)
+)  # fmt: skip
 
 
 @compiled
@@ -197,32 +185,29 @@ def measure_whole_cycle(batch: Batch) -> Samples:
 
 
 H02 = Claim(
-    id="H02",
-    section="2, 3",
+    id="H02", section="2, 3",
     statement="The planner runs 50 times a second: the software fits a cycle of 20 ms.",
     method=f"Processor time of the whole software of one robot in {STEPS} cycles a batch of 5 v 5 play: a tenth of the "
-    f"match's, with physics and referee, times {SLOWER:g} for a Pentium-M of 2 GHz beside today's processors (assumed).",
+    f"match's, with physics and referee, times {SLOWER:g} for a Pentium-M of 2 GHz beside today's processors "
+    "(assumed).",
     criteria=(
         measured("time that 1 % of the cycles exceed", lambda s: SLOWER * quantile(s["cycle"], 0.99), unit="ms",
                  at_most=1000.0 * CYCLE),
         reported("time of a cycle on this machine (median)", "cycle", of=median, unit="ms"),
     ),
-    rules=PLAYED,
-    measure=measure_whole_cycle,
-    seconds=2.0,
-    batches=2,
+    rules=PLAYED, measure=measure_whole_cycle, batches=2, seconds=2.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )  # fmt: skip
 
 H15 = Claim(
-    id="H15",
-    section="3",
+    id="H15", section="3",
     statement="The planner is very fast, comparable to standard potential field planners.",
     method=f"{PLANNED}, by both planners' kernels in a loop without Python; means over {LOOPS} plans, the least of "
     f"{TRIES}. Beside it the share of the cycle that a plan takes on a processor {SLOWER:g} times as slow (assumed), "
     "which is another meaning of \"comparable\".",
     criteria=(
-        measured("time over the conventional planner's (means)", lambda s: mean(s["new"]) / mean(s["old"]), at_most=3.0),
+        measured("time over the conventional planner's (means)", lambda s: mean(s["new"]) / mean(s["old"]),
+                 at_most=3.0),
         reported("the same (median)", lambda s: median(s["new"] / s["old"])),
         reported("that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
         reported("plans of one pass, of which the sentence speaks: means",
@@ -231,10 +216,7 @@ H15 = Claim(
         reported("time-variant plan, of a cycle of 20 ms", of_cycle, "new", unit="%"),
         reported("conventional plan on this machine", "old", unit="us"),
     ),
-    rules=NO_MATCH,
-    measure=measure_planning_times,
-    seconds=1.0,
-    batches=2,
+    rules=NO_MATCH, measure=measure_planning_times, batches=2, seconds=1.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )  # fmt: skip
 
@@ -250,14 +232,12 @@ def plans_equal_paths(batch: Batch, still: bool = True) -> Samples:
 
 
 H16 = Claim(
-    id="H16",
-    section="3",
+    id="H16", section="3",
     statement="Conventional planners are unaware of the other robots' speed.",
     method=f"{PLANNED} by both planners, all velocities taken away: which paths are the same to the last bit.",
-    criteria=(exact("paths that are the same", "same", unit="%", at_least=100.0),),
-    rules=NO_MATCH,
-    measure=plans_equal_paths,
+    criteria=(
+        exact("paths that are the same", "same", unit="%", at_least=100.0),
+    ),
+    rules=NO_MATCH, measure=plans_equal_paths, batches=2, seconds=0.8,
     without=Ablation("velocities of 0: here the obstacles move", partial(plans_equal_paths, still=False)),
-    seconds=0.8,
-    batches=2,
-)
+)  # fmt: skip

@@ -27,27 +27,21 @@ def measure_plan_times(batch: Batch, slower: float = 1.0) -> Samples:
 
 
 H12 = Claim(
-    id="H12",
-    section="3",
+    id="H12", section="3",
     statement="The straight line's time at full speed always underestimates the path's time.",
     method=f"{PLANNED}; time of the path over the time of the straight line.",
     criteria=(
         exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
         reported("mean ratio", "smooth ratio"),
     ),
-    rules=NO_MATCH,
-    measure=measure_plan_times,
-    without=Ablation(
-        "one speed for both: here the straight line is timed at 0.9 of it", partial(measure_plan_times, slower=1 / 0.9)
-    ),
-    seconds=0.8,
-    batches=2,
+    rules=NO_MATCH, measure=measure_plan_times, batches=2, seconds=0.8,
+    without=Ablation("one speed for both: here the straight line is timed at 0.9 of it",
+                     partial(measure_plan_times, slower=1 / 0.9)),
     note="No path is shorter than the straight line, and both are timed at the same speed.",
-)
+)  # fmt: skip
 
 H13 = Claim(
-    id="H13",
-    section="3",
+    id="H13", section="3",
     statement="The iterative planning needs very few iterations to converge to a reasonable path.",
     method=f"{PLANNED}; passes over the grid until the times agree to 0.1 s, at most eight.",
     criteria=(
@@ -59,15 +53,12 @@ H13 = Claim(
         reported("the paper's words alone: passes (median)", "literal passes", of=median),
         reported("they alone: plans that do not converge", "literal open", unit="%"),
     ),
-    rules=NO_MATCH,
-    measure=measure_plan_times,
+    rules=NO_MATCH, measure=measure_plan_times, condition="with damping and smoothing, not as written", batches=4,
     seconds=0.8,
-    batches=4,
-    condition="with damping and smoothing, not as written",
     ingredients=("T of the smoothed path, damped by half: the paper speaks of neither",),
     note=f"{LOOKED_AT} Taken at its word, T is that of the way of cells, which is longer than the path that is driven, "
     "and swings where an obstacle is met head on.",
-)
+)  # fmt: skip
 
 
 def first_plans(batch: Batch, chosen: bool = True) -> Samples:
@@ -80,8 +71,7 @@ def first_plans(batch: Batch, chosen: bool = True) -> Samples:
 
 
 H14 = Claim(
-    id="H14",
-    section="3, figure 2",
+    id="H14", section="3, figure 2",
     statement="For the figure's path one iteration estimated the time to less than 100 ms.",
     method=f"The first plans of both canonical crossings, equal for every seed. Without their choice: {PLANNED}.",
     criteria=(
@@ -89,12 +79,9 @@ H14 = Claim(
         exact("greatest error of T after the first", "error", of=np.max, unit="s", below=0.1),
         reported("planned in one pass", lambda s: 100 * mean(s["passes"] == 1), unit="%"),
     ),
-    rules=NO_MATCH,
-    measure=first_plans,
+    rules=NO_MATCH, measure=first_plans, batches=1, seconds=0.1,
     without=Ablation("the choice of both scenes, by a sketch of the planner: here random ones",
                      partial(first_plans, chosen=False)),
-    seconds=0.1,
-    batches=1,
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip

@@ -133,41 +133,28 @@ def factor_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S33 = Claim(
-    id="S33",
-    section="4.1.1",
+    id="S33", section="4.1.1",
     statement="Merging blobs within three sizes works best, and errs towards counting two players as one.",
     method=f"{MATCHES} robots a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) "
-    f"look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
-    "their view, from any side; a ghost is a slot filled in a frame beyond one for each opponent that shows a blob, a "
-    "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
+    f"look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in their view, from any side; a ghost "
+    "is a slot filled in a frame beyond one for each opponent that shows a blob, a missed one shows a blob and fills "
+    "no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
         measured("ghosts at a factor of 3, in the worst jersey",
                  lambda s: float(error_share(s, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
         measured("missed less ghosts at a factor of 3, in the worst jersey",
-                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()),
-                 unit="%", above=0.0),
-        measured(
-            "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
-            "jersey",
-            lambda samples: float(excess_over_best_factor(samples).max()),
-            unit="%",
-            below=0.0,
-        ),
-        *(
-            reported(f"the same, stickers {jersey:g} times as large",
-                     lambda s, j: float(excess_over_best_factor(s)[j]), j, unit="%")
-            for j, jersey in enumerate(JERSEYS)
-        ),
-        *(
-            reported(f"ghosts and misses at {factor:g}, stickers of their own size",
-                     lambda s, factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
-            for factor in FACTORS
-        ),
+                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()), unit="%",
+                 above=0.0),
+        measured("ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in "
+                 "each jersey", lambda samples: float(excess_over_best_factor(samples).max()), unit="%", below=0.0),
+        *(reported(f"the same, stickers {jersey:g} times as large", lambda s, j: float(excess_over_best_factor(s)[j]),
+                   j, unit="%") for j, jersey in enumerate(JERSEYS)),
+        *(reported(f"ghosts and misses at {factor:g}, stickers of their own size", lambda s,
+                   factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
+          for factor in FACTORS),
     ),
-    measure=try_factors,
-    condition="in the worst of three sizes of assumed stickers",
+    measure=try_factors, condition="in the worst of three sizes of assumed stickers", figures=factor_figure,
     seconds=5.0,
-    figures=factor_figure,
     ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
     note="Which factor is best follows from the jersey: stickers of shoulder and hip are 12 cm apart, 2.8 sizes of the "
     "smallest ones, 2 of those of their own size, 1.5 of the largest.",
@@ -213,22 +200,19 @@ def kept_opponent(match: Match) -> np.ndarray:
 
 
 S72 = Claim(
-    id="S72",
-    section="4.1.1",
+    id="S72", section="4.1.1",
     statement="A player that is ignored is a farther one, because blobs are considered by size.",
-    method=f"{PAIRS} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away "
-    "in their view, from any side; frames in which both show a blob and one slot is filled, with the opponent whose "
-    f"place is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance). The paper: "
+    method=f"{PAIRS} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
+    "their view, from any side; frames in which both show a blob and one slot is filled, with the opponent whose place "
+    f"is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance). The paper: "
     "\"ignoring only those farther away\", which decides where one is farther.",
     criteria=(
         counted(f"distances differ by {100 * (UNLIKE - 1):.0f} % or more: the nearer is kept", "nearer unlike",
                 "merged unlike", at_least=95.0),
         reported("the nearer is kept, all pairs", percent, "nearer", "merged", unit="%"),
     ),
-    measure=count_kept_opponents,
-    batches=24,
-    seconds=2.0,
+    measure=count_kept_opponents, batches=24, seconds=2.0,
     without=Ablation("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
-                    partial(count_kept_opponents, alike=True)),
+                     partial(count_kept_opponents, alike=True)),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
 )  # fmt: skip

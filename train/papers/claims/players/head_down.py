@@ -106,41 +106,32 @@ def head_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S61 = Claim(
-    id="S61",
-    section="4.3.3",
+    id="S61", section="4.3.3",
     statement="A near robot with its head down seems much farther; the infrared reading repairs that.",
     method=f"{MATCHES} robots a batch stare at a player {100 * NEAR:.0f} to {100 * FAR:.0f} cm away that faces them "
     f"(within {np.degrees(FRONTAL):.0f} degrees), its head level or {np.degrees(-DOWN):.0f} degrees down; mean range "
     "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
-    'often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without. The paper: it "saw this '
-    'robot as being much farther than it actually was", and infrared is "to allow the robots to detect this situation".',
+    "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without. The "
+    "paper: it \"saw this robot as being much farther than it actually was\", and infrared is \"to allow the robots to "
+    "detect this situation\".",
     criteria=(
-        measured(
-            "head down: farther than it is, by size",
-            lambda s: 100 * mean(s["down"] / s["distance"]),
-            unit="%",
-            at_least=MUCH,
-        ),
+        measured("head down: farther than it is, by size", lambda s: 100 * mean(s["down"] / s["distance"]), unit="%",
+                 at_least=MUCH),
         measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
         measured("head down: overlooked frames that the obstacle detects", detected_share, unit="%", above=50.0),
         reported("head down: bias by size", "down", unit="cm"),
         reported("head down: bias by infrared, of that difference by size", remaining_error_share, unit="%"),
         *(reported(f"bias, head {name}", name, unit="cm") for name in ("up", "up by infrared", "down by infrared")),
         *(reported(f"frames that show it, head {name}", f"seen {name}", unit="%") for name in TILTS),
-        *(
-            reported(f"frames in which it is {name}", name, unit="%")
-            for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")
-        ),
+        *(reported(f"frames in which it is {name}", name, unit="%")
+          for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")),
     ),
-    measure=compare_head_tilts,
-    seconds=1.5,
-    without=Ablation(
-        "sensors.head_down, the angle from which a head hides stickers", partial(compare_head_tilts, head_down=np.pi)
-    ),
-    figures=head_figure,
+    measure=compare_head_tilts, figures=head_figure, seconds=1.5,
+    without=Ablation("sensors.head_down, the angle from which a head hides stickers",
+                     partial(compare_head_tilts, head_down=np.pi)),
     ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),
     note="In the criteria the reading replaces the player's range whenever there is one. The paper's rule, by which a "
     "reading significantly closer than every player in memory is an obstacle (MS49), is what the shares of frames are "
     "about in which the player is overlooked: neither it nor an obstacle is believed to be within 1.5 times its true "
     "distance. In the frames that do not show it the lowered head leaves nothing of the jersey to be seen.",
-)
+)  # fmt: skip

@@ -130,13 +130,13 @@ def moved_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S70 = Claim(
-    id="S70",
-    section="4.3.1",
+    id="S70", section="4.3.1",
     statement="A distant obstacle may be elsewhere when the dribbler gets close to it.",
     method=f"{SCENES} scenes a batch at {len(SPEEDS)} speeds: a robot sees another player {100 * NEAREST:.0f} to "
     f"{100 * FARTHEST:.0f} cm away, who walks on, turning at random; error of the place that it believes against the "
-    f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it. The paper: with moving "
-    "obstacles its place \"may be very different from its position when the dribbler gets closer to it\".",
+    f"player's true place when a dribbler at {100 * DRIBBLE:.0f} cm/s has come within {100 * THERE:.0f} cm of it. The "
+    "paper: with moving obstacles its place \"may be very different from its position when the dribbler gets closer to "
+    "it\".",
     criteria=(
         measured("median error of movers seen from beyond 1 m less that from within, least of the speeds",
                  lambda samples: min(cut_off_error_difference(samples, speed) for speed in SPEEDS[1:]), unit="cm",
@@ -151,12 +151,9 @@ S70 = Claim(
         reported("past it, touched or not, with the cut-off less without", cut_off_gain, "past", unit="pp"),
         reported("untouched, less with the same k2 and no cut-off", cut_off_gain, "clean", "unmatched", unit="pp"),
     ),
-    measure=walk_off_and_pass,
-    seconds=6.0,
-    batches=10,
-    figures=moved_figure,
+    measure=walk_off_and_pass, figures=moved_figure, batches=10, seconds=6.0,
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
-    note="The cut-off, of which another sentence speaks (S45), is tried by the team without shots that dribbles past the mover of a drill, who walks in at "
-    "6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at 444 mm as well, but "
-    "weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
+    note="The cut-off, of which another sentence speaks (S45), is tried by the team without shots that dribbles past "
+    "the mover of a drill, who walks in at 6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at "
+    "444 mm as well, but weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
 )  # fmt: skip

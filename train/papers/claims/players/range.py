@@ -102,8 +102,7 @@ def ranger_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S40 = Claim(
-    id="S40",
-    section="4.1.2",
+    id="S40", section="4.1.2",
     statement="A player's distance is often harder to estimate accurately than the ball's.",
     method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
@@ -113,16 +112,12 @@ S40 = Claim(
         reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
         reported("relative error, ball", "ball", of=rms, unit="%"),
     ),
-    measure=compare_player_and_ball,
-    batches=32,
-    seconds=1.0,
-    figures=ball_figure,
+    measure=compare_player_and_ball, figures=ball_figure, batches=32, seconds=1.0,
     ingredients=("sizes of stickers and ball", "sensors.dither", "the same camera and ranger for both"),
-)
+)  # fmt: skip
 
 S41 = Claim(
-    id="S41",
-    section="4.1.2",
+    id="S41", section="4.1.2",
     statement="For a player in the picture's middle infrared under 40 cm gives the better distance.",
     method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
@@ -134,8 +129,6 @@ S41 = Claim(
         reported("frames with a reading under 40 cm", "near", unit="%"),
         reported("frames in which the rule takes it", "taken", unit="%"),
     ),
-    measure=compare_ranger_rule,
-    seconds=1.0,
-    figures=ranger_figure,
+    measure=compare_ranger_rule, figures=ranger_figure, seconds=1.0,
     ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),
-)
+)  # fmt: skip

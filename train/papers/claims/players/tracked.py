@@ -124,8 +124,7 @@ def tracked_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S32 = Claim(
-    id="S32",
-    section="4.1",
+    id="S32", section="4.1",
     statement="Three opponents and two team-mates are stored, more accurately than the nearest ones before.",
     method=f"{MATCHES} robots a batch walk about among two team-mates and three opponents who do as well, their heads "
     f"sweeping, for {SECONDS:g} s; a player is tracked if a slot of its team lies within {100 * NEAR:.0f} cm; range "
@@ -137,9 +136,7 @@ S32 = Claim(
         *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
         *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     ),
-    measure=compare_systems,
-    seconds=5.0,
-    figures=tracked_figure,
+    measure=compare_systems, figures=tracked_figure, seconds=5.0,
     ingredients=("memory.slots", "the way the head sweeps"),
     note="The table of the old system is not told; the first one of the paper's own calibrations, from the side by all "
     "blobs, stands for it, so that the second criterion compares the new system with its own first version.",

@@ -84,8 +84,7 @@ def velocity_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S04 = Claim(
-    id="S04",
-    section="3",
+    id="S04", section="3",
     statement="A robot that makes for the ball but comes no nearer is probably stuck.",
     method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
     f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
@@ -95,11 +94,6 @@ S04 = Claim(
         reported("median of free robots", "free", of=median, unit="cm/s"),
         reported("median of held robots", "stuck", of=median, unit="cm/s"),
     ),
-    rules=PLAYED,
-    measure=velocity_windows,
-    figures=velocity_figure,
+    rules=PLAYED, measure=velocity_windows, figures=velocity_figure, least=4, batches=12, seconds=2.0,
     ingredients=("sensors.dither", "memory.filter_length"),
-    seconds=2.0,
-    batches=12,
-    least=4,
-)
+)  # fmt: skip

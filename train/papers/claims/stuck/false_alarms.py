@@ -74,8 +74,7 @@ def sweep_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S25 = Claim(
-    id="S25",
-    section="3.3",
+    id="S25", section="3.3",
     statement="Higher thresholds prevent false alarms, but delay the detection of collisions.",
     method=f"Thresholds of {', '.join(map(str, COUNTS))} readings: held robots as in S22, {TRIES} a batch, the ball at "
     f"35 to 80 cm, and {2 * TRIES} approaches to a ball 40 to 90 cm away in any direction, half of them to one that "
@@ -90,11 +89,8 @@ S25 = Claim(
         reported("least threshold: delay", lambda s: mean_latencies(s)[0], unit="s"),
         reported("greatest threshold: delay", lambda s: mean_latencies(s)[-1], unit="s"),
     ),
-    measure=sweep_thresholds,
-    figures=sweep_figure,
+    measure=sweep_thresholds, figures=sweep_figure, batches=6, seconds=4.0,
     ingredients=("the second counter stays at 8 s",),
-    seconds=4.0,
-    batches=6,
 )  # fmt: skip
 
 # In play
@@ -191,12 +187,11 @@ def cause_share(samples: Samples, cause: int) -> float:
 
 
 S24 = Claim(
-    id="S24",
-    section="3.3",
+    id="S24", section="3.3",
     statement="False alarms are infrequent, usually while the ball moves away or the robot turns slowly.",
     method=f"{MATCHES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
-    f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the "
-    "robot turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
+    f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the robot "
+    "turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
     f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 "
     "to 90 cm away in any direction, nothing in the way.",
     criteria=(
@@ -213,10 +208,6 @@ S24 = Claim(
         reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(),
                  unit="%"),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=count_alarm_causes,
+    rules=PLAYED_AND_STAGED, measure=count_alarm_causes, least=4, batches=12, seconds=4.5,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
-    seconds=4.5,
-    batches=12,
-    least=4,
 )  # fmt: skip

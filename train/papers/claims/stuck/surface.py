@@ -163,11 +163,10 @@ SAME = (
 )
 
 S22 = Claim(
-    id="S22",
-    section="3.3",
+    id="S22", section="3.3",
     statement="Robots almost always notice within a few seconds that they are stuck.",
-    method=f"{SETTINGS_TEXT}. Beside it robots that others hold in 3 v 3 play (contact, a quarter of the way that their "
-    "legs walk for 1.5 s).",
+    method=f"{SETTINGS_TEXT}. Beside it robots that others hold in 3 v 3 play (contact, a quarter of the way that "
+    "their legs walk for 1.5 s).",
     criteria=(
         counted("ball at 20 to 60 cm: noticed within 5 s", "near soon", "near", partial(at_best_setting, claim="S22"),
                 at_least=NOTICED),
@@ -181,19 +180,14 @@ S22 = Claim(
         *(reported(f"held in play, 9 readings and 8 s: noticed within {name}", percent, f"known {name}",
                    f"robots {name}", unit="%") for name in PLAY_TIMES),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=measure_with_play,
-    condition="at a setting that the paper does not tell",
-    figures=surface_figures,
+    rules=PLAYED_AND_STAGED, measure=measure_with_play, condition="at a setting that the paper does not tell",
+    figures=surface_figures, batches=6, seconds=12.0,
     ingredients=("near_zero and clearly: assumed", "a held robot sees the ball throughout"),
     note=surface_table,
-    seconds=12.0,
-    batches=6,
 )  # fmt: skip
 
 S23 = Claim(
-    id="S23",
-    section="3.3",
+    id="S23", section="3.3",
     statement="One counter often raises false alarms near the ball; the second remedies this.",
     method=f"{SETTINGS_TEXT}; with one counter and with two.",
     criteria=(
@@ -206,11 +200,8 @@ S23 = Claim(
         reported("at 9 readings and 8 s, one counter: false alarms", of_setting, "one", "approaches", unit="%"),
         reported("at 9 readings and 8 s, two counters: false alarms", of_setting, "two", "approaches", unit="%"),
     ),
-    measure=measure_settings,
-    condition="at a setting that the paper does not tell",
-    figures=surface_figures,
+    measure=measure_settings, condition="at a setting that the paper does not tell", figures=surface_figures, batches=6,
+    seconds=12.0,
     ingredients=("near_step 0.25, near_zero and clearly: assumed",),
     note=surface_table,
-    seconds=12.0,
-    batches=6,
 )  # fmt: skip

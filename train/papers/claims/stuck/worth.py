@@ -103,13 +103,12 @@ def time_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S02 = Claim(
-    id="S02",
-    section="1",
+    id="S02", section="1",
     statement="Avoiding collisions and recovering reaches the ball sooner and more reliably; collisions slow play.",
     method=f"Robots that others hold in 3 v 3 play, {MATCHES} matches a batch: from there on with the stuck counters "
-    f"and recovery and without, all else the same, ball got (no opponent has it) in {WITHIN:g} s. Referee's calls of "
-    f"a stuck ball in {MATCHES} matches of {PLAY:g} s, both sides with or without. Beside it, each by itself, "
-    f"{RUNS} runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
+    f"and recovery and without, all else the same, ball got (no opponent has it) in {WITHIN:g} s. Referee's calls of a "
+    f"stuck ball in {MATCHES} matches of {PLAY:g} s, both sides with or without. Beside it, each by itself, {RUNS} "
+    f"runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     criteria=(
         measured("held in play: success with recovery less without", success_gain, unit="pp", at_least=20.0),
@@ -120,26 +119,18 @@ S02 = Claim(
         reported("held in play: success without", task_success, "off", unit="%"),
         reported("held in play: goals in 100, with less without",
                  lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
-        *(
-            reported(f"success, {name}, recovery {word}", task_success, word, name, unit="%")
-            for name in TASKS
-            for word in WAYS
-        ),
+        *(reported(f"success, {name}, recovery {word}", task_success, word, name, unit="%") for name in TASKS
+          for word in WAYS),
         reported("stuck balls a minute without recovery", lambda s: mean(s["calls off"]) * 60.0 / PLAY),
         reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / PLAY),
         reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=compare_with_recovery,
-    figures=time_figure,
+    rules=PLAYED_AND_STAGED, measure=compare_with_recovery, figures=time_figure, least=2, batches=6, seconds=5.0,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
     note="Two explanations were tested. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
     "noticing after 5 readings and 1 s they come free more often than without (S29), which they do not here. And who "
     "is free has not got the ball: others are there first while it is away, after two steps back as after ten. Where "
     "somebody in the way stands fast (post) recovery does what the paper says.",
-    seconds=5.0,
-    batches=6,
-    least=2,  # few robots are held in a batch
 )  # fmt: skip
 
 # At a wall: a robot faces out at the field's edge, and turns to a ball aside or behind
@@ -187,18 +178,17 @@ def compare_turns_at_wall(batch: Batch) -> Samples:
 
 
 S28 = Claim(
-    id="S28",
-    section="3.4",
+    id="S28", section="3.4",
     statement="With the ball over 30 degrees aside, as at a wall, backing away and rotating suffices.",
     method=f"{WALL_RUNS} runs a batch: a robot faces out, a paw at the board's foot (drill facing-wall), the ball "
-    f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it; of those that come to recover, got "
-    f"within {LONGEST:g} s, with the rule and with sidesteps always; all of them, also without any recovery. Beside it "
-    "the drill itself, the ball behind the robot. The paper: \"the robot need only back away from the wall and face the "
+    f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it; of those that come to recover, got within "
+    f"{LONGEST:g} s, with the rule and with sidesteps always; all of them, also without any recovery. Beside it the "
+    "drill itself, the ball behind the robot. The paper: \"the robot need only back away from the wall and face the "
     "ball\"; it does not say that sidesteps would do worse.",
     criteria=(
         counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
-        measured("all: got the ball, less without any recovery", lambda s: 100.0 * mean(s["aside rotate"] - s["aside none"]),
-                 unit="pp", above=0.0),
+        measured("all: got the ball, less without any recovery",
+                 lambda s: 100.0 * mean(s["aside rotate"] - s["aside none"]), unit="pp", above=0.0),
         reported("those that recover: got the ball, rotation less sidesteps",
                  lambda s: percent(s, "recovered rotate", "recovers") - percent(s, "recovered sidestep", "recovers"),
                  unit="pp"),
@@ -209,11 +199,9 @@ S28 = Claim(
         reported("ball behind: got without any recovery", "behind none", unit="%"),
         reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
     ),
-    measure=compare_turns_at_wall,
+    measure=compare_turns_at_wall, batches=10, seconds=4.0,
     ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
     note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "
     "little, for it turns to the ball on its way to it. Where the ball lies behind, a robot that has not seen it "
     "searches for it and turns against the board; no counter runs in a search, and recovery never begins.",
-    seconds=4.0,
-    batches=10,
 )  # fmt: skip
