@@ -1,14 +1,14 @@
 """The gain of the camera's finer layer: steadier ranges and velocities.  [Sacks 2001, 5]"""
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.players.seen import stage_watchers
+from soccer_env.train.papers.plots import plot_bins, plots
 from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball
 from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import ratio, rms, subtract_row_mean
@@ -51,16 +51,6 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
     return samples | {"true": runs["true"]}
 
 
-def layer_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the scatter of the range and of the velocity against the distance, for both layers."""
-    figures = []
-    for name, unit in (("range", "cm"), ("velocity", "cm/s")):
-        names = {f"{name} {layer}": layer for layer in LAYERS}
-        curves = curves_by_bin(samples, names, samples["true"], np.linspace(NEAR, FAR, 8), rms)
-        figures.append(Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", curves))
-    return figures
-
-
 S66 = Claim(
     id="S66", section="5",
     statement="The high resolution camera would steady the ball's distance, and so its velocity.",
@@ -80,7 +70,11 @@ S66 = Claim(
         reported("velocity at 88x72", "velocity 88x72", of=rms, unit="cm/s"),
         reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
     ),
-    measure=compare_layers, figures=layer_figures, batches=32, seconds=1.5,
+    measure=compare_layers,
+    figures=plots(*(plot_bins(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]",
+                              {f"{name} {layer}": layer for layer in LAYERS}, "true", np.linspace(NEAR, FAR, 8), rms)
+                    for name, unit in (("range", "cm"), ("velocity", "cm/s")))),
+    batches=32, seconds=1.5,
     without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",
                      partial(compare_layers, dither=2.0 * find_league(LEGGED).sensors.dither)),
     ingredients=("sensors.dither", "pixels of half the size"),

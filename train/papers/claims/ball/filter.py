@@ -1,13 +1,13 @@
 """How steady the believed ball is: averaging four estimates, and bearing against range.  [Sacks 2001, 3.1.1, fn 4]"""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, put_ball, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import look_first
 from soccer_env.train.papers.values import bin_masks, ratio, rms, subtract_row_mean
@@ -75,11 +75,15 @@ def radial_over_tangential(samples: Samples) -> list[float]:
     return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
 
 
-def filter_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the deviations of the raw range, of the filtered range and across the line of sight against the distance."""
-    names = {"raw": "raw", "filtered": "mean of four", "aside": "across the line of sight"}
-    curves = curves_by_bin(samples, names, samples["range"], np.linspace(NEAR, FAR, 9), rms)
-    return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", curves),)
+filter_figure = plot_bins(
+    "Scatter of a still ball's estimate",
+    RANGE_LABEL,
+    "deviation [cm]",
+    {"raw": "raw", "filtered": "mean of four", "aside": "across the line of sight"},
+    "range",
+    np.linspace(NEAR, FAR, 9),
+    rms,
+)
 
 
 HOW = (

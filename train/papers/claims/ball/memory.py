@@ -1,12 +1,12 @@
 """The memory of an unseen ball, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import (
     distance_to_ball,
     play,
@@ -129,12 +129,6 @@ def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
     return {"off": dribble_unseen_ball(batch, False, turn), "on": dribble_unseen_ball(batch, True, turn)}
 
 
-def roll_distance_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the error of the remembered ball against the distance that the ball rolled unseen."""
-    curve = Curve("median", middles_of(BINS, 100), error_by_roll_distance(samples))
-    return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]", (curve,)),)
-
-
 S12 = Claim(
     id="S12", section="3.1.1",
     statement="Full odometry, not rotation alone, keeps the remembered ball accurate while the robot moves.",
@@ -161,7 +155,10 @@ S13 = Claim(
         measured("least rise of the median error with the ball's way",
                  lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
     ),
-    measure=lambda batch: roll_balls(batch, seen=False), figures=roll_distance_figure, batches=64, seconds=0.5,
+    measure=lambda batch: roll_balls(batch, seen=False),
+    figures=plot("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]",
+                 middles_of(BINS, 100), {"median": error_by_roll_distance}),
+    batches=64, seconds=0.5,
     without=Ablation("a memory that leaves an unseen ball where it was: here it stays in sight",
                      lambda batch: roll_balls(batch, seen=True)),
     ingredients=("memory.odometry = full",),

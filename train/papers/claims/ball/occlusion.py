@@ -5,15 +5,15 @@ hide part of the ball in plan view. The hidden share follows from two pictures w
 other robots.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.ball.range import OLD
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import (
     LEGGED,
     begin_scene,
@@ -177,12 +177,15 @@ def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer"
     return 100 * median(samples[size][count_hidden_dimensions(samples) == dimensions])
 
 
-def hidden_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the median range error against the hidden share of the ball's picture."""
-    names = {"width": "by width", "height": "by height", "closer": "the closer of both"}
-    curves = curves_by_bin(samples, names, 1.0 - samples["area left"], np.linspace(0.0, 1.0, 9), median)
-    hidden = "hidden share of the ball's picture [%]"
-    return (Figure("Range of a ball that is partly hidden", hidden, "median range error [%]", curves),)
+hidden_figure = plot_bins(
+    "Range of a ball that is partly hidden",
+    "hidden share of the ball's picture [%]",
+    "median range error [%]",
+    {"width": "by width", "height": "by height", "closer": "the closer of both"},
+    lambda s: 1.0 - s["area left"],
+    np.linspace(0.0, 1.0, 9),
+    median,
+)
 
 
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"

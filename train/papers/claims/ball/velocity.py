@@ -1,15 +1,16 @@
 """The relative velocity of the ball: how often to read it, and the accuracy of a reading.  [Sacks 2001, 3.2, 3.3]"""
 
-from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import (
     LEGGED,
     begin_scene,
@@ -141,22 +142,6 @@ def mean_readings(batch: Batch) -> Samples:
     return {**means, "wrong": wrong, "wrong at last": wrong[:, -1], "judged": np.full(MATCHES, 2.0)}
 
 
-def interval_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the error of the radial velocity against the interval; a dashed line marks the walking speed."""
-    curves = tuple(Curve(how, INTERVALS, interval_errors(samples, how)) for how in ("walking", "standing"))
-    label = "interval between readings [s]"
-    return (Figure("Error of the radial velocity", label, "rms error [cm/s]", curves, rules=(100 * TOP_SPEED,)),)
-
-
-def readings_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of wrong judgements against the number of readings."""
-    shares = [50.0 * float(samples["wrong"][:, n].mean()) for n in range(READINGS)]
-    curve = Curve("stuck or walking, from 60 cm on", range(1, READINGS + 1), shares)
-    return (
-        Figure("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", (curve,), rules=(5.0,)),
-    )
-
-
 S18 = Claim(
     id="S18", section="3.2",
     statement="Velocities read more often than every 1/3 s show sensor errors more than movement.",
@@ -176,7 +161,10 @@ S18 = Claim(
                  lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
-    measure=sweep_intervals, figures=interval_figure, seconds=3.0,
+    measure=sweep_intervals,
+    figures=plot("Error of the radial velocity", "interval between readings [s]", "rms error [cm/s]", INTERVALS,
+                 {how: partial(interval_errors, how=how) for how in ("walking", "standing")}, rules=(100 * TOP_SPEED,)),
+    seconds=3.0,
     ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
     note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them a "
     "part of their error.",
@@ -207,7 +195,10 @@ S21 = Claim(
     criteria=(
         counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),
     ),
-    measure=mean_readings, figures=readings_figure, batches=32, seconds=0.7,
+    measure=mean_readings,
+    figures=plot("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", range(1, READINGS + 1),
+                 {"stuck or walking, from 60 cm on": lambda s: list(50.0 * s["wrong"].mean(axis=0))}, rules=(5.0,)),
+    batches=32, seconds=0.7,
     ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),
 )  # fmt: skip
 

@@ -10,15 +10,7 @@ from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import legged_drill, put_at_distance, send_mover, start_dribble
 from soccer_env.scenes.scene import SceneRandom
 from soccer_env.train.papers.claim import Batch, Claim
-from soccer_env.train.papers.claims.dribble.past import (
-    BODIES,
-    MATCHES,
-    MOVING,
-    RULES,
-    Plan,
-    outcome_share,
-    play_all,
-)
+from soccer_env.train.papers.claims.dribble.past import BODIES, MATCHES, MOVING, RULES, Plan, outcome_share, play_all
 from soccer_env.train.papers.dribble_runs import PAPER
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 

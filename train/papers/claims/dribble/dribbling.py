@@ -4,13 +4,13 @@ Each claim is measured in two leagues: in `legged-2001`, whose legs swing, which
 body of `legged-2001-smooth`. Geometry and gait decide in both; none of their numbers is fitted to a claim.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from math import pi
 
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.dribble_runs import (
     COUNTED,
     LOST,
@@ -20,6 +20,7 @@ from soccer_env.train.papers.dribble_runs import (
     record_dribble,
     set_up_dribblers,
 )
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import LEGGED, put, stage, still_actions
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -75,16 +76,6 @@ def loss_increase(samples: Samples, world: str = "") -> float:
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
-def step_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the balls lost per metre against the step length."""
-    centimetres = [100 * step for step in STEPS]
-    curves = (
-        Curve("legs that swing", centimetres, losses_per_metre(samples)),
-        Curve("body of one piece", centimetres, losses_per_metre(samples, "smooth ")),
-    )
-    return (Figure("Balls lost by a dribbler", "length of a step [cm]", "losses per metre", curves),)
-
-
 S51 = Claim(
     id="S51", section="4.3.2",
     statement="Steps of 4 cm kick the ball away too often; 3.5 cm mostly keep it.",
@@ -102,7 +93,11 @@ S51 = Claim(
         reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
         reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
     ),
-    measure=measure_in_both_worlds(dribble_steps), figures=step_figure, batches=12, seconds=5.5,
+    measure=measure_in_both_worlds(dribble_steps),
+    figures=plot("Balls lost by a dribbler", "length of a step [cm]", "losses per metre",
+                 [100 * step for step in STEPS],
+                 {"legs that swing": losses_per_metre, "body of one piece": lambda s: losses_per_metre(s, "smooth ")}),
+    batches=12, seconds=5.5,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
     note="No ball was lost, at 4 cm as at 3.5. A body of one piece that slides with a constant speed does not kick. A "
     "paw that swings goes at twice the speed of the walk and reaches half a stroke ahead of where it stands; geometry "
@@ -155,16 +150,6 @@ def half_loss_angle(samples: Samples, world: str = "") -> float:
     return ANGLES[above - 1] + part * (ANGLES[above] - ANGLES[above - 1])
 
 
-def angle_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of lost balls against the angle off straight ahead."""
-    curves = (
-        Curve("legs that swing", ANGLES, losses_by_angle(samples)),
-        Curve("body of one piece", ANGLES, losses_by_angle(samples, "smooth ")),
-    )
-    title = f"Balls lost within {ASIDE_SECONDS:g} s of walking aside"
-    return (Figure(title, "angle off straight ahead [degrees]", "balls lost [%]", curves),)
-
-
 S59 = Claim(
     id="S59", section="4.3.3",
     statement="Moving more than about 45 degrees to its side a robot frequently loses the ball.",
@@ -178,7 +163,11 @@ S59 = Claim(
         reported("body of one piece: the difference", wide_angle_loss_difference, "smooth ", unit="%"),
         reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
     ),
-    measure=measure_in_both_worlds(push_at_angles), figures=angle_figure, batches=8, seconds=4.0,
+    measure=measure_in_both_worlds(push_at_angles),
+    figures=plot(f"Balls lost within {ASIDE_SECONDS:g} s of walking aside", "angle off straight ahead [degrees]",
+                 "balls lost [%]", ANGLES,
+                 {"legs that swing": losses_by_angle, "body of one piece": lambda s: losses_by_angle(s, "smooth ")}),
+    batches=8, seconds=4.0,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
     note="The paws of a body of one piece hold the ball from both sides; it slips out under a paw only if the robot "
     "walks almost sideways. Legs that swing open the pocket by a stroke.",

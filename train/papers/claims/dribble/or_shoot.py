@@ -14,11 +14,7 @@ from soccer_env.types import AWAY, HOME
 MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
 SCENE = "dribble-past-three"  # three standing players on the way to the goal
 STRATEGIES: dict[str, dict[str, Any]] = {"dribble": {}, "orbit and shoot": {"avoidance": False}}
-BLOCKERS = {
-    "": "chaser",
-    " still": "still",
-    " alone": None,
-}  # suffix of the samples: team; None: no blockers
+BLOCKERS = {"": "chaser", " still": "still", " alone": None}  # suffix of the samples: team; None: no blockers
 MORE: dict[str, dict[str, Any]] = {
     "dribble, no shots": {"shoots": False},
     "dribble, choose_shots": {"choose_shots": True},

@@ -15,6 +15,7 @@ from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import player_near_path, starts
 from soccer_env.train.papers.claims.field.robots import run_robots
 from soccer_env.train.papers.dribble_runs import LONGEST, PAPER, play_drill
+from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 Plan = Sequence[tuple[str | Scene, dict[str, Any], float]]  # scene, settings of the team, speed of movers [m/s]
@@ -50,29 +51,13 @@ def dribble_past_still(batch: Batch) -> Samples:
     """Dribble past one, two, three standing players; past one also with ideal senses, doubled k2, and from afar."""
     samples = play_all(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
-    variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (
-        ("ideal", {}, "ideal"),
-        ("strong", strong, "sensors"),
-    )
+    variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (("ideal", {}, "ideal"), ("strong", strong, "sensors"))
     for name, settings, senses in variants:
         one = play_drill(batch, STILL[0], settings, MATCHES, senses=senses)
         samples |= {f"{key} {name}": values for key, values in one.items()}
     rng = batch.rng()
     start, crowd = starts(rng, MATCHES), player_near_path(rng, 0.0, 0.25, MATCHES)
     return samples | {"clean afar": run_robots(batch, start, crowd).is_clean}
-
-
-def still_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the shares of runs by outcome against the number of players."""
-    names = {
-        "clean": "past, without a touch",
-        "free": "past, no touch that stops or turns",
-        "past": "past",
-    }
-    curves = tuple(
-        Curve(text, (1, 2, 3), [outcome_share(samples, name, i) for i in range(3)]) for name, text in names.items()
-    )
-    return (Figure("Dribbling past players who stand", "players", "runs [%]", curves, rules=(95.0,)),)
 
 
 S62 = Claim(
@@ -92,7 +77,12 @@ S62 = Claim(
         reported("one, twice k2: clean", "clean strong", unit="%"),
         reported("one who stands 90 to 150 cm off at the start: clean", "clean afar", unit="%"),
     ),
-    measure=dribble_past_still, figures=still_figure, least=3, batches=8, seconds=8.0,
+    measure=dribble_past_still,
+    figures=plot("Dribbling past players who stand", "players", "runs [%]", (1, 2, 3),
+                 {text: each(range(3), outcome_share, name)
+                  for name, text in {"clean": "past, without a touch", "free": "past, no touch that stops or turns",
+                                     "past": "past"}.items()}, rules=(95.0,)),
+    least=3, batches=8, seconds=8.0,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
     note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to surface, "
     "where he pushes half as much again as the goal pulls before he has been seen. With ideal senses, or begun farther "
@@ -118,20 +108,6 @@ def speed_columns(*speeds: float) -> list[int]:
     return [i for i in range(len(MOVING) * len(SPEEDS)) if SPEEDS[i % len(SPEEDS)] in speeds]
 
 
-def mover_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of clean runs against the mover's speed, one curve for each drill."""
-    centimetres = [100 * speed for speed in SPEEDS]
-    curves = tuple(
-        Curve(
-            scene.removeprefix("dribble-past-"),
-            centimetres,
-            list(100.0 * samples["clean"][:, drill_columns(i)].mean(0)),
-        )
-        for i, scene in enumerate(MOVING)
-    )
-    return (Figure("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", curves, rules=(80.0,)),)
-
-
 S63 = Claim(
     id="S63", section="4.3.4",
     statement="One moving player is avoided well too, near or far at the start, even head-on.",
@@ -147,7 +123,11 @@ S63 = Claim(
                  speed_columns(0.03, 0.06), unit="%"),
         reported("past with the ball, touched or not, all speeds", outcome_share, "past", unit="%"),
     ),
-    measure=dribble_past_mover, figures=mover_figure, batches=8, seconds=6.0,
+    measure=dribble_past_mover,
+    figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
+                 {scene.removeprefix("dribble-past-"): each(drill_columns(i), outcome_share, "clean")
+                  for i, scene in enumerate(MOVING)}, rules=(80.0,)),
+    batches=8, seconds=6.0,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
     note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the paper's "
     "movers were slower, or stopped, is a guess.",

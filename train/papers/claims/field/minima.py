@@ -59,11 +59,6 @@ def trouble_share(samples: Samples, who: str, limit: str, scenes: Sequence[str] 
     return 100 * mean([has_trouble(samples, who, scene, limit) for scene in scenes])
 
 
-def trouble_without_limits(samples: Samples, who: str) -> float:
-    """Return the share of runs that stall or retreat without the limits minus the share with them [pp]."""
-    return trouble_share(samples, who, "off") - trouble_share(samples, who, "on")
-
-
 def minimum_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the paths of a dribbler with a player right ahead, with and without the limit of 70 degrees on its turn."""
     crowd, start = players([[0.0, 0.0]]), np.array([[START, 0.0]])
@@ -85,7 +80,8 @@ S54 = Claim(
     criteria=(
         measured("points without limits that stall or retreat", trouble_share, "points", "off", unit="%",
                  above=SOMETIMES),
-        measured("robots that do so: without limits less with them", trouble_without_limits, "robots", unit="pp",
+        measured("robots that do so: without limits less with them",
+                 lambda s: trouble_share(s, "robots", "off") - trouble_share(s, "robots", "on"), unit="pp",
                  above=SOMETIMES),
         reported("points with the limits", trouble_share, "points", "on", unit="%"),
         *(reported(f"{who} without limits, {scene}", trouble_share, who, "off", (scene,), unit="%")

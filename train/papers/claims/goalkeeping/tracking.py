@@ -81,14 +81,14 @@ H29 = Claim(
     f"error of the believed velocity of ball and opponents that move at {MOVES:g} m/s and more and were seen within "
     f"{SEEN:g} s, over their speed (median). \"Accurate\" is read as a third; the paper gives no number.",
     criteria=(
-        measured("ball", "ball", of=lambda values: 100 * median(values), unit="%", at_most=THIRD),
-        measured("opponents", "robots", of=lambda values: 100 * median(values), unit="%", at_most=THIRD),
+        measured("ball", "ball", of=median, unit="%", at_most=THIRD),
+        measured("opponents", "robots", of=median, unit="%", at_most=THIRD),
         reported("balls faster than robots", "kicked", of=median, unit="%"),
         reported("ball, with a fit over five frames", "fit ball", of=median, unit="%"),
         reported("balls faster than robots, with that fit", "fit kicked", of=median, unit="%"),
         reported("opponents, with that fit", "fit robots", of=median, unit="%"),
     ),
-    rules=PLAYED, measure=watch_velocities, batches=4, seconds=8.0,
+    rules=PLAYED, measure=watch_velocities, batches=4, seconds=3.0,
     ingredients=("memory.ball_agility, player_agility: leagues/omni_sensors.py",),
 )  # fmt: skip
 
@@ -142,6 +142,6 @@ H25 = Claim(
         reported("past without a touch, ideal senses", "ideal clean", unit="%"),
         reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
     ),
-    measure=measure_challenge, batches=4, seconds=5.0,
+    measure=measure_challenge, batches=4, seconds=2.0,
     ingredients=("dribbles_round, which the team leaves off in matches", "the drill's places"),
 )  # fmt: skip

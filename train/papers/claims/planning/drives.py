@@ -28,8 +28,8 @@ RETREAT = 0.001  # [m] in a cycle that count as driving away
 BEND = 5  # cycles between two points of the driven way, for its turn
 TEAMS: dict[str, dict[str, Any]] = {"old": {"planner": "static"}, "new": {}}  # Weigel's planner, the paper's
 DRIVE_TEXT = (
-    f"{DRIVES} drives a batch in each of three scenes, by sensors and particles: a field player of the team drives to a "
-    f"still ball {FAR:g} m away; one robot crosses the way, or comes against it, or three come from all sides but "
+    f"{DRIVES} drives a batch in each of three scenes, by sensors and particles: a field player of the team drives to "
+    f"a still ball {FAR:g} m away; one robot crosses the way, or comes against it, or three come from all sides but "
     f"behind, at {CROSSERS[0]:g} to {CROSSERS[1]:g} m/s, at the way when the player would be, to {LATE:g} s"
 )
 
@@ -72,7 +72,7 @@ def move_obstacles(match: Match, drives: dict[str, np.ndarray], now: float) -> N
 
 
 def drive(batch: Batch, kind: str, settings: dict[str, Any]) -> Samples:
-    """Let the team with `settings` drive; return the smallest gap [m], time [s], turn [degrees] and cycles away (M,)."""
+    """Let the team with `settings` drive; return smallest gaps [m], times [s], turns [degrees], cycles away (M,)."""
     drives, count = draw_drives(batch, kind), KINDS[kind][0]
     sides = {"home": make_team("heinemann-2006", **settings)}
     match = stage(batch, MIDDLE, matches=DRIVES, home=2, away=count, controllers=sides)

@@ -4,13 +4,12 @@ Sizes of stickers are guesses, so the grouping factor is judged over jerseys of 
 jersey counts.
 """
 
-from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import (
     blob_owners,
@@ -21,6 +20,7 @@ from soccer_env.train.papers.claims.players.seen import (
     slots_of,
     stage_watchers,
 )
+from soccer_env.train.papers.plots import each, plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import percent
@@ -115,23 +115,6 @@ def excess_over_best_factor(samples: Samples) -> np.ndarray:
     return np.asarray(total_error_share(samples, CHOSEN) - others.min(axis=0))
 
 
-def factor_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the shares of ghosts and missed players against the grouping factor, one figure for each jersey."""
-    label = "grouping factor [sizes of the larger blob]"
-    return tuple(
-        Figure(
-            f"Two players in view, stickers {jersey:g} times as large",
-            label,
-            "per visible player [%]",
-            tuple(
-                Curve(name, FACTORS, [float(error_share(samples, name, factor)[j]) for factor in FACTORS])
-                for name in ("ghosts", "missed")
-            ),
-        )
-        for j, jersey in enumerate(JERSEYS)
-    )
-
-
 S33 = Claim(
     id="S33", section="4.1.1",
     statement="Merging blobs within three sizes works best, and errs towards counting two players as one.",
@@ -153,7 +136,11 @@ S33 = Claim(
                    factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
           for factor in FACTORS),
     ),
-    measure=try_factors, condition="in the worst of three sizes of assumed stickers", figures=factor_figure,
+    measure=try_factors, condition="in the worst of three sizes of assumed stickers",
+    figures=plots(*(plot(f"Two players in view, stickers {jersey:g} times as large",
+                         "grouping factor [sizes of the larger blob]", "per visible player [%]", FACTORS,
+                         {name: each(FACTORS, lambda s, name, j, factor: float(error_share(s, name, factor)[j]), name,
+                                     j) for name in ("ghosts", "missed")}) for j, jersey in enumerate(JERSEYS))),
     seconds=5.0,
     ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
     note="Which factor is best follows from the jersey: stickers of shoulder and hip are 12 cm apart, 2.8 sizes of the "

@@ -1,13 +1,13 @@
 """A robot nearby that looks down at the ball: its black head hides its jersey.  [Sacks 2001, 4.3.3]"""
 
-from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import begin_scene, still_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 from soccer_env.train.papers.values import mean
@@ -98,13 +98,6 @@ def detected_share(samples: Samples) -> float:
     return 100.0 - 100.0 * left / all_ if all_ > 0.0 else np.nan
 
 
-def head_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the bias of a near player's range against the distance, with its head up and down."""
-    names = {name: f"head {name}" for name in (*TILTS, "down by infrared")}
-    curves = curves_by_bin(samples, names, samples["distance"], np.linspace(NEAR, FAR, 6), mean)
-    return (Figure("Range bias of a near player by its head", "distance [cm]", "bias [cm]", curves),)
-
-
 S61 = Claim(
     id="S61", section="4.3.3",
     statement="A near robot with its head down seems much farther; the infrared reading repairs that.",
@@ -126,7 +119,11 @@ S61 = Claim(
         *(reported(f"frames in which it is {name}", name, unit="%")
           for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")),
     ),
-    measure=compare_head_tilts, figures=head_figure, seconds=1.5,
+    measure=compare_head_tilts,
+    figures=plot_bins("Range bias of a near player by its head", "distance [cm]", "bias [cm]",
+                      {name: f"head {name}" for name in (*TILTS, "down by infrared")}, "distance",
+                      np.linspace(NEAR, FAR, 6), mean),
+    seconds=1.5,
     without=Ablation("sensors.head_down, the angle from which a head hides stickers",
                      partial(compare_head_tilts, head_down=np.pi)),
     ingredients=("sensors.head_down", "sensors.head_size", "stickers of the chest"),

@@ -110,7 +110,7 @@ def compare_misses(batch: Batch) -> Samples:
 
 
 def by_case(samples: Samples, name: str) -> list[float]:
-    """Return the mean [%] of samples such as "U/d", the share of time with two slots or more, in each case of MISSES."""
+    """Return the mean [%] of the samples of a name, such as "U/d" (time with two slots), in each case of MISSES."""
     return [100 * mean(samples[f"{name}, {missed}"]) for missed in MISSES]
 
 

@@ -1,17 +1,18 @@
 """The movement of a player between an early sighting and the encounter.  [Sacks 2001, 4.3.1]"""
 
-from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.seen import look_at, nearest_seen, stage_watchers
 from soccer_env.train.papers.dribble_runs import play_drill
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
-from soccer_env.train.papers.values import bin_masks, least_rise, mean, median, middles_of
+from soccer_env.train.papers.values import bin_masks, gain, least_rise, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 SCENES = 64
@@ -80,11 +81,6 @@ def walk_off_and_pass(batch: Batch) -> Samples:
     return samples
 
 
-def cut_off_gain(samples: Samples, name: str, other: str = "without") -> float:
-    """Return the gain [pp] that the cut-off brings in the share `name` of the runs past a far mover."""
-    return 100.0 * (mean(samples[f"with {name}"]) - mean(samples[f"{other} {name}"]))
-
-
 def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
     """Let the mover walk and change its turn rate every KEPT s while robot 0 watches; return its path (2, T, M) [m]."""
     robot = match.robots[:, 1]
@@ -99,9 +95,9 @@ def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random
     return np.moveaxis(np.array(way), 1, 0)
 
 
-def error_by_distance(samples: Samples, speeds: Sequence[float]) -> list[float]:
-    """Return the median error of the believed place [cm] in each bin of distance, over movers of the given speeds."""
-    column = [SPEEDS.index(speed) for speed in speeds]
+def error_by_distance(samples: Samples, speed: float) -> list[float]:
+    """Return the median error of the believed place [cm] in each bin of distance, over movers of a speed."""
+    column = SPEEDS.index(speed)
     distance, error = samples["distance"][:, column], samples["error"][:, column]
     return [100 * median(error[there]) for there in bin_masks(distance, BINS)]
 
@@ -122,13 +118,6 @@ def cut_off_error_difference(samples: Samples, speed: float) -> float:
     return error_at_speed(samples, speed, True) - error_at_speed(samples, speed, False)
 
 
-def moved_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the error of the mover's believed place against the distance of the sighting, for each speed."""
-    middles = middles_of(BINS, 100)
-    curves = tuple(Curve(f"{100 * speed:.0f} cm/s", middles, error_by_distance(samples, (speed,))) for speed in SPEEDS)
-    return (Figure("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]", curves),)
-
-
 S70 = Claim(
     id="S70", section="4.3.1",
     statement="A distant obstacle may be elsewhere when the dribbler gets close to it.",
@@ -147,11 +136,17 @@ S70 = Claim(
         reported("at top speed, seen from beyond 1 m", error_at_speed, SPEEDS[-1], True, unit="cm"),
         reported("of players that stand, beyond 1 m: the sensors' part", error_at_speed, 0.0, True, unit="cm"),
         reported("past a far mover without a touch, with the cut-off", "with clean", unit="%"),
-        reported("past a far mover untouched, with the cut-off less without", cut_off_gain, "clean", unit="pp"),
-        reported("past it, touched or not, with the cut-off less without", cut_off_gain, "past", unit="pp"),
-        reported("untouched, less with the same k2 and no cut-off", cut_off_gain, "clean", "unmatched", unit="pp"),
+        reported("past a far mover untouched, with the cut-off less without", gain, "with clean", "without clean",
+                 unit="pp"),
+        reported("past it, touched or not, with the cut-off less without", gain, "with past", "without past",
+                 unit="pp"),
+        reported("untouched, less with the same k2 and no cut-off", gain, "with clean", "unmatched clean", unit="pp"),
     ),
-    measure=walk_off_and_pass, figures=moved_figure, batches=10, seconds=6.0,
+    measure=walk_off_and_pass,
+    figures=plot("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]",
+                 middles_of(BINS, 100),
+                 {f"{100 * speed:.0f} cm/s": partial(error_by_distance, speed=speed) for speed in SPEEDS}),
+    batches=10, seconds=6.0,
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
     note="The cut-off, of which another sentence speaks (S45), is tried by the team without shots that dribbles past "
     "the mover of a drill, who walks in at 6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at "

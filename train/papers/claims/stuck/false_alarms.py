@@ -1,16 +1,16 @@
 """False alarms: a robot that nothing stops believes that it is stuck.  [Sacks 2001, 3.3]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim
 from soccer_env.train.papers.claims.stuck.detection import NEAR, latencies
 from soccer_env.train.papers.claims.stuck.runs import is_recovering, set_up_seekers
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, distance_from_camera
+from soccer_env.train.papers.plots import plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, kick_off, play, point_ahead, put, put_ball
 from soccer_env.train.papers.values import least_rise, mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -63,16 +63,6 @@ def false_alarm_rates(samples: Samples) -> list[float]:
     return [100.0 * mean(samples["false"][:, i]) for i in range(len(COUNTS))]
 
 
-def sweep_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the mean latency and the number of false alarms against the threshold."""
-    delay = Curve("held robots", COUNTS, mean_latencies(samples))
-    false = Curve("free robots", COUNTS, false_alarm_rates(samples))
-    return (
-        Figure("Delay by threshold", "threshold [readings]", "mean time until noticed [s]", (delay,)),
-        Figure("False alarms by threshold", "threshold [readings]", "false alarms in 100 approaches", (false,)),
-    )
-
-
 S25 = Claim(
     id="S25", section="3.3",
     statement="Higher thresholds prevent false alarms, but delay the detection of collisions.",
@@ -89,7 +79,12 @@ S25 = Claim(
         reported("least threshold: delay", lambda s: mean_latencies(s)[0], unit="s"),
         reported("greatest threshold: delay", lambda s: mean_latencies(s)[-1], unit="s"),
     ),
-    measure=sweep_thresholds, figures=sweep_figure, batches=6, seconds=4.0,
+    measure=sweep_thresholds,
+    figures=plots(plot("Delay by threshold", "threshold [readings]", "mean time until noticed [s]", COUNTS,
+                       {"held robots": mean_latencies}),
+                  plot("False alarms by threshold", "threshold [readings]", "false alarms in 100 approaches", COUNTS,
+                       {"free robots": false_alarm_rates})),
+    batches=6, seconds=4.0,
     ingredients=("the second counter stays at 8 s",),
 )  # fmt: skip
 

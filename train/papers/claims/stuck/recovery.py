@@ -1,14 +1,14 @@
 """How a stuck robot gets free: steps back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]"""
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.stuck.branches import FUTURE, count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
+from soccer_env.train.papers.plots import plot, plot_done
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -59,12 +59,6 @@ def ten_steps_ratio(samples: Samples) -> float:
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
 
-def again_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of robots held again against the number of steps back."""
-    curve = Curve("held again within 5 s", BACK_STEPS, held_again_shares(samples))
-    return (Figure("Held again after a recovery", "steps back", "robots [%]", (curve,)),)
-
-
 S26 = Claim(
     id="S26", section="3.4",
     statement="Ten steps back exceed the need, but prevent getting stuck again at once.",
@@ -75,7 +69,10 @@ S26 = Claim(
         *(reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
           for i, steps in enumerate(BACK_STEPS)),
     ),
-    rules=PLAYED_AND_STAGED, measure=measure_held_again, figures=again_figure, least=4, batches=12, seconds=4.0,
+    rules=PLAYED_AND_STAGED, measure=measure_held_again,
+    figures=plot("Held again after a recovery", "steps back", "robots [%]", BACK_STEPS,
+                 {"held again within 5 s": held_again_shares}),
+    least=4, batches=12, seconds=4.0,
     without=Ablation("the way back counted in the five seconds, as here it is not",
                      partial(measure_held_again, way_back=True)),
     ingredients=(HELD, "side_steps 5: assumed"),
@@ -166,16 +163,6 @@ def recovery_gain(
     )
 
 
-def tries_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of robots that are free again against the time, for each kind of recovery."""
-    grid = np.linspace(0.0, FUTURE, 49)
-    curves = []
-    for word, title in (("begun", "recover at once"), ("on", "recover when they notice"), ("off", "push on")):
-        times = samples[f"freed {word}"][~np.isnan(samples[f"freed {word}"])]
-        curves.append(Curve(title, grid.tolist(), [100.0 * float((times <= t).mean()) for t in grid]))
-    return (Figure("Robots held in play: free by when", "time [s]", "robots [%]", tuple(curves)),)
-
-
 def repeated_recovery_share(samples: Samples) -> float:
     """Return the share [%] of robots that begin more than one recovery before they have the ball."""
     tries = samples["tries begun"]
@@ -206,7 +193,11 @@ S29 = Claim(
                  lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     ),
     rules=PLAYED_AND_STAGED, measure=compare_recoveries, condition="where the recovery is begun for the robot",
-    figures=tries_figure, least=4, batches=12, seconds=3.0,
+    figures=plot_done("Robots held in play: free by when", "robots [%]", np.linspace(0.0, FUTURE, 49),
+                      {f"freed {word}": title
+                       for word, title in (("begun", "recover at once"), ("on", "recover when they notice"),
+                                           ("off", "push on"))}),
+    least=4, batches=12, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
     "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "

@@ -1,6 +1,6 @@
 """The worth of noticing a collision and recovering from it, task by task; turning at a wall.  [Sacks 2001, 1, 3.4]"""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from math import pi
 from typing import Any
@@ -10,10 +10,11 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim
 from soccer_env.train.papers.claims.stuck.branches import follow_moments
 from soccer_env.train.papers.claims.stuck.runs import set_up_blocked_path, set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES
+from soccer_env.train.papers.plots import plot_done
 from soccer_env.train.papers.staging import begin_scene, kick_off, play, point_ahead, put_ball, stage_drill
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -80,26 +81,10 @@ def task_success(samples: Samples, word: str, task: str = "play") -> float:
     return 100.0 * mean(np.where(np.isnan(times), np.nan, np.isfinite(times)))
 
 
-def success_gain(samples: Samples, task: str = "play") -> float:
-    """Return the success [pp] in a task with the recovery minus the success without the recovery."""
-    return task_success(samples, "on", task) - task_success(samples, "off", task)
-
-
 def mean_time(samples: Samples, word: str) -> float:
     """Return the mean time [s] to the ball of robots held in play; WITHIN stands for later or never."""
     times = samples[f"play {word}"]
     return mean(np.minimum(times, WITHIN))
-
-
-def time_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of runs in which a robot has got the ball against the time."""
-    grid, curves = np.linspace(0.0, LONGEST, 41), []
-    for name in ("play", *TASKS):
-        for word in WAYS:
-            times = samples[f"{name} {word}"]
-            share = [100.0 * float((times[~np.isnan(times)] <= t).mean()) for t in grid]
-            curves.append(Curve(f"{name}, recovery {word}", grid.tolist(), share))
-    return (Figure("Who has the ball by when", "time [s]", "runs [%]", tuple(curves)),)
 
 
 S02 = Claim(
@@ -111,7 +96,8 @@ S02 = Claim(
     f"runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     criteria=(
-        measured("held in play: success with recovery less without", success_gain, unit="pp", at_least=20.0),
+        measured("held in play: success with recovery less without",
+                 lambda s: task_success(s, "on") - task_success(s, "off"), unit="pp", at_least=20.0),
         measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
                  lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
         measured("stuck balls a minute of play, with less without",
@@ -125,7 +111,10 @@ S02 = Claim(
         reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / PLAY),
         reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
     ),
-    rules=PLAYED_AND_STAGED, measure=compare_with_recovery, figures=time_figure, least=2, batches=6, seconds=5.0,
+    rules=PLAYED_AND_STAGED, measure=compare_with_recovery,
+    figures=plot_done("Who has the ball by when", "runs [%]", np.linspace(0.0, LONGEST, 41),
+                      {f"{name} {word}": f"{name}, recovery {word}" for name in ("play", *TASKS) for word in WAYS}),
+    least=2, batches=6, seconds=5.0,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
     note="Two explanations were tested. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
     "noticing after 5 readings and 1 s they come free more often than without (S29), which they do not here. And who "
