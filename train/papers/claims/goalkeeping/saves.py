@@ -6,8 +6,9 @@ from functools import lru_cache
 from math import inf
 from typing import Any
 
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
+from soccer_env.train.papers.plots import each, plot, plot_bins, plots
 from soccer_env.train.papers.values import mean, ratio
 from soccer_env.train.papers.verdicts import Criterion, Samples, measured, reported
 
@@ -72,27 +73,19 @@ def conceded_ratio(samples: Samples, stance: str, fastest: float = inf, keeper: 
     return conceded_share(samples, f"{stance} {keeper}", fastest) / passive if passive > 0.0 else 1.0
 
 
-def stance_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the goals against the radius of the half circle (0: the goal line), and against the speed of the shot."""
-    titles = {"passive": "passive", "active": "active, fit", "kalman": "active, Kalman filter"}
-    places = [0.0, *RADII]
-    by_radius = tuple(
-        Curve(title, places, [conceded_share(samples, f"{stance} {keeper}") for stance in STANCES])
-        for keeper, title in titles.items()
-    )
-    names = {f"line {keeper}": f"{title}, far post" for keeper, title in titles.items()}
-    by_speed = curves_by_bin(samples, names, samples["speed"], BINS, mean, place_scale=1.0)
-    half = {"rules": (50.0,), "rule": "half of them"}
-    return (
-        Figure(
-            "Goals of shots at the farther post",
-            "radius of the half circle [m], 0: goal line",
-            "goals [%]",
-            by_radius,
-            **half,
-        ),
-        Figure("Goals on the goal line", "speed at the kick [m/s]", "goals [%]", by_speed, **half),
-    )
+TITLES = {"passive": "passive", "active": "active, fit", "kalman": "active, Kalman filter"}
+stance_figures = plots(
+    plot(
+        "Goals of shots at the farther post", "radius of the half circle [m], 0: goal line", "goals [%]", (0.0, *RADII),
+        {title: each(STANCES, lambda s, keeper, stance: conceded_share(s, f"{stance} {keeper}"), keeper)
+         for keeper, title in TITLES.items()}, rules=(50.0,), rule="half of them",
+    ),
+    plot_bins(
+        "Goals on the goal line", "speed at the kick [m/s]", "goals [%]",
+        {f"line {keeper}": f"{title}, far post" for keeper, title in TITLES.items()}, "speed", BINS, mean,
+        place_scale=1.0, rules=(50.0,), rule="half of them",
+    ),
+)  # fmt: skip
 
 
 def by_radius(text: str, value: Any, *arguments: Any, unit: str = "%") -> tuple[Criterion, ...]:
