@@ -27,6 +27,7 @@ FEW, LATE = 5.0, 8.0  # [s] "a few seconds", for near balls and for all, assumed
 PLAY_TIMES = {"5 s": FEW, "20 s": 20.0}  # [s] in which robots held in play may notice
 # Bounds [%] by sentence: "almost always", "infrequently"; "often", and five times fewer
 NOTICED, NOTICED_LATE, FALSE, OFTEN, FEWER = 95.0, 90.0, 5.0, 5.0, 5.0
+COUNTED = ("near", "near soon", "all", "all late", "one", "two", "approaches")
 SETTINGS_TEXT = (
     f"Thresholds of {', '.join(map(str, COUNTS))} readings and {', '.join(f'{t:g}' for t in TIMES)} s near the ball, "
     f"for the paper tells neither. {TRIES} robots a batch and setting walk to a still ball for {WALK:g} s and are then "
@@ -48,7 +49,7 @@ def measure_settings(batch: Batch) -> Samples:
 def _measure_cached(batch: Batch) -> Samples:
     """Compute `measure_settings` for a batch that serves as the key of a cache."""
     shape = (TRIES, len(COUNTS), len(TIMES))
-    found = {name: np.zeros(shape) for name in ("near", "near soon", "all", "all late", "one", "two", "approaches")}
+    found = {name: np.zeros(shape) for name in COUNTED}
     found["approaches"] += 1.0
     for i, count in enumerate(COUNTS):
         found["one"][:, i] = approach(batch, rolls=False, stuck_count=count, two_counters=False)[:, None]
@@ -83,20 +84,20 @@ def fit_of_s23(samples: Samples, rows: np.ndarray | slice = slice(None)) -> np.n
 FITS = {"S22": fit_of_s22, "S23": fit_of_s23}
 
 
-def at_best_setting(samples: Samples, claim: str) -> Samples:
-    """Return each run's counts (M,) at the setting that suits a claim best in the other half of the runs."""
-    chosen = {name: np.zeros(len(samples["half"])) for name in samples}
+def at_best_setting(samples: Samples, claim: str, names: Sequence[str] = COUNTED) -> Samples:
+    """Return each run's counts (M,) `names` at the setting that suits a claim best in the other half of the runs."""
+    chosen = {name: np.zeros(len(samples["half"])) for name in names}
     for half in (0, 1):
         mine, others = samples["half"] == half, samples["half"] != half
         i, j = np.unravel_index(int(FITS[claim](samples, others).argmax()), (len(COUNTS), len(TIMES)))
-        for name in (name for name in samples if samples[name].ndim == 3):
+        for name in names:
             chosen[name][mine] = samples[name][mine, i, j]
     return chosen
 
 
 def alarm_ratio(samples: Samples) -> float:
     """Return the number of alarms with one counter over that with two (at least half an alarm) at the best setting."""
-    chosen = at_best_setting(samples, "S23")
+    chosen = at_best_setting(samples, "S23", ("one", "two"))
     one, two = chosen["one"].sum(), chosen["two"].sum()
     return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
 
@@ -106,11 +107,9 @@ def settings_that_hold(samples: Samples, *claims: str) -> float:
     return float(np.logical_and.reduce([FITS[claim](samples) >= 1.0 for claim in claims]).sum())
 
 
-def of_setting(samples: Samples, hits: str, trials: str, claim: str = "") -> float:
-    """Return a share [%] at the team's own setting, or at the setting that suits a claim best."""
-    if claim:
-        return percent(at_best_setting(samples, claim), hits, trials)
-    return float(shares(samples, hits, trials)[TEAM])
+def of_team(samples: Samples, hits: str, trials: str) -> float:
+    """Return a share [%] at the team's own setting."""
+    return percent({name: samples[name][:, TEAM[0], TEAM[1]] for name in (hits, trials)}, hits, trials)
 
 
 def surface_table(samples: Samples) -> str:
@@ -156,11 +155,7 @@ def measure_with_play(batch: Batch) -> Samples:
     return measure_settings(batch) | counts
 
 
-SAME = (
-    reported("settings of 16 at which S22's sentence holds", settings_that_hold, "S22"),
-    reported("settings of 16 at which S23's sentence holds", settings_that_hold, "S23"),
-    reported("settings of 16 at which both hold", settings_that_hold, "S22", "S23"),
-)
+SAME = reported("settings of 16 at which both S22 and S23 hold", settings_that_hold, "S22", "S23")
 
 S22 = Claim(
     id="S22", section="3.3",
@@ -174,9 +169,9 @@ S22 = Claim(
                 at_least=NOTICED_LATE),
         counted("approaches that nothing stops: false alarms", "two", "approaches",
                 partial(at_best_setting, claim="S22"), at_most=FALSE),
-        *SAME,
-        reported("at 9 readings and 8 s: noticed within 5 s", of_setting, "near soon", "near", unit="%"),
-        reported("at 9 readings and 8 s: noticed within 8 s", of_setting, "all late", "all", unit="%"),
+        SAME,
+        reported("at 9 readings and 8 s: noticed within 5 s", of_team, "near soon", "near", unit="%"),
+        reported("at 9 readings and 8 s: noticed within 8 s", of_team, "all late", "all", unit="%"),
         *(reported(f"held in play, 9 readings and 8 s: noticed within {name}", percent, f"known {name}",
                    f"robots {name}", unit="%") for name in PLAY_TIMES),
     ),
@@ -194,11 +189,9 @@ S23 = Claim(
         counted("one counter: approaches with a false alarm", "one", "approaches",
                 partial(at_best_setting, claim="S23"), at_least=OFTEN),
         measured("alarms with one counter over those with two", alarm_ratio, at_least=FEWER),
-        *SAME,
-        reported("at the same setting: held robots that notice within 5 s", of_setting, "near soon", "near", "S23",
-                 unit="%"),
-        reported("at 9 readings and 8 s, one counter: false alarms", of_setting, "one", "approaches", unit="%"),
-        reported("at 9 readings and 8 s, two counters: false alarms", of_setting, "two", "approaches", unit="%"),
+        SAME,
+        reported("at 9 readings and 8 s, one counter: false alarms", of_team, "one", "approaches", unit="%"),
+        reported("at 9 readings and 8 s, two counters: false alarms", of_team, "two", "approaches", unit="%"),
     ),
     measure=measure_settings, condition="at a setting that the paper does not tell", figures=surface_figures, batches=6,
     seconds=12.0,
