@@ -123,7 +123,15 @@ PRESETS = {
     "default": Rewards(),
     "sparse": Rewards.only(**{term.name: term.weight for term in TERMS if term.kind == "event"}),
     "training": Rewards(  # of `soccer train`; a goal takes back half of `progress`: with goal=1.0 it would cost 1.5
-        goal=5.0, progress=5.0, approach=2.0, effort=0.0, cover=0.2, crowding=0.1, guard=1.0, strength=0.3, shot=1.0,
+        goal=5.0,
+        progress=5.0,
+        approach=2.0,
+        effort=0.0,
+        cover=0.2,
+        crowding=0.1,
+        guard=1.0,
+        strength=0.3,
+        shot=1.0,
         foul=2.0,
     ),  # fmt: skip
 }

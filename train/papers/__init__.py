@@ -8,6 +8,7 @@ claim.py          a claim, and the samples and figures of its measurement
 verdicts.py       criteria, and their verdicts from intervals
 results.py        the result of a claim, the folder of a run, and the last results of all claims
 report.py         the report in Markdown, on the screen and as a page for the browser
+plots.py          figures of claims from few words
 staging.py        stage many matches at once, with robots and ball at given places
 true_sight.py     the true direction of legged robots' cameras, for all robots of many matches at once
 dribble_runs.py   robots that dribble, and the fate of the ball; runs of the dribbling drills

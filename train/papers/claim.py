@@ -1,7 +1,7 @@
 """A claim of a paper: its statement, its measurement, and the samples and figures that the measurement returns."""
 
 import zlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -9,8 +9,7 @@ import numpy as np
 
 from soccer_env.match.arguments import Pose
 from soccer_env.match.staging import PATIENT
-from soccer_env.train.papers.values import bin_masks, middles_of
-from soccer_env.train.papers.verdicts import Criterion, Samples, Statistic
+from soccer_env.train.papers.verdicts import Criterion, Samples
 
 SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
 PAPERS = {"S": SACKS, "H": HEINEMANN}  # by the first letter of a claim's id
@@ -60,18 +59,6 @@ class Curve:
     y: Sequence[float]
     low: Sequence[float] = ()
     high: Sequence[float] = ()
-
-
-def curves_by_bin(
-    samples: Samples, names: Mapping[str, str], place: np.ndarray, edges: Sequence[float] | np.ndarray, of: Statistic,
-    scale: float = 100.0, place_scale: float = 100.0,
-) -> tuple[Curve, ...]:  # fmt: skip
-    """Return a curve for each of `names` (sample: title): a statistic of the sample in each bin of `place`, scaled."""
-    inside = bin_masks(place, edges)
-    return tuple(
-        Curve(title, middles_of(edges, place_scale), [scale * of(samples[name][there]) for there in inside])
-        for name, title in names.items()
-    )
 
 
 @dataclass(frozen=True)
@@ -125,6 +112,7 @@ class Claim:
     least: int = 1  # batches of a seed before the first verdict; more than 1 where few units of a batch count
     quick: int = 1
     seconds: float = 3.0  # [s] of one batch on one core, compiled: --minutes derives the number of batches from it
+    condition: str = ""  # that the verdict names: "reproduced, with ..."
     ingredients: tuple[str, ...] = ()  # settings and models that the result depends on
     without: Ablation | None = None  # by construction
     figures: Callable[[Samples], Sequence[Figure]] = lambda samples: ()

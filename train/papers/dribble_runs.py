@@ -24,9 +24,6 @@ from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import HOME
 
 NO_SHOTS = {"shoots": False}  # a team that keeps dribbling instead of shooting
-# Distances to other players from middle to middle, equal right ahead to those of the team's first version here
-FROM_MIDDLE = {"distance_from": "middle", "blocked_range": 0.40}  # [m]
-WAYS: dict[str, dict[str, Any]] = {"": {}, "middle ": FROM_MIDDLE}  # prefix of the samples: settings
 LOST = 0.10  # [m] between the ball and the chest beyond which the ball is lost, assumed
 START = -1.2  # [m] x of the dribbler
 COUNTED = 1.0  # [m] over which the ball should be kept

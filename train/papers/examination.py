@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from soccer_env.train.papers.claim import LEAGUE, Batch, Claim, as_plain, join_batches, none_or_float
-from soccer_env.train.papers.results import ClaimResult, as_record
+from soccer_env.train.papers.results import FROM_CLAIM, ClaimResult, as_record
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.papers.verdicts import (
     BY_CONSTRUCTION,
@@ -82,7 +82,8 @@ def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
 
 def judge_criteria(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
     """Compare samples with each criterion of a claim and return the findings."""
-    return [judge_criterion(criterion, samples, confidence) for criterion in claim.criteria]
+    count = sum(criterion.decides for criterion in claim.criteria)
+    return [judge_criterion(criterion, samples, confidence, count) for criterion in claim.criteria]
 
 
 def join_all_samples(taken: list[list[Samples]]) -> Samples:
@@ -114,7 +115,7 @@ def result_of(
     units = len(next(iter(samples.values()))) if samples else 0
     note = claim.note if isinstance(claim.note, str) else claim.note(samples)
     return ClaimResult(
-        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method")},
+        **{name: getattr(claim, name) for name in FROM_CLAIM},
         verdict=verdict,
         quick=settings.quick,
         pose=claim.pose or settings.pose,

@@ -31,9 +31,11 @@ EXPLANATION = f"""\
 neither, at the cap on samples.
 * `by construction`: satisfied because of something that was put in, which is named and switched off for comparison; \
 never counted as reproduced. `context`: nothing to decide.
-* A claim with several criteria needs all of them. Looks at growing samples share the 5 % of an interval. n counts \
-independent units (runs, matches) of all seeds together; "40 of 96": so many of them have a \
-value in the criterion that decides.
+* A claim with several criteria needs all of them. It is `reproduced` if each holds at 95 %; it is `not` if one of m \
+criteria is violated at a confidence of 1 - 5 % / m, for any of m may be violated by chance. Words of frequency: \
+"almost always" is 95 %, "usually" and "in most cases" are more than 50 %, "sometimes" and "infrequently" 5 %.
+* Looks at growing samples share the 5 % of an interval. n counts independent units (runs, matches) of all seeds \
+together; "40 of 96": so many of them have a value in the criterion that decides.
 * Rules: the set under which whole matches were played; staged scenes are under `{PATIENT}`, where nobody is \
 whistled, pulled apart or given a dropped ball, whatever `--rules` asks for.
 * Seeds: what the samples of each seed say alone, r reproduced, n not, u undecided, c context."""

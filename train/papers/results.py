@@ -15,7 +15,7 @@ from soccer_env import baselines
 from soccer_env.match.staging import PATIENT
 from soccer_env.train.papers.claim import HEINEMANN, SACKS, Claim, none_or_float
 from soccer_env.train.papers.claims import all_claims, find_claims
-from soccer_env.train.papers.verdicts import NOT, REPRODUCED, Finding
+from soccer_env.train.papers.verdicts import CONTEXT, NOT, REPRODUCED, Finding
 from soccer_env.train.results_folder import RunKind
 
 
@@ -28,6 +28,7 @@ class ClaimResult:
     section: str
     statement: str
     method: str
+    condition: str  # of the verdict, in words; "": none
     verdict: str
     quick: bool  # few samples were taken
     pose: str  # how robots knew where they are: "particles" or "percept"
@@ -52,8 +53,9 @@ class ClaimResult:
 
     @property
     def marked_verdict(self) -> str:
-        """Return the verdict, marked "(quick)" if it comes from few samples."""
-        return f"{self.verdict} (quick)" if self.quick else self.verdict
+        """Return the verdict with its condition, marked "(quick)" if it comes from few samples."""
+        words = f"{self.verdict}, {self.condition}" if self.condition and self.verdict != CONTEXT else self.verdict
+        return f"{words} (quick)" if self.quick else words
 
     @property
     def alone(self) -> str:
@@ -98,6 +100,7 @@ FILE = "claims.json"
 FOLDERS = {
     paper: Path(baselines.__path__[0]) / team for paper, team in ((SACKS, "sacks_2001"), (HEINEMANN, "heinemann_2006"))
 }
+FROM_CLAIM = ("id", "paper", "section", "statement", "method", "condition")  # fields that a result shares with it
 KEPT = ("verdict", "by_seed", "quick", "n", "n_used", "command", "pose", "rules", "criterion", "seeds")  # of a result
 
 Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
@@ -127,7 +130,7 @@ def restore_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
     measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
     note = claim.note if isinstance(claim.note, str) else ""
     return ClaimResult(
-        **{name: getattr(claim, name) for name in ("id", "paper", "section", "statement", "method")},
+        **{name: getattr(claim, name) for name in FROM_CLAIM},
         **{name: row[name] for name in KEPT},
         estimate=None,
         low=None,

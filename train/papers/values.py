@@ -54,6 +54,16 @@ def ratio(samples: Mapping[str, np.ndarray], above: str, below: str, of: Callabl
     return of(samples[above]) / max(of(samples[below]), 1e-12)
 
 
+def gain(samples: Mapping[str, np.ndarray], one: str, other: str, of: Callable[[Any], float] = mean) -> float:
+    """Return a statistic of the samples `one` minus that of the samples `other`, in hundredths: [pp] of shares."""
+    return 100.0 * (of(samples[one]) - of(samples[other]))
+
+
+def reduction(samples: Mapping[str, np.ndarray], one: str, other: str, of: Callable[[Any], float] = mean) -> float:
+    """Return by how much a statistic of the samples `one` is less than that of the samples `other` [%]."""
+    return 100.0 * (1.0 - of(samples[one]) / of(samples[other]))
+
+
 def least_rise(values: Any) -> float:
     """Return the smallest rise from one value of a sequence to the next: above 0 if all values rise."""
     return float(np.min(np.diff(np.asarray(values, float))))

@@ -66,14 +66,22 @@ def measured(
     return Criterion(text, unit, bootstrap_of(quantity), used_units_counter(quantity), **_bound_fields(bounds))
 
 
-def counted(text: str, hits: str, trials: str, **bounds: float) -> Criterion:
-    """Return a criterion on a share [%]: `hits` and `trials` name the samples with the counts (U,) of each unit."""
+def counted(
+    text: str, hits: str, trials: str, chosen: Callable[[Samples], Samples] = dict, **bounds: float
+) -> Criterion:
+    """Return a criterion on a share [%]: `hits` and `trials` name the samples with the counts (U,) of each unit.
+
+    `chosen` derives these samples from a claim's own.
+    """
 
     def interval(samples: Samples, level: float) -> Interval:
-        share, low, high = clustered_share(samples[hits], samples[trials], confidence=level)
+        derived = chosen(samples)
+        share, low, high = clustered_share(derived[hits], derived[trials], confidence=level)
         return 100.0 * share, 100.0 * low, 100.0 * high
 
-    return Criterion(text, "%", interval, lambda samples: int((samples[trials] > 0).sum()), **_bound_fields(bounds))
+    return Criterion(
+        text, "%", interval, lambda samples: int((chosen(samples)[trials] > 0).sum()), **_bound_fields(bounds)
+    )
 
 
 def exact(text: str, value: Value, *arguments: Any, unit: str = "", of: Statistic = mean, **bounds: float) -> Criterion:
@@ -150,10 +158,18 @@ def _bound_fields(bounds: dict[str, float]) -> dict[str, Any]:
     return {"low": low, "high": high, "strict": strict}
 
 
-def judge_criterion(criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE) -> Finding:
-    """Compare samples with a criterion at a confidence, and return the finding."""
+def judge_criterion(
+    criterion: Criterion, samples: Samples, confidence: float = CONFIDENCE, criteria: int = 1
+) -> Finding:
+    """Compare samples with one of `criteria` criteria of a claim at a confidence, and return the finding.
+
+    All criteria have to hold, so each is tested at the whole error rate; one that fails refutes the claim, so they
+    share the error rate of that (Bonferroni).
+    """
     estimate, low, high = criterion.interval(samples, confidence)
     verdict = judge(criterion, low, high)
+    if verdict == NOT and criteria > 1:
+        verdict = judge(criterion, *criterion.interval(samples, 1.0 - (1.0 - confidence) / criteria)[1:])
     return Finding(
         criterion.text, criterion.unit, estimate, low, high, verdict, criterion.units(samples), criterion.asked
     )

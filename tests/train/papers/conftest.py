@@ -6,7 +6,9 @@ from typing import Any
 import pytest
 
 from soccer_env import Match
-from soccer_env.train.papers.claims.stuck import branches, sampled
+from soccer_env.train.papers.claims.goalkeeping import saves
+from soccer_env.train.papers.claims.planning import crossings
+from soccer_env.train.papers.claims.stuck import branches, sampled, surface
 
 
 @pytest.fixture
@@ -20,6 +22,10 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[set[str]]:
         names.add(match.league.rules.name)
 
     monkeypatch.setattr(Match, "__init__", record)
-    sampled._sample_cached.cache_clear()
-    branches._follow_cached.cache_clear()
+    kept = (
+        sampled._sample_cached, branches._follow_cached, surface._measure_cached, crossings._measure_cached,
+        saves._compare_cached,
+    )  # fmt: skip
+    for cached in kept:
+        cached.cache_clear()
     yield names

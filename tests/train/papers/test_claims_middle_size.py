@@ -6,8 +6,8 @@ import pytest
 from soccer_env.baselines.weigel_2001.planner import Planner
 from soccer_env.train.papers.claim import STAGED, Batch
 from soccer_env.train.papers.claims import middle_size, own_pose
-from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots
-from soccer_env.train.papers.claims.planning import crossings, plans, runs, timing
+from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots, tracking
+from soccer_env.train.papers.claims.planning import crossings, drives, plans, runs, timing
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, stage
 
 BATCH = Batch("test", 0, 0, rules=STAGED)
@@ -127,8 +127,8 @@ def test_the_side_on_which_an_obstacle_is_passed() -> None:
 
 
 def test_the_canonical_crossings_show_what_the_paper_shows() -> None:
-    found = crossings.canonical_crossings(BATCH)
-    assert (found["old gap"] < crossings.NEAR).all() and (found["old away"] > 10).all()
+    found = crossings.canonical_crossings()
+    assert (found["old gap"] < crossings.NEAR).all() and (found["old away"] > crossings.AWAY).all()
     assert (found["new gap"] > crossings.CLEAR).all() and (found["new sides"] == 0).all()
     figures = crossings.snapshots({})
     assert [figure.title.partition(", ")[2] for figure in figures] == ["t = 1", "t = 30", "t = 60"] * 2
@@ -136,11 +136,46 @@ def test_the_canonical_crossings_show_what_the_paper_shows() -> None:
     assert len(travelled.x) == 2 and planned.x[-1] == pytest.approx(3.0) and len(obstacle.x) == 25
 
 
-def test_first_heading_and_sharpest_turn_of_a_straight_way_are_none() -> None:
+def test_first_heading_of_a_straight_way_is_none() -> None:
     scene = runs.Scene((-2.0, 0.5), (2.0, 0.5), [])
-    plan = runs.plan(scene)
-    assert plans.first_heading(plan, scene) == pytest.approx(0.0, abs=1e-6)
-    assert plans.sharpest_turn(plan) == pytest.approx(0.0, abs=1e-6)
+    assert plans.first_heading(runs.plan(scene), scene) == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", drives.KINDS)
+def test_obstacles_come_to_the_way_when_the_player_would_be_there(kind: str) -> None:
+    found = drives.draw_drives(BATCH, kind)
+    assert (np.abs(found["x"]) <= 0.2 * drives.FAR + 1e-9).all(), "0.3 to 0.7 of the way"
+    assert (found["start"] < found["when"]).all() and (found["when"] < 0.7 * drives.FAR / 2.6 + 0.33 + 0.31).all()
+    assert found["speed"].min() >= 0.5 and found["speed"].max() <= 5.0
+    run = found["speed"] * (found["when"] - found["start"])
+    assert (np.abs(found["x"] - run * found["ux"]) < drives.EDGE[0] + 1e-6).all()
+    assert (np.abs(found["y"][:, None] - run * found["uy"]) < drives.EDGE[1] + 1e-6).all()
+
+
+def test_the_results_of_a_drive_are_those_of_its_way() -> None:
+    along = np.concatenate([np.linspace(0.0, 1.0, 51), np.full(50, 1.0)])
+    aside = np.concatenate([np.zeros(51), np.linspace(0.02, 1.0, 50)])
+    way = np.stack([along, aside, np.full(101, 0.1), 3.0 - along + 0.5 * aside], axis=1)[..., None]
+    found = drives.results_of(way, 0.02)
+    assert found["turn"] == pytest.approx(90.0) and found["time"] == pytest.approx(2.02)
+    assert found["away"] == 50.0 and found["hit"] == 0.0 and found["gap"] == pytest.approx(0.1)
+
+
+def test_believed_velocities_are_compared_in_the_axes_of_the_field() -> None:
+    match = stage(BATCH, MIDDLE, matches=1, home=2, away=2)
+    put(match, 1, 0.0, 0.0, np.pi / 2)
+    put(match, 2, 2.0, 0.0, 0.0, forward=1.0)
+    begin_scene(match)
+    list(play(match, 0.1))
+    track = match.tracks[0, 1, 0]
+    for slot in match.tracks[0, 1]:
+        slot["present"] = 0
+    track["present"], track["teammate"], track["age"] = 1, 0, 0.0
+    robot = match.robots[0, 2]
+    away = robot["x"] - match.robots["x"][0, 1], robot["y"] - match.robots["y"][0, 1]
+    track["x"], track["y"], track["vx"], track["vy"] = away[1], -away[0], 0.0, -0.5 * robot["vx"]  # +x is to its right
+    error = tracking.velocity_errors(match)["robots"]
+    assert np.nanmin(error) == pytest.approx(0.5, abs=0.02) and np.isfinite(error).sum() == 1
 
 
 def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths_are_the_same() -> None:
@@ -162,17 +197,17 @@ def test_the_open_angle_in_closed_form() -> None:
 def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
     found = places.interception_distances(BATCH)
     assert (found["perpendicular"] <= found["crossing"] + 1e-9).all()
-    assert (places.interception_distances(BATCH, waits=True)["perpendicular"] >= found["perpendicular"] - 1e-9).all()
+    without = places.interception_distances(BATCH, along_line=True)
+    assert (without["perpendicular"] == found["crossing"]).all() and (found["perpendicular"] < found["crossing"]).any()
 
 
 def test_goals_and_benefits_are_counted() -> None:
     speed = np.array([5.0, 5.0, 9.0, 9.0])
-    samples = {"speed": speed, "passive": np.array([1.0, 1, 1, 1]), "active": np.array([0.0, 0, 1, 0])}
-    assert (
-        saves.conceded_share(samples, "active") == 25.0
-        and saves.conceded_share(samples, "passive", saves.SLOWER) == 100.0
-    )
-    assert saves.conceded_ratio(samples) == 0.25 and saves.conceded_ratio(samples, saves.SLOWER) == 0.0
+    samples = {"speed": speed, "line passive": np.array([1.0, 1, 1, 1]), "line active": np.array([0.0, 0, 1, 0])}
+    assert saves.saved_share(samples, "line active") == 75.0
+    assert saves.conceded_share(samples, "line passive", saves.SLOWER) == 100.0
+    assert saves.conceded_ratio(samples, "line") == 0.25
+    assert saves.conceded_ratio(samples, "line", saves.SLOWER) == 0.0
     noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
     assert saves.prevented_goals(noisy, "fit", "own") == 75.0
 

@@ -6,7 +6,7 @@ import pytest
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.stuck import collisions, false_alarms, runs, worth
+from soccer_env.train.papers.claims.stuck import collisions, false_alarms, runs, surface, worth
 from soccer_env.train.papers.claims.stuck import detection as stuck_detection
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, distance_from_camera, sample_moments
@@ -140,10 +140,37 @@ def test_the_area_under_the_curve_is_one_for_what_is_apart_and_a_half_for_what_i
     assert stuck_detection.roc_area(same) == pytest.approx(0.5, abs=0.02)
 
 
+def settings_with(one: float, two: float, good: tuple[int, int] | None = None) -> dict[str, np.ndarray]:
+    """Return samples of 40 runs: shares of false alarms everywhere, and robots that notice in time at `good` alone."""
+    shape = (40, len(surface.COUNTS), len(surface.TIMES))
+    names = ("near", "near soon", "all", "all late", "one", "two", "approaches")
+    samples = {name: np.ones(shape) for name in names} | {"half": np.arange(40) % 2}
+    samples["one"][round(40 * one) :], samples["two"][round(40 * two) :] = 0.0, 0.0
+    if good is not None:
+        samples["near soon"] = np.zeros(shape)
+        samples["near soon"][:, good[0], good[1]] = 1.0
+    return samples
+
+
 def test_how_many_times_fewer_alarms_there_are_is_unknown_without_any() -> None:
-    none = {"counters 1": np.zeros(3), "counters 2": np.zeros(3)}
-    assert np.isnan(false_alarms.alarm_ratio(none, "counters"))
-    assert false_alarms.alarm_ratio({"counters 1": np.ones(3), "counters 2": np.zeros(3)}, "counters") == 6.0
+    assert np.isnan(surface.alarm_ratio(settings_with(0.0, 0.0)))
+    assert surface.alarm_ratio(settings_with(0.1, 0.0)) == 8.0
+    assert surface.alarm_ratio(settings_with(0.5, 0.1)) == 5.0
+
+
+def test_a_sentence_is_judged_at_the_setting_that_suits_it() -> None:
+    samples = settings_with(0.5, 0.0, good=(1, 2))
+    assert surface.at_best_setting(samples, "S22")["near soon"].all()
+    assert surface.settings_that_hold(samples, "S22") == surface.settings_that_hold(samples, "S22", "S23") == 1.0
+    assert surface.settings_that_hold(samples, "S23") == 16.0
+    assert surface.of_team(samples, "near soon", "near") == 0.0
+
+
+def test_no_run_is_judged_at_a_setting_that_it_helped_to_choose() -> None:
+    samples = settings_with(0.5, 0.0, good=(1, 2))
+    samples["near soon"][1::2] = 0.0
+    samples["near soon"][1::2, 3, 3] = 1.0  # another setting suits the other half
+    assert not surface.at_best_setting(samples, "S22")["near soon"].any()
 
 
 def test_a_ball_is_won_now_and_then_and_now_and_then_by_contact() -> None:

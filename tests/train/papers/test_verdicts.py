@@ -50,6 +50,20 @@ def test_a_claim_needs_all_of_its_criteria_and_one_violation_is_enough() -> None
     assert verdicts.deciding_finding([]) is None
 
 
+def test_one_of_several_criteria_refutes_at_a_confidence_that_they_share() -> None:
+    """Intervals of a normal mean: 1.96 standard errors at 95 %, 2.24 at 97.5 %."""
+    error = 1.0
+
+    def interval(samples: dict[str, np.ndarray], level: float) -> tuple[float, float, float]:
+        wide = float(stats.norm.ppf(0.5 + 0.5 * level)) * error
+        return 2.1, 2.1 - wide, 2.1 + wide
+
+    low = verdicts.Criterion("", "", interval, lambda samples: 1, high=0.0)
+    assert [verdicts.judge_criterion(low, {}, criteria=m).verdict for m in (1, 2)] == [NOT, UNDECIDED]
+    high = verdicts.Criterion("", "", interval, lambda samples: 1, low=0.0)
+    assert verdicts.judge_criterion(high, {}, criteria=9).verdict == REPRODUCED
+
+
 @pytest.mark.parametrize("bounds", [{}, {"at_least": 1.0, "above": 1.0}, {"more": 1.0}])
 def test_bounds_that_say_nothing_are_refused(bounds: dict[str, float]) -> None:
     with pytest.raises(ValueError, match="bounds are at_least"):

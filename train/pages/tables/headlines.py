@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from soccer_env.train.pages.tables.heinemann import PAGE as HEINEMANN
 from soccer_env.train.pages.tables.paper_page import verdict_counts
-from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
+from soccer_env.train.pages.tables.sacks import PAGE as SACKS
 from soccer_env.train.pages.tables.teams import PLAYERS, goals_of
 from soccer_env.types import WORLD
 
@@ -41,11 +42,9 @@ def headlines(data: dict[str, Any]) -> Iterator[Headline]:
     for name, words in SPEEDS:
         if name in speeds:
             yield Headline(words, speeds[name], data["speed"]["command"])
-    yield Headline(
-        "statements of the 2001 paper, each measured on three seeds",
-        verdict_counts(SACKS_PAGE.stored(), SACKS_PAGE.claims),
-        "make sacks-table",
-    )
+    for page, year, command in ((SACKS, 2001, "make sacks-table"), (HEINEMANN, 2006, "make heinemann-table")):
+        words = f"statements of the {year} paper, each measured on three seeds"
+        yield Headline(words, verdict_counts(page.stored(), page.claims), command)
 
 
 def headlines_table(data: dict[str, Any]) -> str:

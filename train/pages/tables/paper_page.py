@@ -118,7 +118,7 @@ def claim_entry(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]
 
 def finding_entry(finding: Mapping[str, Any]) -> dict[str, Any]:
     """Return a finding (the result of one criterion) as claims.json holds it."""
-    kept = {name: finding[name] for name in ("criterion", "verdict", "n")}
+    kept = {name: finding[name] for name in ("criterion", "asked", "verdict", "n")}
     return kept | {"shown": estimate_with_interval(dict(finding))}
 
 

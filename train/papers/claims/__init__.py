@@ -11,11 +11,14 @@ To add a claim:
    randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
    among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
-   names the number in a few words; the bound is the requirement.
+   names the number in a few words; the bound is the requirement, by the words of the sentence, which `method` quotes
+   where they were in question. `EXPLANATION` of `../report.py` says how several criteria are combined.
 5. `without=Ablation(ingredient, measure)` marks a claim by construction: its criteria are measured without the
    ingredient, too.
 6. One batch should take 2 to 3 s compiled on one core; write this time into `seconds`, the cap into `batches`
-   (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data; the report draws it.
+   (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data, which the report draws;
+   `../plots.py` makes most. `condition` is what the verdict must name: "reproduced, where ...". Claims that measure
+   the same scenes keep them in a cache (`planning/crossings.py`).
 7. `soccer reproduce ID --quick`; a test in tests/train/papers holds every module to these rules.
 
 Measure the paper's words over the range that they name; a claim that does not hold is a finding.

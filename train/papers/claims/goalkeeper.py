@@ -4,17 +4,17 @@ The paper's goalkeeper decides how to *block* a ball. So both claims are measure
 spread their forelegs (`soccer_env/physics/block.py`), S67 also in the league where they can only sidestep.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.resolution import LAYERS
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
-from soccer_env.train.papers.values import mean
+from soccer_env.train.papers.values import gain, mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 SHOTS = 32
@@ -93,24 +93,6 @@ def saved(goals: np.ndarray) -> float:
     return 1.0 - mean(goals)
 
 
-def saved_more(samples: Samples, name: str, other: str) -> float:
-    """Return the share of shots saved minus the share that another goalkeeper saves [%]."""
-    return 100.0 * saved(samples[name]) - 100.0 * saved(samples[other])
-
-
-def angular_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of shots saved against the speed of the shot."""
-    names = {
-        "on": "with the angular velocity",
-        "off": "by the bearing alone",
-        "step on": "with it, no block",
-        "step off": "by the bearing, no block",
-        "step guards": "guards the line, no reaction",
-    }
-    curves = curves_by_bin(samples, names, samples["speed"], BINS, saved, place_scale=1.0)
-    return (Figure("Shots saved by the goalkeeper", "speed at the kick [m/s]", "saved [%]", curves),)
-
-
 SHOT_SCENE = (
     f"{SHOTS} shots a batch at a goalkeeper who looks at the ball for {LOOK:g} s: from {100 * NEAREST:.0f} to "
     f"{100 * FARTHEST:.0f} cm before the goal, aimed between the posts, with any speed from the least that arrives to "
@@ -118,42 +100,36 @@ SHOT_SCENE = (
 )
 
 S67 = Claim(
-    id="S67",
-    section="3.2, 5",
+    id="S67", section="3.2, 5",
     statement="The ball's angular velocity helps the goalkeeper to decide how to block.",
     method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
     "within their reach, in time. Share of the same shots saved, with angular_keeper on and off.",
     criteria=(
-        measured("saved with the angular velocity less saved without",
-                 saved_more, "on", "off", unit="%", above=0.0),
+        measured("saved with the angular velocity less saved without", gain, "on", "off", saved, unit="%", above=0.0),
         reported("saved with the angular velocity", "on", of=saved, unit="%"),
         reported("saved by the bearing alone", "off", of=saved, unit="%"),
-        reported("far off the line: with less without", saved_more, "far on", "far off",
-                 unit="%"),
+        reported("far off the line: with less without", gain, "far on", "far off", saved, unit="%"),
         reported("far off the line: by the bearing alone", "far off", of=saved, unit="%"),
-        reported("far off, ideal senses: with less without",
-                 saved_more, "ideal on", "ideal off", unit="%"),
-        reported("no block: with less without", saved_more, "step on", "step off",
-                 unit="%"),
+        reported("far off, ideal senses: with less without", gain, "ideal on", "ideal off", saved, unit="%"),
+        reported("no block: with less without", gain, "step on", "step off", saved, unit="%"),
         reported("no block: with the angular velocity", "step on", of=saved, unit="%"),
         reported("no block: by the bearing alone", "step off", of=saved, unit="%"),
         reported("no block: guarding the line, no reaction", "step guards", of=saved, unit="%"),
     ),
     measure=compare_angular_velocity,
-    figures=angular_figure,
-    ingredients=(
-        "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
-        "when to block: goalkeeper.will_block, ours, for the paper does not say how its goalkeeper decides",
-        "drive.sideways and drive.delay: 8 cm/s after 0.1 s",
-    ),
+    figures=plot_bins("Shots saved by the goalkeeper", "speed at the kick [m/s]", "saved [%]",
+                      {"on": "with the angular velocity", "off": "by the bearing alone", "step on": "with it, no block",
+                       "step off": "by the bearing, no block", "step guards": "guards the line, no reaction"}, "speed",
+                      BINS, saved, place_scale=1.0),
+    least=4, batches=20, seconds=3.0,
+    ingredients=("the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
+                 "when to block: goalkeeper.will_block, ours, for the paper does not say how its goalkeeper decides",
+                 "drive.sideways and drive.delay: 8 cm/s after 0.1 s"),
     note="With its legs spread a goalkeeper reaches 23 cm to either side and covers 46 of the goal's 60 cm: where it "
     "stands about right nearly all shots come within reach, and there is nothing to decide. In matches it stands "
-    "within 13 cm of the line at 9 shots in 10. Beside it, therefore, the same from "
-    f"{100 * FAR[0]:.0f} to {100 * FAR[1]:.0f} cm off the line. The block is the same to both sides: a motion to one "
-    "side, which has to know the side, has no reach that a source gives.",
-    seconds=3.0,
-    least=4,
-    batches=20,
+    f"within 13 cm of the line at 9 shots in 10. Beside it, therefore, the same from {100 * FAR[0]:.0f} to "
+    f"{100 * FAR[1]:.0f} cm off the line. The block is the same to both sides: a motion to one side, which has to know "
+    "the side, has no reach that a source gives.",
 )  # fmt: skip
 
 # Reactions by the ball's speed, at two resolutions
@@ -172,20 +148,11 @@ def compare_resolutions(batch: Batch) -> Samples:
 
 def reaction_gain(samples: Samples, layer: str) -> float:
     """Return the share of shots saved with reactions by speed minus the share without such reactions [%]."""
-    return saved_more(samples, f"on {layer}", f"off {layer}")
-
-
-def layer_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of shots saved against the speed of the shot, for both resolutions and settings."""
-    names = {f"{name} {layer}": f"{layer}, {text}" for layer in LAYERS
-             for name, text in (("on", "by speed"), ("off", "one reaction"))}  # fmt: skip
-    curves = curves_by_bin(samples, names, samples["speed"], BINS, saved, place_scale=1.0)
-    return (Figure("Shots saved, by resolution", "speed at the kick [m/s]", "saved [%]", curves),)
+    return gain(samples, f"on {layer}", f"off {layer}", saved)
 
 
 S71 = Claim(
-    id="S71",
-    section="5",
+    id="S71", section="5",
     statement="A better camera would allow goalkeeper reactions by the ball's speed.",
     method=f"{SHOT_SCENE} It can spread its forelegs ({BLOCKING}). With keeper_speed, a setting of sacks-2001-future, "
     "it does so by the time in which the ball will arrive, and steps aside faster for a fast ball; without, all balls "
@@ -199,13 +166,12 @@ S71 = Claim(
         reported("saved at 176x144, one reaction", "off 176x144", of=saved, unit="%"),
     ),
     measure=compare_resolutions,
-    figures=layer_figure,
-    ingredients=(
-        "what keeper_speed does: assumed, for the paper leaves it to the future",
-        "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
-        "drive.sideways: 8 cm/s",
-    ),
-    seconds=2.0,
-    least=4,
-    batches=30,
+    figures=plot_bins("Shots saved, by resolution", "speed at the kick [m/s]", "saved [%]",
+                      {f"{name} {layer}": f"{layer}, {text}" for layer in LAYERS
+                       for name, text in (("on", "by speed"), ("off", "one reaction"))}, "speed", BINS, saved,
+                      place_scale=1.0),
+    least=4, batches=30, seconds=2.0,
+    ingredients=("what keeper_speed does: assumed, for the paper leaves it to the future",
+                 "the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
+                 "drive.sideways: 8 cm/s"),
 )  # fmt: skip

@@ -110,8 +110,7 @@ def light_figures(samples: Samples) -> Sequence[Figure]:
 
 
 H26 = Claim(
-    id="H26",
-    section="abstract, 1",
+    id="H26", section="abstract, 1",
     statement="A static colour table needs nearly constant light; the adapting one copes with changes.",
     method=f"{MATCHES} robots a batch look at a ball and a player {NEAR:g} to {FAR:g} m away and at both goals for "
     f"{SECONDS:g} s, while the light swings between dark and glaring (amplitude 1, period 120 s); share of these four "
@@ -127,27 +126,19 @@ H26 = Claim(
         measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
                  lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
         reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-                 lambda s: 100 * float(relative_to_constant_light(s, "fixed", seen_shares_by_light)[1]),
-                 unit="%"),
+                 lambda s: 100 * float(relative_to_constant_light(s, "fixed", seen_shares_by_light)[1]), unit="%"),
         reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-                 lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]),
-                 unit="%"),
+                 lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]), unit="%"),
         reported("range error under constant light",
                  lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
     ),
-    measure=compare_tables,
+    measure=compare_tables, figures=light_figures, pose="particles",
     without=Ablation("the own pose, by which the table knows what a pixel must show: here no white line tells it",
-                    lambda batch: compare_tables(batch, line_miss=1.0)),
-    figures=light_figures,
-    ingredients=(
-        "sensors.table_width and the laws of perception/omni/lighting.py",
-        "sensors.table_time",
-        "sensors.light_period",
-    ),
-    pose="particles",
+                     lambda batch: compare_tables(batch, line_miss=1.0)),
+    ingredients=("sensors.table_width and the laws of perception/omni/lighting.py", "sensors.table_time",
+                 "sensors.light_period"),
     note="That light costs a table pixels, and that one which learns at known places follows, is put in; what is "
     "measured is whether it follows fast enough, with what a robot sees of the white lines. The paper gives no numbers "
-    "of its algorithm: its speed and reach are assumed. Where light changes fastest the table lags by "
-    "2 pi table_time / light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion "
-    "hangs on that.",
+    "of its algorithm: its speed and reach are assumed. Where light changes fastest the table lags by 2 pi table_time "
+    "/ light_period = 0.105, at which 88 % of the pixels keep their class: the first criterion hangs on that.",
 )  # fmt: skip

@@ -131,8 +131,7 @@ def pose_figures(samples: Samples) -> Sequence[Figure]:
 
 
 H27 = Claim(
-    id="H27",
-    section="1",
+    id="H27", section="1",
     statement="Self-localisation with the omnidirectional camera is efficient and reliable.",
     method=f"{MATCHES} robots a batch drive about among {OTHERS} others at {SPEED:g} m/s; begun untold anywhere; error "
     f"of the own pose from {SETTLE:g} s on for {SECONDS:g} s. Then each is carried {CARRIED:g} m or more and told "
@@ -145,10 +144,6 @@ H27 = Claim(
         reported("median error of the heading", "heading", of=median, unit="deg"),
         reported("median time to recover", "time", of=median, unit="s"),
     ),
-    measure=drive_and_carry,
-    batches=12,
-    seconds=2.7,
-    figures=pose_figures,
+    measure=drive_and_carry, figures=pose_figures, pose="particles", batches=12, seconds=2.7,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
-    pose="particles",
 )  # fmt: skip

@@ -1,14 +1,14 @@
 """The gain of the camera's finer layer: steadier ranges and velocities.  [Sacks 2001, 5]"""
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.players.seen import stage_watchers
+from soccer_env.train.papers.plots import plot_bins, plots
 from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball
 from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import ratio, rms, subtract_row_mean
@@ -51,19 +51,8 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
     return samples | {"true": runs["true"]}
 
 
-def layer_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the scatter of the range and of the velocity against the distance, for both layers."""
-    figures = []
-    for name, unit in (("range", "cm"), ("velocity", "cm/s")):
-        names = {f"{name} {layer}": layer for layer in LAYERS}
-        curves = curves_by_bin(samples, names, samples["true"], np.linspace(NEAR, FAR, 8), rms)
-        figures.append(Figure(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]", curves))
-    return figures
-
-
 S66 = Claim(
-    id="S66",
-    section="5",
+    id="S66", section="5",
     statement="The high resolution camera would steady the ball's distance, and so its velocity.",
     method=f"{MATCHES} robots a batch stare at a still ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm away for "
     f"{SECONDS:g} s with each layer of the camera; deviation of the latest range from each run's mean, and of the "
@@ -72,8 +61,8 @@ S66 = Claim(
     criteria=(
         measured("deviation of the range at 176x144 over that at 88x72", ratio, "range 176x144", "range 88x72", rms,
                  at_least=0.4, at_most=0.6),
-        measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms,
-                 at_least=0.4, at_most=0.6),
+        measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms, at_least=0.4,
+                 at_most=0.6),
         reported("range, ranger included", ratio, "range 176x144 rules", "range 88x72 rules", rms),
         reported("velocity, ranger included", ratio, "velocity 176x144 rules", "velocity 88x72 rules", rms),
         reported("range at 88x72", "range 88x72", of=rms, unit="cm"),
@@ -82,11 +71,12 @@ S66 = Claim(
         reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
     ),
     measure=compare_layers,
-    seconds=1.5,
-    batches=32,
+    figures=plots(*(plot_bins(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]",
+                              {f"{name} {layer}": layer for layer in LAYERS}, "true", np.linspace(NEAR, FAR, 8), rms)
+                    for name, unit in (("range", "cm"), ("velocity", "cm/s")))),
+    batches=32, seconds=1.5,
     without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",
                      partial(compare_layers, dither=2.0 * find_league(LEGGED).sensors.dither)),
-    figures=layer_figures,
     ingredients=("sensors.dither", "pixels of half the size"),
     note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
     "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",

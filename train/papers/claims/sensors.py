@@ -190,16 +190,11 @@ def sensor_tables(samples: Samples) -> str:
 
 
 SENSORS = Claim(
-    id="sensors",
-    section="",
+    id="sensors", section="",
     statement="Error against range for every sensor and estimate.",
     method=f"{MATCHES} robots a batch stand and look at a still ball, or at an opponent who stands any way round.",
     criteria=(),
-    measure=look_at_things,
-    batches=4,
-    seconds=4.0,
-    figures=sensor_figures,
-    note=sensor_tables,
-    study=True,
+    measure=look_at_things, figures=sensor_figures, study=True, batches=4, seconds=4.0,
     ingredients=("all settings of leagues/legged_sensors.py and leagues/omni_sensors.py",),
-)
+    note=sensor_tables,
+)  # fmt: skip

@@ -1,13 +1,13 @@
 """How steady the believed ball is: averaging four estimates, and bearing against range.  [Sacks 2001, 3.1.1, fn 4]"""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, put_ball, stage_ball, wrap_angle
 from soccer_env.train.papers.true_sight import look_first
 from soccer_env.train.papers.values import bin_masks, ratio, rms, subtract_row_mean
@@ -75,11 +75,15 @@ def radial_over_tangential(samples: Samples) -> list[float]:
     return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
 
 
-def filter_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the deviations of the raw range, of the filtered range and across the line of sight against the distance."""
-    names = {"raw": "raw", "filtered": "mean of four", "aside": "across the line of sight"}
-    curves = curves_by_bin(samples, names, samples["range"], np.linspace(NEAR, FAR, 9), rms)
-    return (Figure("Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]", curves),)
+filter_figure = plot_bins(
+    "Scatter of a still ball's estimate",
+    RANGE_LABEL,
+    "deviation [cm]",
+    {"raw": "raw", "filtered": "mean of four", "aside": "across the line of sight"},
+    "range",
+    np.linspace(NEAR, FAR, 9),
+    rms,
+)
 
 
 HOW = (
@@ -88,36 +92,22 @@ HOW = (
 )
 
 S16 = Claim(
-    id="S16",
-    section="3.1.1",
+    id="S16", section="3.1.1",
     statement="The average of four estimates, over about 1/4 s, steadies the ball's position.",
     method=f"{HOW} The span is the time in which a ball that is moved at once has left the average.",
     criteria=(
-        measured(
-            "deviation of the filtered range over the raw one's",
-            ratio,
-            "filtered",
-            "raw",
-            rms,
-            at_least=0.45,
-            at_most=0.6,
-        ),
+        measured("deviation of the filtered range over the raw one's", ratio, "filtered", "raw", rms, at_least=0.45,
+                 at_most=0.6),
         exact("span of the average", "span", unit="s", at_least=0.2, at_most=0.3),
     ),
-    measure=look_at_still_balls,
-    without=Ablation(
-        f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a second",
-        lambda batch: look_at_still_balls(batch, hold=SLOW),
-    ),
-    figures=filter_figure,
+    measure=look_at_still_balls, figures=filter_figure, batches=32, seconds=0.5,
+    without=Ablation(f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a "
+                     "second", lambda batch: look_at_still_balls(batch, hold=SLOW)),
     ingredients=("memory.averaged = 4", "16 frames a second", "sensors.dither, drawn anew in each frame"),
-    seconds=0.5,
-    batches=32,
-)
+)  # fmt: skip
 
 S17 = Claim(
-    id="S17",
-    section="footnote 4",
+    id="S17", section="footnote 4",
     statement="Angles to the ball are more stable over time than distances.",
     method=f"{HOW} Raw estimates, along the line of sight and across it, in bins of "
     f"{', '.join(f'{100 * edge:.0f}' for edge in BINS)} cm; the bin where they differ least counts.",
@@ -125,11 +115,8 @@ S17 = Claim(
         measured("deviation of the range over that across, from 60 cm on",
                  lambda samples: float(np.min(radial_over_tangential(samples))), at_least=3.0),
     ),
-    measure=look_at_still_balls,
+    measure=look_at_still_balls, figures=filter_figure, batches=32, seconds=0.5,
     without=Ablation("a ball of 84 mm: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
-                    lambda batch: look_at_still_balls(batch, radius=LARGE)),
-    figures=filter_figure,
+                     lambda batch: look_at_still_balls(batch, radius=LARGE)),
     ingredients=("sensors.dither, the same for a blob's size and its place", "88x72 pixels over 57.6 degrees"),
-    seconds=0.5,
-    batches=32,
 )  # fmt: skip

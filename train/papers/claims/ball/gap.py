@@ -1,12 +1,14 @@
 """Velocities after a time without sight of the ball.  [Sacks 2001, 3.2]"""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.ball.velocity import true_radial
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, still_actions
 from soccer_env.train.papers.true_sight import blind_cameras, follow_ball, restore_cameras, stare_at_ball
 from soccer_env.train.papers.values import bin_masks, least_rise, middles_of
@@ -145,17 +147,8 @@ def long_gap_error_ratio(samples: Samples, name: str) -> float:
     return error_in_bins(samples, name, BINS.index(LIMIT), len(BINS)) / error_in_bins(samples, name, 0, 1)
 
 
-def gap_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the error of the ball's radial velocity against the time for which the ball was not seen."""
-    names = {"kicked on": "rule on", "kicked off": "rule off", "play on": "in play, rule on",
-             "play off": "in play, rule off"}  # fmt: skip
-    curves = tuple(Curve(title, GAPS, error_by_gap(samples, name)) for name, title in names.items())
-    return (Figure("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", curves),)
-
-
 S19 = Claim(
-    id="S19",
-    section="3.2",
+    id="S19", section="3.2",
     statement="A velocity over 1.5 s without sight is likely to be wrong.",
     method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "
     f"{100 * ROOM:.0f} cm while they walk to it and back, {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from it; now "
@@ -174,11 +167,13 @@ S19 = Claim(
         reported("in play, with the rule: the second ratio", long_gap_error_ratio, "play on"),
     ),
     measure=compare_velocity_gate,
-    figures=gap_figure,
+    figures=plot("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", GAPS,
+                 {title: partial(error_by_gap, name=name)
+                  for name, title in {"kicked on": "rule on", "kicked off": "rule off", "play on": "in play, rule on",
+                                      "play off": "in play, rule off"}.items()}),
+    batches=24, seconds=1.5,
     ingredients=("how often and how hard the ball is kicked", "memory.velocity_gap", "sensors.dither"),
     note="In play it is the other way round: a ball that creeps makes a velocity over a long gap better than one over "
     "1/3 s, whose error the sensors make; and the first reading after the ball was found again is bad with the rule "
     "too. Neither cause was tested.",
-    seconds=1.5,
-    batches=24,
 )  # fmt: skip

@@ -8,6 +8,7 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim
 from soccer_env.train.papers.staging import distance_to_ball, kick_off, play, stage, still_actions
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball
+from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES, SECONDS = 32, 20.0  # [s] of 3 v 3: S10
@@ -20,11 +21,9 @@ MOVED = 0.2  # [m] a ball that moves farther in a frame was moved by the referee
 
 
 def compare_head_tracking(batch: Batch) -> Samples:
-    """Return the counts of `count_centred_frames` for the team `chaser` and for the paper's team."""
-    paper = {
-        f"{name} by the paper's team": counts for name, counts in count_centred_frames(batch, "sacks-2001").items()
-    }
-    return count_centred_frames(batch, "chaser") | paper
+    """Return the counts of `count_centred_frames` for the paper's team and for the team `chaser`."""
+    chaser = {f"{name} by chasers": counts for name, counts in count_centred_frames(batch, "chaser").items()}
+    return count_centred_frames(batch, "sacks-2001") | chaser
 
 
 def count_centred_frames(batch: Batch, team: str) -> Samples:
@@ -103,47 +102,35 @@ def fewer_jumps(samples: Samples, name: str) -> float:
 
 
 S10 = Claim(
-    id="S10",
-    section="3.1.1",
+    id="S10", section="3.1.1",
     statement="While robots track the ball it is often at the image's centre.",
-    method=f"{MATCHES} matches a batch of 3 v 3, chasers on their sensors, {SECONDS:g} s each: frames in which a robot "
-    "sees the ball and the camera's axis meets it.",
+    method=f"{MATCHES} matches a batch of 3 v 3, sacks-2001 on its sensors, {SECONDS:g} s each: frames in which a "
+    "robot sees the ball and the camera's axis meets it.",
     criteria=(
         counted("frames with the axis on the ball", "on ball", "seen", at_least=60.0),
-        reported(
-            "the same by sacks-2001, whose robots look up now and then while they dribble",
-            lambda s: float(100 * s["on ball by the paper's team"].sum() / max(s["seen by the paper's team"].sum(), 1)),
-            unit="%",
-        ),
+        reported("the same by chasers, which glance up for landmarks", percent, "on ball by chasers", "seen by chasers",
+                 unit="%"),
     ),
-    rules=PLAYED,
-    measure=compare_head_tracking,
-    ingredients=("speeds of neck joints", "belief/legged/head.py", "the chaser as the team that plays"),
-    seconds=2.5,
-    batches=32,
-)
+    rules=PLAYED, measure=compare_head_tracking, batches=32, seconds=2.5,
+    ingredients=("speeds of neck joints", "belief/legged/head.py"),
+)  # fmt: skip
 
 S11 = Claim(
-    id="S11",
-    section="3.1.1",
+    id="S11", section="3.1.1",
     statement="Range jumps come from orange patches seen when the ball is lost; two rules fix them.",
     method=f"{WATCHED} matches a batch of {TIME:g} s in which a robot follows at 50 cm a ball that three opponents "
     "have, with orange patches round the field and on red stickers; jumps: over 50 cm farther in a frame, to a place "
     "more than 50 cm wrong; the same play with the two rules and without.",
     criteria=(
         measured("fewer jumps with both rules", fewer_jumps, "both", unit="%", at_least=80.0),
-        measured(
-            "frames with a right sighting lost by the rules",
-            lambda samples: float(100 * (1.0 - samples["right both"].sum() / max(samples["right none"].sum(), 1.0))),
-            unit="%",
-            at_most=5.0,
-        ),
+        measured("frames with a right sighting lost by the rules",
+                 lambda samples: float(100
+                                       * (1.0 - samples["right both"].sum() / max(samples["right none"].sum(), 1.0))),
+                 unit="%", at_most=5.0),
         reported("fewer jumps by the height test alone", fewer_jumps, "horizon", unit="%"),
         reported("fewer jumps by the area thresholds alone", fewer_jumps, "area", unit="%"),
         reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     ),
-    measure=compare_sighting_rules,
+    measure=compare_sighting_rules, batches=24, seconds=4.0,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
-    seconds=4.0,
-    batches=24,
-)
+)  # fmt: skip

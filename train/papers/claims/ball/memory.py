@@ -1,12 +1,12 @@
 """The memory of an unseen ball, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import (
     distance_to_ball,
     play,
@@ -129,15 +129,8 @@ def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
     return {"off": dribble_unseen_ball(batch, False, turn), "on": dribble_unseen_ball(batch, True, turn)}
 
 
-def roll_distance_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the error of the remembered ball against the distance that the ball rolled unseen."""
-    curve = Curve("median", middles_of(BINS, 100), error_by_roll_distance(samples))
-    return (Figure("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]", (curve,)),)
-
-
 S12 = Claim(
-    id="S12",
-    section="3.1.1",
+    id="S12", section="3.1.1",
     statement="Full odometry, not rotation alone, keeps the remembered ball accurate while the robot moves.",
     method=f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
     f"{WAY:g} m on an arc of 0 to 90 degrees; error of the believed place at the end, same seeds for each memory.",
@@ -149,14 +142,12 @@ S12 = Claim(
         reported("no update: median error of the place", "place none", of=median, unit="cm"),
         reported("rotation only: the same", "place rotation", of=median, unit="cm"),
     ),
-    measure=compare_updates,
+    measure=compare_updates, seconds=1.5,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
-    seconds=1.5,
 )  # fmt: skip
 
 S13 = Claim(
-    id="S13",
-    section="3.1.1",
+    id="S13", section="3.1.1",
     statement="The remembered ball stays accurate only if the ball itself does not move.",
     method=f"As S12, but the unseen ball rolls off at 0 to {FASTEST:g} m/s in any direction; error after "
     f"{', '.join(f'{time:g}' for time in TIMES)} s against the way that the ball has made.",
@@ -165,17 +156,16 @@ S13 = Claim(
                  lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
     ),
     measure=lambda batch: roll_balls(batch, seen=False),
+    figures=plot("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]",
+                 middles_of(BINS, 100), {"median": error_by_roll_distance}),
+    batches=64, seconds=0.5,
     without=Ablation("a memory that leaves an unseen ball where it was: here it stays in sight",
-                    lambda batch: roll_balls(batch, seen=True)),
-    figures=roll_distance_figure,
+                     lambda batch: roll_balls(batch, seen=True)),
     ingredients=("memory.odometry = full",),
-    seconds=0.5,
-    batches=64,
 )  # fmt: skip
 
 S14 = Claim(
-    id="S14",
-    section="footnote 2",
+    id="S14", section="footnote 2",
     statement="The ball's relative position need not be updated while the robot dribbles it.",
     method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
@@ -184,11 +174,8 @@ S14 = Claim(
         reported("without the update", "off", of=median, unit="cm"),
         reported("with the update", "on", of=median, unit="cm"),
     ),
-    measure=compare_dribbling,
-    without=Ablation(
-        f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
-        lambda batch: compare_dribbling(batch, turn=1.0),
-    ),
+    measure=compare_dribbling, seconds=0.8,
+    without=Ablation(f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
+                     lambda batch: compare_dribbling(batch, turn=1.0)),
     ingredients=("memory.dribbling_distance", "contact of ball and paws"),
-    seconds=0.8,
-)
+)  # fmt: skip

@@ -5,15 +5,15 @@ hide part of the ball in plan view. The hidden share follows from two pictures w
 other robots.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.ball.range import OLD
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import (
     LEGGED,
     begin_scene,
@@ -177,19 +177,21 @@ def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer"
     return 100 * median(samples[size][count_hidden_dimensions(samples) == dimensions])
 
 
-def hidden_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the median range error against the hidden share of the ball's picture."""
-    names = {"width": "by width", "height": "by height", "closer": "the closer of both"}
-    curves = curves_by_bin(samples, names, 1.0 - samples["area left"], np.linspace(0.0, 1.0, 9), median)
-    hidden = "hidden share of the ball's picture [%]"
-    return (Figure("Range of a ball that is partly hidden", hidden, "median range error [%]", curves),)
+hidden_figure = plot_bins(
+    "Range of a ball that is partly hidden",
+    "hidden share of the ball's picture [%]",
+    "median range error [%]",
+    {"width": "by width", "height": "by height", "closer": "the closer of both"},
+    lambda s: 1.0 - s["area left"],
+    np.linspace(0.0, 1.0, 9),
+    median,
+)
 
 
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"
 
 S07 = Claim(
-    id="S07",
-    section="3.1.1",
+    id="S07", section="3.1.1",
     statement="A partially obstructed ball seems farther away.",
     method=f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
     f"({', '.join(f'{100 * edge:.0f}' for edge in HIDDEN)} % and more).",
@@ -198,32 +200,26 @@ S07 = Claim(
                  unit="%", above=0.0),
         measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     ),
-    measure=compare_dimensions,
-    without=Ablation(
-        "ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading instead",
-        lambda batch: compare_dimensions(batch, ball_range="infrared"),
-    ),
-    figures=hidden_figure,
+    measure=compare_dimensions, figures=hidden_figure,
+    without=Ablation("ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading "
+                     "instead", lambda batch: compare_dimensions(batch, ball_range="infrared")),
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )  # fmt: skip
 
 S08 = Claim(
-    id="S08",
-    section="3.1.1",
+    id="S08", section="3.1.1",
     statement="The closer of height and width estimates guards against obstruction, unless in both dimensions.",
     method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     criteria=(
-        measured(
-            "cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%", at_most=10.0
-        ),
+        measured("cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%",
+                 at_most=10.0),
         measured("cut in both: median error", bias_of_hidden_balls, 2, unit="%", at_least=30.0),
         reported("not cut: median error", bias_of_hidden_balls, 0, unit="%"),
         reported("cut in one dimension, by width alone: median error", bias_of_hidden_balls, 1, "width", unit="%"),
     ),
-    measure=compare_dimensions,
-    figures=hidden_figure,
+    measure=compare_dimensions, figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
-)
+)  # fmt: skip
 
 # Hidden in both dimensions
 
@@ -256,12 +252,11 @@ def compare_infrared_rule(batch: Batch) -> Samples:
 
 
 S09 = Claim(
-    id="S09",
-    section="3.1.1",
+    id="S09", section="3.1.1",
     statement="Infrared, where below 2/3 of the range by size, repairs obstruction in both dimensions.",
     method=f"{SCENES}, robots tracking what they see; balls of which less than 2/3 is left in both dimensions (of "
-    "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames "
-    "in which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
+    "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames in "
+    "which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
     criteria=(
         measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
         counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
@@ -273,7 +268,6 @@ S09 = Claim(
         reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),
         reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     ),
-    measure=compare_infrared_rule,
-    least=4,
+    measure=compare_infrared_rule, least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )  # fmt: skip

@@ -72,8 +72,7 @@ def range_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S05 = Claim(
-    id="S05",
-    section="3.1.1",
+    id="S05", section="3.1.1",
     statement="The old system, range by size and angle by head and image, works fairly well.",
     method=f"{MATCHES} standing robots a batch track an unobstructed ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm from "
     "the camera, along the ground, for 1 s; raw estimate against truth, frames that show it.",
@@ -82,10 +81,9 @@ S05 = Claim(
                  lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]), unit="%", at_most=10.0),
         measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
     ),
-    measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD),
-    figures=range_figure,
-    ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
+    measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD), figures=range_figure,
     seconds=0.7,
+    ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip
 
 
@@ -157,43 +155,29 @@ def step_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S06 = Claim(
-    id="S06",
-    section="3.1.1",
+    id="S06", section="3.1.1",
     statement="Beyond about 40 cm infrared tells the ball's range less accurately than its size.",
-    method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger "
-    "(by size in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
+    method=f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger (by size "
+    "in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     criteria=(
         measured("range from which infrared is the worse one", crossing_range, unit="cm", at_least=100 * CROSSING[0],
                  at_most=100 * CROSSING[1]),
         measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
     ),
-    measure=compare_size_and_infrared,
-    figures=crossing_figure,
+    measure=compare_size_and_infrared, figures=crossing_figure, batches=32, seconds=2.5,
     without=Ablation("sensors.infrared_growth = 0: a ranger as good far away as near",
-                    lambda b: compare_size_and_infrared(b, infrared_growth=0.0)),
-    ingredients=(
-        "sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
-        "sensors.dither",
-    ),
-    seconds=2.5,
-    batches=32,
+                     lambda b: compare_size_and_infrared(b, infrared_growth=0.0)),
+    ingredients=("sensors.infrared_growth and infrared_power, chosen so that the laws cross at 40 cm",
+                 "sensors.dither"),
 )  # fmt: skip
 
 S15 = Claim(
-    id="S15",
-    section="3.1.1",
+    id="S15", section="3.1.1",
     statement="A single pixel can change the ball's distance by 5 or 10 cm.",
     method="The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
-    criteria=tuple(
-        exact(f"range at which a pixel is worth {100 * step:.0f} cm", range_at_step, step, unit="cm",
-              at_least=100 * low, at_most=100 * high)
-        for step, low, high in STEPS
-    ),
-    rules=NO_MATCH,
-    measure=lambda batch: table_steps("88x72"),
-    figures=step_figure,
+    criteria=tuple(exact(f"range at which a pixel is worth {100 * step:.0f} cm", range_at_step, step, unit="cm",
+                         at_least=100 * low, at_most=100 * high) for step, low, high in STEPS),
+    rules=NO_MATCH, measure=lambda batch: table_steps("88x72"), figures=step_figure, batches=1, seconds=0.5,
     without=Ablation("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),
     ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
-    seconds=0.5,
-    batches=1,
 )  # fmt: skip

@@ -1,17 +1,29 @@
 """The relative velocity of the ball: how often to read it, and the accuracy of a reading.  [Sacks 2001, 3.2, 3.3]"""
 
-from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
-from soccer_env.train.papers.staging import LEGGED, play, stacked, stage_ball, still_actions
-from soccer_env.train.papers.true_sight import camera_of, stare_at_ball
+from soccer_env.train.papers.plots import plot
+from soccer_env.train.papers.staging import (
+    LEGGED,
+    begin_scene,
+    distance_to_ball,
+    play,
+    put,
+    put_ball,
+    stacked,
+    stage,
+    stage_ball,
+    still_actions,
+)
+from soccer_env.train.papers.true_sight import camera_of, stare_at_ball, stare_for
 from soccer_env.train.papers.values import least_rise, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 
@@ -25,6 +37,7 @@ INTERVALS = (0.08, 0.17, 0.33, 0.67)  # [s] of the claim
 PIXEL_JUMP = 0.05  # [m] "even a difference of 5 cm between successive readings", Sacks 2001, 3.3
 PLACE, AROUND = 0.60, 0.05  # [m] from the camera, where single readings are judged
 READINGS = 9
+ACROSS, PASSES = (0.2, 0.5), 2.0  # [m/s] of a ball that rolls past, [s] watched: S73
 NEAREST = 0.15  # [m] from the camera, nearest ball of a stuck robot: nearer ones lie between the paws
 LONG, SHORT = 1.10, 0.70  # [m] from the camera, starts of walks: S18
 WALK = 0.25  # [m] half of a walk with its start: standing robots are at the mean distance of walking ones
@@ -129,25 +142,8 @@ def mean_readings(batch: Batch) -> Samples:
     return {**means, "wrong": wrong, "wrong at last": wrong[:, -1], "judged": np.full(MATCHES, 2.0)}
 
 
-def interval_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the error of the radial velocity against the interval; a dashed line marks the walking speed."""
-    curves = tuple(Curve(how, INTERVALS, interval_errors(samples, how)) for how in ("walking", "standing"))
-    label = "interval between readings [s]"
-    return (Figure("Error of the radial velocity", label, "rms error [cm/s]", curves, rules=(100 * TOP_SPEED,)),)
-
-
-def readings_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of wrong judgements against the number of readings."""
-    shares = [50.0 * float(samples["wrong"][:, n].mean()) for n in range(READINGS)]
-    curve = Curve("stuck or walking, from 60 cm on", range(1, READINGS + 1), shares)
-    return (
-        Figure("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", (curve,), rules=(5.0,)),
-    )
-
-
 S18 = Claim(
-    id="S18",
-    section="3.2",
+    id="S18", section="3.2",
     statement="Velocities read more often than every 1/3 s show sensor errors more than movement.",
     method=f"{MATCHES} robots a batch walk at {100 * TOP_SPEED:.0f} cm/s to a still ball 90 to 40 cm from the camera, "
     "and as many stand so far from one; error of the believed radial velocity (filtered positions) for four intervals "
@@ -166,16 +162,16 @@ S18 = Claim(
         reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     ),
     measure=sweep_intervals,
-    figures=interval_figure,
-    ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
-    note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them "
-    "a part of their error.",
+    figures=plot("Error of the radial velocity", "interval between readings [s]", "rms error [cm/s]", INTERVALS,
+                 {how: partial(interval_errors, how=how) for how in ("walking", "standing")}, rules=(100 * TOP_SPEED,)),
     seconds=3.0,
+    ingredients=("sensors.dither", "memory.averaged = 4", "16 frames a second"),
+    note="Positions are means of four frames: those of readings less than 1/4 s apart share frames, and with them a "
+    "part of their error.",
 )  # fmt: skip
 
 S20 = Claim(
-    id="S20",
-    section="3.3",
+    id="S20", section="3.3",
     statement="Readings 1/3 s apart that differ by 5 cm exceed the top speed of 12 cm/s.",
     method=f"Arithmetic; and {MATCHES} robots a batch that walk to the ball, as many that are stuck, both with the "
     f"ball {100 * (PLACE - AROUND):.0f} to {100 * (PLACE + AROUND):.0f} cm from the camera: a single reading is wrong "
@@ -184,26 +180,63 @@ S20 = Claim(
         exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
         counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
     ),
-    measure=count_misjudged_readings,
-    without=Ablation(
-        "sensors.dither = 0: blobs without flicker", lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})
-    ),
+    measure=count_misjudged_readings, batches=32, seconds=0.8,
+    without=Ablation("sensors.dither = 0: blobs without flicker",
+                     lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
-    seconds=0.8,
-    batches=32,
-)
+)  # fmt: skip
 
 S21 = Claim(
-    id="S21",
-    section="3.3",
+    id="S21", section="3.3",
     statement="Averaged over several readings the velocity tells accurately enough whether a robot is stuck.",
     method=f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "
     f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
     "against half the top speed.",
-    criteria=(counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),),
+    criteria=(
+        counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),
+    ),
     measure=mean_readings,
-    figures=readings_figure,
+    figures=plot("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", range(1, READINGS + 1),
+                 {"stuck or walking, from 60 cm on": lambda s: list(50.0 * s["wrong"].mean(axis=0))}, rules=(5.0,)),
+    batches=32, seconds=0.7,
     ingredients=("sensors.dither", "memory.velocity_interval = 1/3 s"),
-    seconds=0.7,
-    batches=32,
-)
+)  # fmt: skip
+
+
+def compare_bearings(batch: Batch) -> Samples:
+    """Return errors (M, T) [degrees/s] of angular velocities from raw and from filtered bearings of a ball that passes.
+
+    Both are differences over READING; the truth is the rate at the later of the two bearings.
+    """
+    rng = batch.rng()
+    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0})
+    side = rng.choice([-1.0, 1.0], MATCHES)
+    put(match, 0, -0.8, 0.0)
+    put_ball(match, rng.uniform(-0.2, 0.2, MATCHES), -0.5 * side, 0.0, side * rng.uniform(*ACROSS, MATCHES))
+    begin_scene(match, placed=True)
+    rows: dict[str, list[np.ndarray]] = {"true": [], "raw": [], "filtered": []}
+    for _ in stare_for(match, LOOK, PASSES):
+        ball = match.beliefs["ball"][:, 0]
+        for name, bearing in (("true", distance_to_ball(match)[1]), ("raw", ball["bearing"]),
+                              ("filtered", ball["filtered_bearing"])):  # fmt: skip
+            rows[name].append(np.degrees(bearing))
+    bearings, rate = stacked(match, rows), match.league.control_rate
+    back = round(READING * rate)
+    now = np.diff(bearings["true"], axis=1)[:, back - 1 :] * rate
+    return {name: (bearings[name][:, back:] - bearings[name][:, :-back]) * rate / back - now for name in rows}
+
+
+S73 = Claim(
+    id="S73", section="3.2, footnote 4",
+    statement="Unfiltered data gives a more current angular velocity than filtered data.",
+    method=f"{MATCHES} robots a batch stare at a ball that rolls past at {100 * ACROSS[0]:.0f} to "
+    f"{100 * ACROSS[1]:.0f} cm/s, about 80 cm away: difference of bearings over 1/3 s against the present rate. The "
+    "filter's delay follows from its length, so nothing is judged.",
+    criteria=(
+        reported("error, raw bearings", "raw", of=rms, unit="deg/s"),
+        reported("error, filtered bearings", "filtered", of=rms, unit="deg/s"),
+        reported("error of true bearings: the delay of 1/3 s alone", "true", of=rms, unit="deg/s"),
+    ),
+    measure=compare_bearings, batches=2, seconds=1.0,
+    ingredients=("memory.filter_length",),
+)  # fmt: skip

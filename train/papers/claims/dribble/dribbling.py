@@ -4,13 +4,13 @@ Each claim is measured in two leagues: in `legged-2001`, whose legs swing, which
 body of `legged-2001-smooth`. Geometry and gait decide in both; none of their numbers is fitted to a claim.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from math import pi
 
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.dribble_runs import (
     COUNTED,
     LOST,
@@ -20,6 +20,7 @@ from soccer_env.train.papers.dribble_runs import (
     record_dribble,
     set_up_dribblers,
 )
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import LEGGED, put, stage, still_actions
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -75,19 +76,8 @@ def loss_increase(samples: Samples, world: str = "") -> float:
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
-def step_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the balls lost per metre against the step length."""
-    centimetres = [100 * step for step in STEPS]
-    curves = (
-        Curve("legs that swing", centimetres, losses_per_metre(samples)),
-        Curve("body of one piece", centimetres, losses_per_metre(samples, "smooth ")),
-    )
-    return (Figure("Balls lost by a dribbler", "length of a step [cm]", "losses per metre", curves),)
-
-
 S51 = Claim(
-    id="S51",
-    section="4.3.2",
+    id="S51", section="4.3.2",
     statement="Steps of 4 cm kick the ball away too often; 3.5 cm mostly keep it.",
     method=f"{MATCHES} robots a batch and step length begin with the ball between their paws and dribble to an empty "
     f"goal by the team's own potential field for {SECONDS:g} s, without shots. A ball {100 * LOST:g} cm from the chest "
@@ -97,20 +87,21 @@ S51 = Claim(
         measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
         reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
         reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
-        reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5",
-                 "smooth tried at 3.5", unit="%"),
+        reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5", "smooth tried at 3.5",
+                 unit="%"),
         reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
         reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
         reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
     ),
     measure=measure_in_both_worlds(dribble_steps),
-    figures=step_figure,
+    figures=plot("Balls lost by a dribbler", "length of a step [cm]", "losses per metre",
+                 [100 * step for step in STEPS],
+                 {"legs that swing": losses_per_metre, "body of one piece": lambda s: losses_per_metre(s, "smooth ")}),
+    batches=12, seconds=5.5,
     ingredients=("the body's outline: the pocket between the paws", "the drive's acceleration", "the gait"),
     note="No ball was lost, at 4 cm as at 3.5. A body of one piece that slides with a constant speed does not kick. A "
     "paw that swings goes at twice the speed of the walk and reaches half a stroke ahead of where it stands; geometry "
     "and gait say how often that kicks.",
-    seconds=5.5,
-    batches=12,
 )  # fmt: skip
 
 # Angle
@@ -159,19 +150,8 @@ def half_loss_angle(samples: Samples, world: str = "") -> float:
     return ANGLES[above - 1] + part * (ANGLES[above] - ANGLES[above - 1])
 
 
-def angle_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of lost balls against the angle off straight ahead."""
-    curves = (
-        Curve("legs that swing", ANGLES, losses_by_angle(samples)),
-        Curve("body of one piece", ANGLES, losses_by_angle(samples, "smooth ")),
-    )
-    title = f"Balls lost within {ASIDE_SECONDS:g} s of walking aside"
-    return (Figure(title, "angle off straight ahead [degrees]", "balls lost [%]", curves),)
-
-
 S59 = Claim(
-    id="S59",
-    section="4.3.3",
+    id="S59", section="4.3.3",
     statement="Moving more than about 45 degrees to its side a robot frequently loses the ball.",
     method=f"{MATCHES} robots a batch and angle walk {ASIDE_SECONDS:g} s with steps of 3.5 cm at 0 to 75 degrees off "
     "straight ahead, half to each side, without turning, the ball between their paws at the start. Knee: where losses "
@@ -184,12 +164,13 @@ S59 = Claim(
         reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
     ),
     measure=measure_in_both_worlds(push_at_angles),
-    figures=angle_figure,
+    figures=plot(f"Balls lost within {ASIDE_SECONDS:g} s of walking aside", "angle off straight ahead [degrees]",
+                 "balls lost [%]", ANGLES,
+                 {"legs that swing": losses_by_angle, "body of one piece": lambda s: losses_by_angle(s, "smooth ")}),
+    batches=8, seconds=4.0,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
     note="The paws of a body of one piece hold the ball from both sides; it slips out under a paw only if the robot "
     "walks almost sideways. Legs that swing open the pocket by a stroke.",
-    seconds=4.0,
-    batches=8,
 )  # fmt: skip
 
 # A robot right ahead
@@ -228,8 +209,7 @@ def mean_at_limit(samples: Samples, name: str, index: int) -> float:
 
 
 S60 = Claim(
-    id="S60",
-    section="4.3.3",
+    id="S60", section="4.3.3",
     statement="With a player directly in front 45 degrees interlock the legs; up to 55 help.",
     method=f"{MATCHES} robots a batch begin with the ball between their paws and a robot that stands "
     f"{100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm right ahead, and walk {PUSH_SECONDS:g} s with steps of 3.5 cm at "
@@ -245,10 +225,8 @@ S60 = Claim(
         reported("body of one piece: caught at 55 degrees", mean_at_limit, "smooth caught", 1, unit="%"),
         reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     ),
-    measure=measure_in_both_worlds(push_past_robot),
+    measure=measure_in_both_worlds(push_past_robot), batches=16, seconds=2.0,
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
     note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "
     "seldom, and at 55 degrees twice as often.",
-    seconds=2.0,
-    batches=16,
 )  # fmt: skip

@@ -7,20 +7,15 @@ import numpy as np
 
 from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, start_drill
+from soccer_env.train.papers.dribble_runs import start_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 
 MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
 SCENE = "dribble-past-three"  # three standing players on the way to the goal
 STRATEGIES: dict[str, dict[str, Any]] = {"dribble": {}, "orbit and shoot": {"avoidance": False}}
-BLOCKERS = {
-    "": "chaser",
-    " still": "still",
-    " alone": None,
-}  # suffix of the samples: team; None: no blockers
+BLOCKERS = {"": "chaser", " still": "still", " alone": None}  # suffix of the samples: team; None: no blockers
 MORE: dict[str, dict[str, Any]] = {
-    "dribble, distances from the middle": FROM_MIDDLE,
     "dribble, no shots": {"shoots": False},
     "dribble, choose_shots": {"choose_shots": True},
 }
@@ -87,20 +82,17 @@ def goal_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S31 = Claim(
-    id="S31",
-    section="4, 4.3.4",
+    id="S31", section="4, 4.3.4",
     statement="Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
-    method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, "
-    f"who go for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by "
+    method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, who "
+    f"go for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by "
     "sacks-2001, which dribbles round who is in its way and shoots where nobody is, against orbit and shoot "
-    "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody "
-    "there.",
+    "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
     criteria=(
         measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
                  unit="%", above=0.0),
         *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", f"against {name}", unit="%")
-          for name in (*STRATEGIES, *MORE)),
+        *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in (*STRATEGIES, *MORE)),
         reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
         reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still",
                  unit="%"),
@@ -109,12 +101,8 @@ S31 = Claim(
         reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
                  unit="%"),
     ),
-    rules=PLAYED,
-    measure=compare_strategies,
-    figures=goal_figure,
+    rules=PLAYED, measure=compare_strategies, figures=goal_figure, batches=14, seconds=4.2,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "
     "the ball away.",
-    seconds=4.2,
-    batches=14,
 )  # fmt: skip

@@ -1,7 +1,6 @@
 """Dribbling past standing players and past a walking one, and how often to decide.  [Sacks 2001, 4.3.2, 4.3.4]
 
-Verdicts count a player's distance from the camera to its surface, as the sensors gave it (MS42). The runs are repeated
-with distances from middle to middle, which are 25 cm longer for a player straight ahead.
+A player's distance counts from the camera to its surface, as the sensors gave it (MS42).
 """
 
 from collections.abc import Sequence
@@ -14,8 +13,9 @@ from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene
 from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.points import player_near_path, starts
-from soccer_env.train.papers.claims.field.robots import run_two_distances
-from soccer_env.train.papers.dribble_runs import FROM_MIDDLE, LONGEST, PAPER, WAYS, play_drill
+from soccer_env.train.papers.claims.field.robots import run_robots
+from soccer_env.train.papers.dribble_runs import LONGEST, PAPER, play_drill
+from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 Plan = Sequence[tuple[str | Scene, dict[str, Any], float]]  # scene, settings of the team, speed of movers [m/s]
@@ -28,7 +28,7 @@ SLOW = 0.06  # [m/s] up to which a mover decides
 RULES = (
     "The scene is that of the drill, but the robot dribbles from the start, does not shoot, and a touch ends nothing; "
     f"{LONGEST:g} s at most. Clean: past everybody with the ball without a touch of any robot. Distances of players "
-    "count from camera to surface; beside it from middle to middle."
+    "count from camera to surface."
 )
 BODIES = "The field takes robots for points (MS44); bodies count as touching when outlines meet, legs and paws too. "
 
@@ -44,52 +44,24 @@ def play_all(batch: Batch, plan: Plan, matches: int) -> Samples:
     return {name: np.stack([one[name] for one in runs], axis=1) for name in runs[0]}
 
 
-def play_two_distances(batch: Batch, plan: Plan, matches: int) -> Samples:
-    """Play a plan with both definitions of a player's distance; "middle ..." counts between middles of bodies."""
-    samples: Samples = {}
-    for prefix, way in WAYS.items():
-        runs = play_all(batch, [(scene, {**settings, **way}, speed) for scene, settings, speed in plan], matches)
-        samples |= {f"{prefix}{name}": values for name, values in runs.items()}
-    return samples
-
-
 # Standing players
 
 
 def dribble_past_still(batch: Batch) -> Samples:
     """Dribble past one, two, three standing players; past one also with ideal senses, doubled k2, and from afar."""
-    samples = play_two_distances(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
+    samples = play_all(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
-    variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (
-        ("ideal", {}, "ideal"),
-        ("strong", strong, "sensors"),
-        ("middle ideal", FROM_MIDDLE, "ideal"),
-    )
+    variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (("ideal", {}, "ideal"), ("strong", strong, "sensors"))
     for name, settings, senses in variants:
         one = play_drill(batch, STILL[0], settings, MATCHES, senses=senses)
         samples |= {f"{key} {name}": values for key, values in one.items()}
     rng = batch.rng()
     start, crowd = starts(rng, MATCHES), player_near_path(rng, 0.0, 0.25, MATCHES)
-    return samples | {f"{prefix}clean afar": runs.is_clean for prefix, runs in run_two_distances(batch, start, crowd)}
-
-
-def still_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the shares of runs by outcome against the number of players."""
-    names = {
-        "clean": "past, without a touch",
-        "free": "past, no touch that stops or turns",
-        "past": "past",
-        "middle clean": "past, without a touch, distances from the middle",
-    }
-    curves = tuple(
-        Curve(text, (1, 2, 3), [outcome_share(samples, name, i) for i in range(3)]) for name, text in names.items()
-    )
-    return (Figure("Dribbling past players who stand", "players", "runs [%]", curves, rules=(95.0,)),)
+    return samples | {"clean afar": run_robots(batch, start, crowd).is_clean}
 
 
 S62 = Claim(
-    id="S62",
-    section="4.3.4",
+    id="S62", section="4.3.4",
     statement="A dribbling robot consistently avoids stationary players.",
     method=f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
     criteria=(
@@ -104,33 +76,26 @@ S62 = Claim(
         reported("one, ideal senses: clean", "clean ideal", unit="%"),
         reported("one, twice k2: clean", "clean strong", unit="%"),
         reported("one who stands 90 to 150 cm off at the start: clean", "clean afar", unit="%"),
-        reported("from the middle, one who stands 90 to 150 cm off: clean", "middle clean afar", unit="%"),
-        reported("from the middle: clean", outcome_share, "middle clean", unit="%"),
-        reported("from the middle: clean, one", outcome_share, "middle clean", 0, unit="%"),
-        reported("from the middle: past without a contact that stopped it or turned somebody", outcome_share,
-                 "middle free", unit="%"),
-        reported("from the middle, ideal senses: clean, one", "clean middle ideal", unit="%"),
     ),
     measure=dribble_past_still,
-    figures=still_figure,
+    figures=plot("Dribbling past players who stand", "players", "runs [%]", (1, 2, 3),
+                 {text: each(range(3), outcome_share, name)
+                  for name, text in {"clean": "past, without a touch", "free": "past, no touch that stops or turns",
+                                     "past": "past"}.items()}, rules=(95.0,)),
+    least=3, batches=8, seconds=8.0,
     ingredients=("the drills' places", "bodies with paws, not points", "the head that glances up"),
-    note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to "
-    "surface, where he pushes half as much again as the goal pulls before he has been seen. With "
-    "ideal senses, or begun farther off, nearly all runs past one player are clean; else the robot turns off at once "
-    "by 45 degrees, and the ball slips.",
-    least=3,  # for a narrow interval past one player too
-    seconds=8.0,
-    batches=8,
+    note=BODIES + "The drills begin about 60 cm from the first player, middle to middle: 35 cm from camera to surface, "
+    "where he pushes half as much again as the goal pulls before he has been seen. With ideal senses, or begun farther "
+    "off, nearly all runs past one player are clean; else the robot turns off at once by 45 degrees, and the ball "
+    "slips.",
 )  # fmt: skip
 
 # A moving player
 
 
 def dribble_past_mover(batch: Batch) -> Samples:
-    """Dribble past one mover; columns: drills, in each the speeds; "middle ...": only speeds up to SLOW."""
-    samples = play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
-    slow = [(scene, FROM_MIDDLE, speed) for scene in MOVING for speed in SPEEDS if speed <= SLOW]
-    return samples | {f"middle {name}": values for name, values in play_all(batch, slow, FEWER).items()}
+    """Dribble past one mover; columns: drills, in each the speeds."""
+    return play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
 
 
 def drill_columns(index: int, most: float = 1.0) -> list[int]:
@@ -143,23 +108,8 @@ def speed_columns(*speeds: float) -> list[int]:
     return [i for i in range(len(MOVING) * len(SPEEDS)) if SPEEDS[i % len(SPEEDS)] in speeds]
 
 
-def mover_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of clean runs against the mover's speed, one curve for each drill."""
-    centimetres = [100 * speed for speed in SPEEDS]
-    curves = tuple(
-        Curve(
-            scene.removeprefix("dribble-past-"),
-            centimetres,
-            list(100.0 * samples["clean"][:, drill_columns(i)].mean(0)),
-        )
-        for i, scene in enumerate(MOVING)
-    )
-    return (Figure("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", curves, rules=(80.0,)),)
-
-
 S63 = Claim(
-    id="S63",
-    section="4.3.4",
+    id="S63", section="4.3.4",
     statement="One moving player is avoided well too, near or far at the start, even head-on.",
     method=f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
@@ -172,15 +122,15 @@ S63 = Claim(
         reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody", outcome_share, "free",
                  speed_columns(0.03, 0.06), unit="%"),
         reported("past with the ball, touched or not, all speeds", outcome_share, "past", unit="%"),
-        reported("from the middle: clean at 3 and 6 cm/s", outcome_share, "middle clean", unit="%"),
     ),
     measure=dribble_past_mover,
-    figures=mover_figure,
+    figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
+                 {scene.removeprefix("dribble-past-"): each(drill_columns(i), outcome_share, "clean")
+                  for i, scene in enumerate(MOVING)}, rules=(80.0,)),
+    batches=8, seconds=6.0,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
-    note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the "
-    "paper's movers were slower, or stopped, is a guess.",
-    seconds=6.0,
-    batches=8,
+    note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the paper's "
+    "movers were slower, or stopped, is a guess.",
 )  # fmt: skip
 
 # How often to decide
@@ -193,31 +143,21 @@ DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a be
 def compare_decision_times(batch: Batch) -> Samples:
     """Dribble past two still players, and past a mover from afar; return means of both by decision time (M, times)."""
     plan: Plan = [(scene, {"replan": time}, PAPER) for scene in SCENES for time in REPLANS]
-    runs, count = play_two_distances(batch, plan, FEWER), len(REPLANS)
+    runs, count = play_all(batch, plan, FEWER), len(REPLANS)
     return {name: 0.5 * (values[:, :count] + values[:, count:]) for name, values in runs.items()}
 
 
-def fitted_clean_share(samples: Samples, *times: float, name: str = "clean") -> float:
+def fitted_clean_share(samples: Samples, *times: float) -> float:
     """Return the mean clean share [%] at the given decision intervals, on the curve fitted over all intervals."""
-    curve = np.polyfit(np.log2(REPLANS), 100.0 * samples[name].mean(axis=0), DEGREE)
+    curve = np.polyfit(np.log2(REPLANS), 100.0 * samples["clean"].mean(axis=0), DEGREE)
     return float(np.polyval(curve, np.log2(times)).mean())
-
-
-def fast_decisions_gain(samples: Samples, name: str = "clean") -> float:
-    """Return the fitted share [%] at decision intervals of 1/8 and 1/4 s (mean) minus the fitted share at 1/2 s."""
-    return fitted_clean_share(samples, 0.125, 0.25, name=name) - fitted_clean_share(samples, 0.5, name=name)
-
-
-def half_second_gain(samples: Samples, name: str = "clean") -> float:
-    """Return the fitted share [%] at a decision interval of 1/2 s minus the fitted share at 1 s."""
-    return fitted_clean_share(samples, 0.5, name=name) - fitted_clean_share(samples, 1.0, name=name)
 
 
 def replan_figure(samples: Samples) -> Sequence[Figure]:
     """Plot the shares of runs by outcome against the time between decisions, and the fitted curve."""
     curves = [
         Curve(text, REPLANS, list(100.0 * samples[name].mean(axis=0)))
-        for name, text in (("clean", "without a touch"), ("past", "past"), ("middle clean", "from the middle"))
+        for name, text in (("clean", "without a touch"), ("past", "past"))
     ]
     times = np.geomspace(REPLANS[0], REPLANS[-1], 33)
     curves.append(Curve("without a touch, curve", list(times), [fitted_clean_share(samples, time) for time in times]))
@@ -225,27 +165,20 @@ def replan_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S52 = Claim(
-    id="S52",
-    section="4.3.2",
+    id="S52", section="4.3.2",
     statement="Half a second between recalculations suits steps that take half a second.",
     method=f"{FEWER} runs a batch past two still players and past a mover, with decisions every "
     f"{', '.join(f'{time:g}' for time in REPLANS)} s; a curve of degree {DEGREE} in the logarithm of the time is "
     f"fitted to the clean share. {RULES}",
     criteria=(
-        measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points", fast_decisions_gain, unit="%",
-                 at_most=5.0),
-        measured("curve at 0.5 s less at 1 s", half_second_gain, unit="%", above=0.0),
-        *(reported(f"clean at {time:g} s", outcome_share, "clean", REPLANS.index(time), unit="%")
-          for time in REPLANS),
-        reported("from the middle: curve at 0.125 and 0.25 s less at 0.5 s", fast_decisions_gain, "middle clean",
-                 unit="%"),
-        reported("from the middle: curve at 0.5 s less at 1 s", half_second_gain, "middle clean", unit="%"),
+        measured("curve at 0.125 and 0.25 s less at 0.5 s: no gain of 5 points",
+                 lambda s: fitted_clean_share(s, 0.125, 0.25) - fitted_clean_share(s, 0.5), unit="%", at_most=5.0),
+        measured("curve at 0.5 s less at 1 s", lambda s: fitted_clean_share(s, 0.5) - fitted_clean_share(s, 1.0),
+                 unit="%", above=0.0),
+        *(reported(f"clean at {time:g} s", outcome_share, "clean", REPLANS.index(time), unit="%") for time in REPLANS),
     ),
-    measure=compare_decision_times,
-    figures=replan_figure,
+    measure=compare_decision_times, figures=replan_figure, batches=7, seconds=8.0,
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),
-    note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. "
-    "A second is only two steps, 7 cm.",
-    seconds=8.0,
-    batches=7,
+    note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. A "
+    "second is only two steps, 7 cm.",
 )  # fmt: skip

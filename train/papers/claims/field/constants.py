@@ -9,7 +9,7 @@ import numpy as np
 from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.movers import SPEEDS, approaching_player
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, player_near_path, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -44,16 +44,13 @@ def vary_each_constant(batch: Batch) -> Samples:
             for value in TRIED[axis]:
                 play = {SETTINGS[axis]: value}
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
-                samples |= {f"{prefix}robots {kind} {axis} {value:g}": clean for prefix, clean in robots.items()}
+                samples[f"robots {kind} {axis} {value:g}"] = robots
     return samples
 
 
-def robots_succeed(
-    batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int
-) -> dict[str, np.ndarray]:
-    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN; keys as in `run_two_distances`."""
-    both = run_two_distances(batch, start[:count], crowd[:count], **play)
-    return {prefix: pad_with_nan(runs.is_clean) for prefix, runs in both}
+def robots_succeed(batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int) -> np.ndarray:
+    """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN."""
+    return pad_with_nan(run_robots(batch, start[:count], crowd[:count], **play).is_clean)
 
 
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
@@ -93,43 +90,23 @@ def line_figures(samples: Samples) -> Sequence[Figure]:
 
 
 S53 = Claim(
-    id="S53",
-    section="4.3.2",
+    id="S53", section="4.3.2",
     statement="Smaller constants suffice for stationary obstacles; moving ones need x0 = 1 m, k2 = 800.",
     method=f"{SCENES} points a batch (facing the goal, range error {100 * NOISE:.0f} %) past a player that stands up "
     f"to 25 cm beside their way, or comes straight for them at {100 * SPEEDS[0]:.0f} to {100 * SPEEDS[1]:.0f} cm/s, "
     f"{len(GAINS)} values of k2 and {len(RANGES)} of x0, the other one the paper's; {FEW} robots a batch with four "
-    f"values of each. A polynomial in the logarithm of the constant, of half as many degrees as values, is fitted to "
-    "the success (past it, nobody touched); the least value that suffices is where it comes within "
-    f"{NEARLY:.0f} points of its best.",
+    "values of each. A polynomial in the logarithm of the constant, of half as many degrees as values, is fitted to "
+    f"the success (past it, nobody touched); the least value that suffices is where it comes within {NEARLY:.0f} "
+    "points of its best.",
     criteria=(
-        *(
-            measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
-                     above=1.0)
-            for who in ("points", "robots")
-            for axis in AXES
-        ),
-        *(
-            reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
-            for who in ("points", "robots")
-            for axis in AXES
-            for kind in KINDS
-        ),
-        *(
-            reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
-            for who in ("points", "robots", "middle robots")
-            for kind in KINDS
-        ),
-        *(
-            reported(f"robots, distances from the middle: {axis}", moving_over_standing_value, "middle robots", axis)
-            for axis in AXES
-        ),
+        *(measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
+                   above=1.0) for who in ("points", "robots") for axis in AXES),
+        *(reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
+          for who in ("points", "robots") for axis in AXES for kind in KINDS),
+        *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
+          for who in ("points", "robots") for kind in KINDS),
     ),
-    measure=vary_each_constant,
-    seconds=12.0,
-    least=2,
-    batches=5,
-    figures=line_figures,
+    measure=vary_each_constant, figures=line_figures, least=2, batches=5, seconds=12.0,
 )  # fmt: skip
 
 
@@ -143,13 +120,11 @@ def compare_tuned_constants(batch: Batch) -> Samples:
         for name, play in constants.items():
             runs = run_points(batch.rng(1), start, crowd, None, **play)
             samples[f"points {kind} {name}"] = is_clean(runs).astype(float)
-            robots = robots_succeed(batch, start, crowd, play, ROBOTS)
-            samples |= {f"{prefix}robots {kind} {name}": clean for prefix, clean in robots.items()}
+            samples[f"robots {kind} {name}"] = robots_succeed(batch, start, crowd, play, ROBOTS)
     gain, far = tune(start, {"standing": crowds["standing"]})
     short: dict[str, Any] = {"player_gain": gain, "player_range": far}
     samples["points standing short"] = is_clean(run_points(batch.rng(1), start, crowds["standing"], None, **short))
-    robots = robots_succeed(batch, start, crowds["standing"], short, FEW)
-    samples |= {f"{prefix}robots standing short": clean for prefix, clean in robots.items()}
+    samples["robots standing short"] = robots_succeed(batch, start, crowds["standing"], short, FEW)
     return samples | {"short gain": np.full(SCENES, gain), "short range": np.full(SCENES, far)}
 
 
@@ -166,9 +141,9 @@ def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float
     return chosen
 
 
-def success_drop(samples: Samples, name: str, who: str = "robots", kinds: Sequence[str] = KINDS) -> float:
+def success_drop(samples: Samples, name: str, kinds: Sequence[str] = KINDS) -> float:
     """Return the share of clean passes of points minus the share of robots [pp]."""
-    return clean_share(samples, "points", name, kinds) - clean_share(samples, who, name, kinds)
+    return clean_share(samples, "points", name, kinds) - clean_share(samples, "robots", name, kinds)
 
 
 def clean_share(samples: Samples, who: str, name: str, kinds: Sequence[str] = KINDS) -> float:
@@ -177,8 +152,7 @@ def clean_share(samples: Samples, who: str, name: str, kinds: Sequence[str] = KI
 
 
 S65 = Claim(
-    id="S65",
-    section="4.3",
+    id="S65", section="4.3",
     statement="A simulation with points would not carry over well to the robots.",
     method=f"k2 and x0 with which most of {SCENES} exact points a batch pass the standing and the coming player of "
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
@@ -188,26 +162,15 @@ S65 = Claim(
         reported("the same with the paper's constants", success_drop, "paper", unit="pp"),
         reported("tuned past standing players alone: the same there",
                  partial(success_drop, name="short", kinds=KINDS[:1]), unit="pp"),
-        reported("distances from the middle: constants of the points", success_drop, "tuned", "middle robots",
-                 unit="pp"),
-        reported("distances from the middle: the paper's constants", success_drop, "paper", "middle robots", unit="pp"),
-        reported("distances from the middle: tuned past standing players alone", success_drop, "short", "middle robots",
-                 KINDS[:1], unit="pp"),
         reported("k2 tuned past standing players alone", "short gain", unit="m"),
         reported("x0 tuned past standing players alone", "short range", unit="m"),
         reported("k2 tuned with points", "gain", unit="m"),
         reported("x0 tuned with points", "range", unit="m"),
-        *(
-            reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
-            for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
-            for who in ("points", "robots")
-            for kind in KINDS
-        ),
+        *(reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
+          for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
+          for who in ("points", "robots") for kind in KINDS),
     ),
-    measure=compare_tuned_constants,
-    seconds=8.0,
-    least=3,
-    batches=6,
+    measure=compare_tuned_constants, least=3, batches=6, seconds=8.0,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "
     "than the paper's; tuned past standing players alone they get by with weak ones.",

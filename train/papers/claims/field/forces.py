@@ -21,8 +21,8 @@ from soccer_env.train.papers.claims.field.points import (
     run_points,
     starts,
 )
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
-from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.values import mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 EXPONENTS = (1, 2, 3)
@@ -82,8 +82,7 @@ def exponent_figures(samples: Samples) -> Sequence[Figure]:
 
 
 S44 = Claim(
-    id="S44",
-    section="4.3.1",
+    id="S44", section="4.3.1",
     statement="With forces by 1/d instead of 1/d^3 the robot reacts earlier and goes more smoothly.",
     method=f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
@@ -95,20 +94,12 @@ S44 = Claim(
         measured("greatest turn rises with the exponent (least rise of the median)",
                  lambda samples: float(np.diff(medians_by_exponent(samples, "peak", DEGREES)).min()), unit="deg",
                  above=0.0),
-        *(
-            reported(f"exponent {n}: first reaction", median_for_exponent, n, "onset", 100.0, unit="cm")
-            for n in EXPONENTS
-        ),
-        *(
-            reported(f"exponent {n}: greatest turn", median_for_exponent, n, "peak", DEGREES, unit="deg")
-            for n in EXPONENTS
-        ),
+        *(reported(f"exponent {n}: first reaction", median_for_exponent, n, "onset", 100.0, unit="cm")
+          for n in EXPONENTS),
+        *(reported(f"exponent {n}: greatest turn", median_for_exponent, n, "peak", DEGREES, unit="deg")
+          for n in EXPONENTS),
     ),
-    rules=NO_MATCH,
-    measure=compare_exponents,
-    seconds=0.5,
-    batches=8,
-    figures=exponent_figures,
+    rules=NO_MATCH, measure=compare_exponents, figures=exponent_figures, batches=8, seconds=0.5,
     ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
 )  # fmt: skip
 
@@ -132,8 +123,7 @@ def reaction_difference(samples: Samples, kind: str) -> np.ndarray:
 
 
 S46 = Claim(
-    id="S46",
-    section="4.3.1",
+    id="S46", section="4.3.1",
     statement="With a constant goal force reactions do not depend on the goal's distance.",
     method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
@@ -145,12 +135,9 @@ S46 = Claim(
         reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
         reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
     ),
-    rules=NO_MATCH,
-    measure=compare_reactions,
-    seconds=0.5,
-    batches=4,
+    rules=NO_MATCH, measure=compare_reactions, batches=4, seconds=0.5,
     without=Ablation("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
-                    partial(compare_reactions, goal_force="proportional")),
+                     partial(compare_reactions, goal_force="proportional")),
 )  # fmt: skip
 
 
@@ -162,9 +149,9 @@ def compare_cosine_factor(batch: Batch) -> Samples:
         runs = run_points(rng, start, crowd, cosine_factor=cosine)
         samples[f"deviation {name}"], samples[f"length {name}"] = runs.deviation, runs.length
         samples[f"hit {name}"] = collided(runs).astype(float)
-        for prefix, robots in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine):
-            samples[f"{prefix}robots deviation {name}"] = pad_with_nan(robots.deviation)
-            samples[f"{prefix}robots clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine)
+        samples[f"robots deviation {name}"] = pad_with_nan(robots.deviation)
+        samples[f"robots clean {name}"] = pad_with_nan(robots.is_clean)
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 
@@ -181,35 +168,25 @@ def cosine_figures(samples: Samples) -> Sequence[Figure]:
     )
 
 
-def cosine_reduction(samples: Samples, name: str) -> float:
-    """Return by how much the cosine factor reduces the median of the quantity `name` [%]."""
-    return 100.0 * (1.0 - median(samples[f"{name} with"]) / median(samples[f"{name} without"]))
-
-
 S47 = Claim(
-    id="S47",
-    section="4.3.1",
+    id="S47", section="4.3.1",
     statement="Without the cosine factor players beside and behind push robots farther aside than necessary.",
     method=f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
     f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
     criteria=(
-        measured("deviation is less by (medians)", cosine_reduction, "deviation", unit="%", at_least=20.0),
+        measured("deviation is less by (medians)", reduction, "deviation with", "deviation without", median, unit="%",
+                 at_least=20.0),
         measured("collisions with the factor less those without",
                  lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
         reported("deviation with the factor", "deviation with", of=median, unit="cm"),
         reported("deviation without", "deviation without", of=median, unit="cm"),
-        measured("robots: deviation is less by (medians)", cosine_reduction, "robots deviation", unit="%",
-                 at_least=20.0),
+        measured("robots: deviation is less by (medians)", reduction, "robots deviation with",
+                 "robots deviation without", median, unit="%", at_least=20.0),
         reported("robots: clean with the factor", "robots clean with", unit="%"),
         reported("robots: clean without", "robots clean without", unit="%"),
-        reported("robots, distances from the middle: deviation is less by", cosine_reduction, "middle robots deviation",
-                 unit="%"),
         reported("extra length of the path is less by",
                  lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     ),
-    measure=compare_cosine_factor,
-    seconds=4.0,
-    batches=6,
-    figures=cosine_figures,
+    measure=compare_cosine_factor, figures=cosine_figures, batches=6, seconds=4.0,
 )  # fmt: skip

@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Batch, Claim
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import NOISE, SCENES, START, collided, run_points, starts
+from soccer_env.train.papers.plots import each, plot, plots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -75,24 +76,8 @@ def collision_increase(samples: Samples, name: str, values: Sequence[float], sce
     return collision_share(samples, name, values[-1], scenes) - collision_share(samples, name, values[0], scenes)
 
 
-def collision_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of runs with a collision against patience, and against the angle that keeps the side."""
-    figures = []
-    for name, values, label in (
-        ("patience", PATIENCE, "decisions for which a change of side has to last"),
-        ("keep_side_angle", ANGLES, "angle beyond which the side is kept [degrees]"),
-    ):
-        curves = [
-            Curve(title, list(values), [collision_share(samples, name, value, (key,)) for value in values])
-            for key, title in MOVERS.items()
-        ]
-        figures.append(Figure("Collisions with movers", label, "runs with a collision [%]", tuple(curves)))
-    return figures
-
-
 S58 = Claim(
-    id="S58",
-    section="4.3.3",
+    id="S58", section="4.3.3",
     statement="Keeping the direction more often made the reaction to moving obstacles too slow.",
     method=f"{SCENES} points a batch and class of scenes, facing the goal, meet a player at {100 * SPEEDS[0]:.0f} to "
     f"{100 * SPEEDS[1]:.0f} cm/s: one that comes straight for them, or one that comes from one side while another "
@@ -103,18 +88,20 @@ S58 = Claim(
         measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
                  unit="pp", above=0.0),
         *(reported(f"collisions at {n} decisions", collision_share, "patience", n, unit="%") for n in PATIENCE),
-        *(
-            reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
-            for key, title in MOVERS.items()
-        ),
+        *(reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
+          for key, title in MOVERS.items()),
         reported("side kept beyond 0 degrees less beyond 135", collision_increase, "keep_side_angle", ANGLES,
                  unit="pp"),
     ),
-    rules=NO_MATCH,
-    measure=collide_with_movers,
-    seconds=1.5,
-    batches=16,
-    figures=collision_figures,
+    rules=NO_MATCH, measure=collide_with_movers,
+    figures=plots(*(plot("Collisions with movers", label, "runs with a collision [%]", values,
+                         {title: each(values, lambda s, name, key, value: collision_share(s, name, value, (key,)), name,
+                                      key) for key, title in MOVERS.items()})
+                    for name, values, label in (("patience", PATIENCE,
+                                                 "decisions for which a change of side has to last"),
+                                                ("keep_side_angle", ANGLES,
+                                                 "angle beyond which the side is kept [degrees]")))),
+    batches=16, seconds=1.5,
     note="Keeping the side beyond smaller angles than 135 degrees changes next to nothing: who is pushed more than 70 "
     "degrees off the goal is nearly always pushed back by more than 135.",
 )  # fmt: skip

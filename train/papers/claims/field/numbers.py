@@ -15,7 +15,7 @@ from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_two_distances
+from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
 from soccer_env.train.papers.staging import LEGGED, kick_off
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -44,8 +44,7 @@ def player_force_on_robot(x: float, y: float, goal_x: float, goal_y: float, reco
 
 
 S48 = Claim(
-    id="S48",
-    section="4.3.1",
+    id="S48", section="4.3.1",
     statement="A player beside or behind the dribbler exerts no force.",
     method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
     criteria=(
@@ -53,10 +52,7 @@ S48 = Claim(
         reported("players that exert none as seen from the robot's middle, and some as seen from its camera",
                  lambda s: 100.0 * mean(s["middles"] > 1e-12), unit="%"),
     ),
-    rules=NO_MATCH,
-    measure=forces_aside,
-    batches=1,
-    seconds=0.1,
+    rules=NO_MATCH, measure=forces_aside, batches=1, seconds=0.1,
     without=Ablation("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
 )  # fmt: skip
 
@@ -80,8 +76,7 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
 
 
 S49 = Claim(
-    id="S49",
-    section="4.3.2",
+    id="S49", section="4.3.2",
     statement="With k2 = 800, x0 = 1 m a player's force at 45 cm equals the goal's.",
     method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
     criteria=(
@@ -89,16 +84,11 @@ S49 = Claim(
         reported("between the middles of both then", lambda s: 1000 * float(s["middles"][0]), unit="mm"),
         reported("between the middles, if that were the distance", lambda s: 1000 * float(s["middle"][0]), unit="mm"),
     ),
-    rules=NO_MATCH,
-    measure=unit_distance,
-    batches=1,
-    seconds=0.1,
-    without=Ablation(
-        "the constants and the exponent 1 of the last version; here the exponent is the theory's 3",
-        partial(unit_distance, exponent=3),
-    ),
+    rules=NO_MATCH, measure=unit_distance, batches=1, seconds=0.1,
+    without=Ablation("the constants and the exponent 1 of the last version; here the exponent is the theory's 3",
+                     partial(unit_distance, exponent=3)),
     note="Exactly 444.4 mm: 1 / (1/800 + 1/1000).",
-)
+)  # fmt: skip
 
 
 def walls_against_players(batch: Batch, **play: Any) -> Samples:
@@ -123,9 +113,10 @@ def walls_with_robots(batch: Batch, **play: Any) -> Samples:
     """Return the samples of `walls_against_players`, and whether robots pass cleanly in the first scenes."""
     start, crowd = scenes_along_wall(batch.rng())
     robots = {
-        f"{prefix}robots {name}": pad_with_nan(runs.is_clean)
+        f"robots {name}": pad_with_nan(
+            run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play}).is_clean
+        )
         for name, walls in (("with", True), ("without", False))
-        for prefix, runs in run_two_distances(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play})
     }
     return walls_against_players(batch, **play) | robots
 
@@ -150,8 +141,7 @@ def wall_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S50 = Claim(
-    id="S50",
-    section="4.3, 4.3.2",
+    id="S50", section="4.3, 4.3.2",
     statement="Walls exert significantly less force than players; whether it is needed is unclear.",
     method=f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "
     "that start 15 to 50 cm from a wall and pass a player that stands up to 25 cm farther inside, with the walls' "
@@ -166,19 +156,12 @@ S50 = Claim(
         reported("distance kept without", "clearance without", of=median, unit="cm"),
         reported("robots that pass and touch nobody, with it", "robots with", unit="%"),
         reported("robots that do so without", "robots without", unit="%"),
-        reported("distances from the middle: with it", "middle robots with", unit="%"),
-        reported("distances from the middle: without", "middle robots without", unit="%"),
     ),
-    measure=walls_with_robots,
-    seconds=4.0,
-    batches=6,
-    figures=wall_figure,
-    without=Ablation(
-        "the walls' constants 200 and 350 mm; here they are the players'",
-        partial(walls_with_robots, wall_gain=0.8, wall_range=1.0),
-    ),
+    measure=walls_with_robots, figures=wall_figure, batches=6, seconds=4.0,
+    without=Ablation("the walls' constants 200 and 350 mm; here they are the players'",
+                     partial(walls_with_robots, wall_gain=0.8, wall_range=1.0)),
     note="The effect of the walls' force is reported, not judged: the paper does not say which it is.",
-)
+)  # fmt: skip
 
 # The computing time
 
@@ -222,27 +205,19 @@ def planning_time_share(samples: Samples, steps: float = 1.0) -> float:
 
 
 S42 = Claim(
-    id="S42",
-    section="4.2",
+    id="S42", section="4.2",
     statement="The direction of travel costs few calculations: planning runs in real time.",
     method=f"32 repetitions a batch of 64 runs of the point simulator with {OTHERS} other players: time of the whole "
     "run over the number of decisions, on one core of the machine that runs this; against the time of a frame of 3 "
-    "against 3 over its robots: a robot's sensing, beliefs, plan and body. One decision in "
-    "half a second.",
+    "against 3 over its robots: a robot's sensing, beliefs, plan and body. One decision in half a second.",
     criteria=(
         measured("planning's share of a robot's computing", planning_time_share, unit="%", below=5.0),
-        reported(
-            "the same if each decision planned the whole way",
-            lambda s: planning_time_share(s, float(s["way"].mean())),
-            unit="%",
-        ),
+        reported("the same if each decision planned the whole way",
+                 lambda s: planning_time_share(s, float(s["way"].mean())), unit="%"),
         reported("time for a decision, its point's motion included", lambda s: undisturbed_time(s["time"]), unit="us"),
         reported("time for a robot's whole frame", lambda s: undisturbed_time(s["frame"]), unit="us"),
         reported("share of the 62.5 ms between two frames", lambda s: undisturbed_time(s["time"]) / 625.0, unit="%"),
     ),
-    rules=PLAYED,
-    measure=time_decisions,
-    seconds=1.0,
-    batches=4,
+    rules=PLAYED, measure=time_decisions, batches=4, seconds=1.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
-)
+)  # fmt: skip

@@ -1,6 +1,5 @@
 """The scenes of the point simulator with robots, ball and sensors: the full simulator.  [Sacks 2001, 4.3]"""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +11,7 @@ from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.field.point_world import SIDE
 from soccer_env.train.papers.claims.field.points import SCENES
-from soccer_env.train.papers.dribble_runs import NO_SHOTS, WAYS, DribbleRecord, place_with_ball, record_dribble
+from soccer_env.train.papers.dribble_runs import NO_SHOTS, DribbleRecord, place_with_ball, record_dribble
 from soccer_env.train.papers.staging import put, stage, still_actions, wrap_angle
 
 ROBOTS = 24  # runs of a batch
@@ -79,14 +78,6 @@ def pad_with_nan(values: np.ndarray) -> np.ndarray:
     padded = np.full(SCENES, np.nan)
     padded[: len(values)] = values
     return padded
-
-
-def run_two_distances(
-    batch: Batch, start: np.ndarray, crowd: np.ndarray, **play: Any
-) -> Iterator[tuple[str, RobotRuns]]:
-    """Yield prefix and `run_robots` for each distance: "" from camera to surface, "middle " from middle to middle."""
-    for prefix, way in WAYS.items():
-        yield prefix, run_robots(batch, start, crowd, **way, **play)
 
 
 def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:

@@ -1,7 +1,4 @@
-"""Shots at the goalkeeper of 2006: from 3 to 5 m, kicked at 4 to 10 m/s at the farther post or the nearer one.
-
-The radius of the keeper's half circle was chosen on a drill like this one, and on nothing else.
-"""
+"""Shots at the goalkeeper of 2006: from 3 to 5 m, kicked at 4 to 10 m/s at the farther post or the nearer one."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -16,7 +16,7 @@ from soccer_env.train.papers.verdicts import Samples
 
 BODY = 0.5  # [m] between the middles of two robots that touch
 WAY = 5.0  # [m] from robot to target, as in the paper's figure
-CROSSERS = (0.5, 2.5)  # [m/s] of a crossing obstacle, assumed
+CROSSERS = (0.5, 5.0)  # [m/s] of an obstacle: robots moved at up to 5 m/s, Heinemann 2006, 3  MH25
 LATE = 0.3  # [s] by which it comes earlier or later than the robot, at most, assumed
 SLOW = 0.3  # [m/s] of slow traffic at most
 SLOW_OBSTACLES = 4

@@ -103,8 +103,7 @@ def blob_figures(samples: Samples) -> Sequence[Figure]:
 
 
 S39 = Claim(
-    id="S39",
-    section="4.1.2",
+    id="S39", section="4.1.2",
     statement="Where head stickers vanish the height of all blobs halves; the largest blob is steadier.",
     method=f"{RUNS} robots a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) "
     f"stare at a player {100 * NEAR:.0f} to {100 * FAR:.0f} cm away, seen from any side; share of frames without a "
@@ -117,17 +116,12 @@ S39 = Claim(
                  lambda samples: float(sticker_range_ratios(samples, "largest").max()), at_most=1.2),
         measured("scatter of the largest blob's range over that of the combined",
                  lambda samples: scatter(samples, "largest") / max(scatter(samples, "combined"), 1e-9), below=1.0),
-        *(
-            reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-                     share_without_head_sticker, j, len(BINS) - 2, unit="%")
-            for j, jersey in enumerate(JERSEYS)
-        ),
+        *(reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
+                   share_without_head_sticker, j, len(BINS) - 2, unit="%") for j, jersey in enumerate(JERSEYS)),
         reported("scatter, largest blob", scatter, "largest", unit="%"),
         reported("scatter, combined", scatter, "combined", unit="%"),
     ),
-    measure=compare_blobs,
-    seconds=2.0,
-    figures=blob_figures,
+    measure=compare_blobs, figures=blob_figures, seconds=2.0,
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),
     note="A head's sticker fills two pixels, the least that the vision delivers, 2.4 m from the camera if it is seen "
     "straight on, nearer by if not; the field is 3 m long.",

@@ -94,8 +94,7 @@ def ghost_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S34 = Claim(
-    id="S34",
-    section="4.1.1",
+    id="S34", section="4.1.1",
     statement="A ghost, which may displace a real player, is worse than a miss.",
     method=f"{MATCHES} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
     "every blob counts as a player (ghosts), or all blobs as one (a miss); mean distance of the opponents from the "
@@ -110,8 +109,6 @@ S34 = Claim(
         reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
         reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
     ),
-    measure=compare_errors,
-    seconds=5.0,
-    figures=ghost_figure,
+    measure=compare_errors, figures=ghost_figure, seconds=5.0,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
 )  # fmt: skip

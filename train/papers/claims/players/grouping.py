@@ -4,13 +4,12 @@ Sizes of stickers are guesses, so the grouping factor is judged over jerseys of 
 jersey counts.
 """
 
-from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Ablation, Batch, Claim
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.claims.players.seen import (
     blob_owners,
@@ -21,8 +20,10 @@ from soccer_env.train.papers.claims.players.seen import (
     slots_of,
     stage_watchers,
 )
+from soccer_env.train.papers.plots import each, plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
+from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 64  # of each jersey and factor
@@ -114,58 +115,33 @@ def excess_over_best_factor(samples: Samples) -> np.ndarray:
     return np.asarray(total_error_share(samples, CHOSEN) - others.min(axis=0))
 
 
-def factor_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the shares of ghosts and missed players against the grouping factor, one figure for each jersey."""
-    label = "grouping factor [sizes of the larger blob]"
-    return tuple(
-        Figure(
-            f"Two players in view, stickers {jersey:g} times as large",
-            label,
-            "per visible player [%]",
-            tuple(
-                Curve(name, FACTORS, [float(error_share(samples, name, factor)[j]) for factor in FACTORS])
-                for name in ("ghosts", "missed")
-            ),
-        )
-        for j, jersey in enumerate(JERSEYS)
-    )
-
-
 S33 = Claim(
-    id="S33",
-    section="4.1.1",
+    id="S33", section="4.1.1",
     statement="Merging blobs within three sizes works best, and errs towards counting two players as one.",
     method=f"{MATCHES} robots a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) "
-    f"look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
-    "their view, from any side; a ghost is a slot filled in a frame beyond one for each opponent that shows a blob, a "
-    "missed one shows a blob and fills no slot; same seeds for each factor; the worst jersey counts.",
+    f"look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in their view, from any side; a ghost "
+    "is a slot filled in a frame beyond one for each opponent that shows a blob, a missed one shows a blob and fills "
+    "no slot; same seeds for each factor; the worst jersey counts.",
     criteria=(
         measured("ghosts at a factor of 3, in the worst jersey",
                  lambda s: float(error_share(s, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
         measured("missed less ghosts at a factor of 3, in the worst jersey",
-                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()),
-                 unit="%", above=0.0),
-        measured(
-            "ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in each "
-            "jersey",
-            lambda samples: float(excess_over_best_factor(samples).max()),
-            unit="%",
-            below=0.0,
-        ),
-        *(
-            reported(f"the same, stickers {jersey:g} times as large",
-                     lambda s, j: float(excess_over_best_factor(s)[j]), j, unit="%")
-            for j, jersey in enumerate(JERSEYS)
-        ),
-        *(
-            reported(f"ghosts and misses at {factor:g}, stickers of their own size",
-                     lambda s, factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
-            for factor in FACTORS
-        ),
+                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()), unit="%",
+                 above=0.0),
+        measured("ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in "
+                 "each jersey", lambda samples: float(excess_over_best_factor(samples).max()), unit="%", below=0.0),
+        *(reported(f"the same, stickers {jersey:g} times as large", lambda s, j: float(excess_over_best_factor(s)[j]),
+                   j, unit="%") for j, jersey in enumerate(JERSEYS)),
+        *(reported(f"ghosts and misses at {factor:g}, stickers of their own size", lambda s,
+                   factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
+          for factor in FACTORS),
     ),
-    measure=try_factors,
+    measure=try_factors, condition="in the worst of three sizes of assumed stickers",
+    figures=plots(*(plot(f"Two players in view, stickers {jersey:g} times as large",
+                         "grouping factor [sizes of the larger blob]", "per visible player [%]", FACTORS,
+                         {name: each(FACTORS, lambda s, name, j, factor: float(error_share(s, name, factor)[j]), name,
+                                     j) for name in ("ghosts", "missed")}) for j, jersey in enumerate(JERSEYS))),
     seconds=5.0,
-    figures=factor_figure,
     ingredients=("sensors.sticker_*, all assumed", "the gap of two blobs, taken between their middles"),
     note="Which factor is best follows from the jersey: stickers of shoulder and hip are 12 cm apart, 2.8 sizes of the "
     "smallest ones, 2 of those of their own size, 1.5 of the largest.",
@@ -211,22 +187,19 @@ def kept_opponent(match: Match) -> np.ndarray:
 
 
 S72 = Claim(
-    id="S72",
-    section="4.1.1",
+    id="S72", section="4.1.1",
     statement="A player that is ignored is a farther one, because blobs are considered by size.",
-    method=f"{PAIRS} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away "
-    "in their view, from any side; frames in which both show a blob and one slot is filled, with the opponent whose "
-    f"place is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance).",
+    method=f"{PAIRS} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
+    "their view, from any side; frames in which both show a blob and one slot is filled, with the opponent whose place "
+    f"is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance). The paper: "
+    "\"ignoring only those farther away\", which decides where one is farther.",
     criteria=(
-        counted("the nearer one is kept", "nearer", "merged", at_least=95.0),
-        reported(f"the same where distances differ by {100 * (UNLIKE - 1):.0f} % or more",
-                 lambda s: 100 * float(s["nearer unlike"].sum() / max(s["merged unlike"].sum(), 1.0)),
-                 unit="%"),
+        counted(f"distances differ by {100 * (UNLIKE - 1):.0f} % or more: the nearer is kept", "nearer unlike",
+                "merged unlike", at_least=95.0),
+        reported("the nearer is kept, all pairs", percent, "nearer", "merged", unit="%"),
     ),
-    measure=count_kept_opponents,
-    batches=24,
-    seconds=2.0,
+    measure=count_kept_opponents, batches=24, seconds=2.0,
     without=Ablation("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
-                    partial(count_kept_opponents, alike=True)),
+                     partial(count_kept_opponents, alike=True)),
     ingredients=("sensors.sticker_*: a flank's sticker is larger than a nearer chest's", "memory.grouping = 3"),
 )  # fmt: skip

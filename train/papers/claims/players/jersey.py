@@ -148,8 +148,7 @@ HOW = (
 )
 
 S37 = Claim(
-    id="S37",
-    section="4.1.2",
+    id="S37", section="4.1.2",
     statement="A player's width varies with the view, its height hardly: slightly smaller head-on.",
     method=f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
@@ -161,9 +160,8 @@ S37 = Claim(
         reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     ),
     measure=measure_all_sides,
-    seconds=1.5,
+    figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0), seconds=1.5,
     without=EQUAL_STICKERS,
-    figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0),
     ingredients=("sensors.sticker_*, all assumed", "the four largest blobs of a colour alone are delivered (MS04)"),
     note="The smallest jersey decides: seen askew from behind its stickers are six blobs, of which four are delivered, "
     "so that the head is missing and the player is a fifth lower. With one sticker on each side of the trunk it varies "
@@ -171,8 +169,7 @@ S37 = Claim(
 )  # fmt: skip
 
 S38 = Claim(
-    id="S38",
-    section="4.1.2",
+    id="S38", section="4.1.2",
     statement="A table made head-on errs towards taking players to be closer than they are.",
     method=f"{HOW}; relative error of the range by a table made head-on, and by one made from the side, without the "
     "ranger; all sectors but the head-on one; the worst jersey counts.",
@@ -188,8 +185,8 @@ S38 = Claim(
         reported("side table: mean error in the other views", lambda s: float(bias(s, "side", ASIDE).mean()), unit="%"),
     ),
     measure=measure_all_sides,
+    figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     seconds=1.5,
     without=EQUAL_STICKERS,
-    figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     ingredients=("sensors.sticker_*, all assumed", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip

@@ -3,16 +3,16 @@
 In the scenes a robot stands and stares at a player, or at a ball, whatever it believes.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Claim, Figure, curves_by_bin
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
+from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, stacked, still_actions
 from soccer_env.train.papers.true_sight import stare_for
-from soccer_env.train.papers.values import ratio, rms
+from soccer_env.train.papers.values import gain, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 128
@@ -68,13 +68,6 @@ def compare_player_and_ball(batch: Batch) -> Samples:
     }  # fmt: skip
 
 
-def ball_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the relative range errors of a player and of the ball against the distance."""
-    names, edges = {"player": "player", "ball": "ball"}, np.linspace(NEAR, FAR, 8)
-    curves = curves_by_bin(samples, names, samples["true"], edges, rms)
-    return (Figure("Range error of a player and of the ball", "distance [cm]", "rms error [%]", curves),)
-
-
 def compare_ranger_rule(batch: Batch) -> Samples:
     """Return range errors (M, T) [m] with the ranger's rule and without, in frames where the rule takes its reading."""
     runs = {
@@ -88,22 +81,8 @@ def compare_ranger_rule(batch: Batch) -> Samples:
     return samples | {"true": runs["with"]["true"], "near": near, "taken": taken}
 
 
-def ranger_gain(samples: Samples) -> float:
-    """Return the reduction of the rms range error by the ranger [cm]: above 0 the ranger helps."""
-    return 100 * (rms(samples["without"]) - rms(samples["with"]))
-
-
-def ranger_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the range error with the ranger's rule and without against the distance."""
-    names, edges = {"with": "by infrared", "without": "by size"}, np.linspace(RANGER_NEAR, RANGER_FAR, 8)
-    curves = curves_by_bin(samples, names, samples["true"], edges, rms)
-    label = "distance between bodies' centres [cm]"
-    return (Figure("Range error of a centred player, infrared below 40 cm", label, "rms error [cm]", curves),)
-
-
 S40 = Claim(
-    id="S40",
-    section="4.1.2",
+    id="S40", section="4.1.2",
     statement="A player's distance is often harder to estimate accurately than the ball's.",
     method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
@@ -114,28 +93,29 @@ S40 = Claim(
         reported("relative error, ball", "ball", of=rms, unit="%"),
     ),
     measure=compare_player_and_ball,
-    batches=32,
-    seconds=1.0,
-    figures=ball_figure,
+    figures=plot_bins("Range error of a player and of the ball", "distance [cm]", "rms error [%]",
+                      {"player": "player", "ball": "ball"}, "true", np.linspace(NEAR, FAR, 8), rms),
+    batches=32, seconds=1.0,
     ingredients=("sizes of stickers and ball", "sensors.dither", "the same camera and ranger for both"),
-)
+)  # fmt: skip
 
 S41 = Claim(
-    id="S41",
-    section="4.1.2",
+    id="S41", section="4.1.2",
     statement="For a player in the picture's middle infrared under 40 cm gives the better distance.",
     method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
     criteria=(
-        measured("error without the rule less that with it", ranger_gain, unit="cm", above=0.0),
+        measured("error without the rule less that with it", gain, "without", "with", rms, unit="cm", above=0.0),
         reported("error with the rule (root mean square)", "with", of=rms, unit="cm"),
         reported("error without the rule", "without", of=rms, unit="cm"),
         reported("frames with a reading under 40 cm", "near", unit="%"),
         reported("frames in which the rule takes it", "taken", unit="%"),
     ),
     measure=compare_ranger_rule,
+    figures=plot_bins("Range error of a centred player, infrared below 40 cm", "distance between bodies' centres [cm]",
+                      "rms error [cm]", {"with": "by infrared", "without": "by size"}, "true",
+                      np.linspace(RANGER_NEAR, RANGER_FAR, 8), rms),
     seconds=1.0,
-    figures=ranger_figure,
     ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),
-)
+)  # fmt: skip

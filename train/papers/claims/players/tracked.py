@@ -1,12 +1,11 @@
 """The number and accuracy of tracked players: the old system and the new one.  [Sacks 2001, 4.1]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Claim
 from soccer_env.train.papers.claims.players.seen import (
     distances_from_camera,
     gaps_to,
@@ -16,6 +15,7 @@ from soccer_env.train.papers.claims.players.seen import (
     slots_of,
     stage_watchers,
 )
+from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, rms
@@ -114,18 +114,8 @@ def error(samples: Samples, name: str) -> float:
     return 100 * rms(samples[f"error {name}"])
 
 
-def tracked_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the distribution of the number of tracked players, for each system."""
-    curves = [
-        Curve(name, range(6), [100 * float(np.mean(samples[f"tracked {name}"] == n)) for n in range(6)])
-        for name in VARIANTS
-    ]
-    return (Figure("Players tracked, of five", "players tracked", "share of the time [%]", tuple(curves)),)
-
-
 S32 = Claim(
-    id="S32",
-    section="4.1",
+    id="S32", section="4.1",
     statement="Three opponents and two team-mates are stored, more accurately than the nearest ones before.",
     method=f"{MATCHES} robots a batch walk about among two team-mates and three opponents who do as well, their heads "
     f"sweeping, for {SECONDS:g} s; a player is tracked if a slot of its team lies within {100 * NEAR:.0f} cm; range "
@@ -138,8 +128,10 @@ S32 = Claim(
         *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     ),
     measure=compare_systems,
+    figures=plot("Players tracked, of five", "players tracked", "share of the time [%]", range(6),
+                 {name: each(range(6), lambda s, name, n: 100 * float(np.mean(s[f"tracked {name}"] == n)), name)
+                  for name in VARIANTS}),
     seconds=5.0,
-    figures=tracked_figure,
     ingredients=("memory.slots", "the way the head sweeps"),
     note="The table of the old system is not told; the first one of the paper's own calibrations, from the side by all "
     "blobs, stands for it, so that the second criterion compares the new system with its own first version.",

@@ -73,8 +73,7 @@ def view_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S69 = Claim(
-    id="S69",
-    section="4.1.2",
+    id="S69", section="4.1.2",
     statement="A robot's most common view of another player is head-on.",
     method=f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
@@ -87,8 +86,7 @@ S69 = Claim(
         reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     ),
     rules=PLAYED,
-    measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")},
+    measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}, figures=view_figure,
     seconds=4.0,
-    figures=view_figure,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
 )  # fmt: skip

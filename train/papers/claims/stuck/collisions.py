@@ -54,12 +54,11 @@ def contacts(batch: Batch) -> Samples:
 
 
 S01 = Claim(
-    id="S01",
-    section="abstract, 1",
+    id="S01", section="abstract, 1",
     statement="Three or four robots often head for the ball at once, and collisions are common.",
     method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, sacks-2001 without recovery and avoidance: "
-    f"contacts after {PART:g} s without, of two robots each; time with {CROWD} robots and more within "
-    f"{100 * NEAR:.0f} cm of the ball; approaches to the ball in which the robot touches another.",
+    f"contacts after {PART:g} s without, of two robots each; time with {CROWD} robots and more within {100 * NEAR:.0f} "
+    "cm of the ball; approaches to the ball in which the robot touches another.",
     criteria=(
         measured("contact episodes a minute and match", lambda s: mean(s["episodes"]) * 60.0 / SECONDS, at_least=1.0),
         measured("time with three robots and more near the ball", lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
@@ -67,11 +66,8 @@ S01 = Claim(
         counted("approaches in which the robot touches another", "met", "approaches", at_least=20.0),
         reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
     ),
-    rules=PLAYED,
-    measure=contacts,
+    rules=PLAYED, measure=contacts, batches=8, seconds=4.0,
     ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
-    seconds=4.0,
-    batches=8,
 )  # fmt: skip
 
 
@@ -118,8 +114,7 @@ def deadlock_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S03 = Claim(
-    id="S03",
-    section="3",
+    id="S03", section="3",
     statement="Two robots pushing against each other over a still ball would both stay there.",
     method=f"{PAIRS} pairs a batch, both sacks-2001 without the stuck counters, go for a still ball 50 to 70 cm before "
     "their cameras, from ways that meet at 30 to 120 degrees; of those in which a robot comes to be held short of it "
@@ -135,15 +130,11 @@ S03 = Claim(
         reported("robots held in play, not free 20 s later", percent, "play bound", "play", unit="%"),
         reported("the same where the ball lay still", percent, "lay bound", "lay", unit="%"),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=compare_deadlocks,
-    figures=deadlock_figure,
+    rules=PLAYED_AND_STAGED, measure=compare_deadlocks, figures=deadlock_figure, batches=12, seconds=4.0,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
     note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
     "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "
     "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
-    seconds=4.0,
-    batches=12,
 )  # fmt: skip
 
 # Stealing the ball by running into the opponent that has it
@@ -202,13 +193,12 @@ def compare_avoidance(batch: Batch) -> Samples:
 
 
 S30 = Claim(
-    id="S30",
-    section="4",
+    id="S30", section="4",
     statement="While chasing the ball a collision can help: avoid others only in possession.",
     method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
     f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s, and who "
-    "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and "
-    "being pulled apart end a scene that nobody has won.",
+    "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and being "
+    "pulled apart end a scene that nobody has won.",
     criteria=(
         counted("not avoiding: balls won by contact", "contact", "one", at_least=1.0),
         reported("avoiding: balls won by contact", "on contact", unit="%"),
@@ -217,9 +207,6 @@ S30 = Claim(
         reported("scenes that the referee ended", "called", unit="%"),
         reported("balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="pp"),
     ),
-    rules=PLAYED,
-    measure=compare_avoidance,
+    rules=PLAYED, measure=compare_avoidance, batches=16, seconds=3.0,
     ingredients=("how the team walks round others: soccer_env/skills/moves.py",),
-    seconds=3.0,
-    batches=16,
-)
+)  # fmt: skip

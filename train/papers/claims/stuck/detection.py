@@ -5,31 +5,19 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
+from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
 from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_recovering, set_up_walk
 from soccer_env.train.papers.claims.stuck.sampled import BASE, MATCHES, SECONDS, MotionWindow, distance_from_camera
 from soccer_env.train.papers.staging import distance_to_ball, kick_off, play
-from soccer_env.train.papers.values import bin_masks, known, median, middles_of, percent
-from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+from soccer_env.train.papers.values import known, median, middles_of
+from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 HELD = 64  # robots a batch that are held
 WALK = 1.5  # [s] of free walk before
-LIMIT, LATE, LATEST = 5.0, 8.0, 20.0  # [s] assumed: S22
 WAIT = 12.0  # [s] for a held robot to notice
-NEAREST = 0.2  # [m] of the ball, 3.3 and assumed, like the three below
-NEAR = 0.35  # [m]
-MIDDLE = 0.6  # [m]
+NEAREST = 0.2  # [m] of the ball, assumed, like the farthest
+NEAR = 0.35  # [m] 3.3
 FARTHEST = 0.8  # [m]
-BINS = (0.2, 0.35, 0.5, 0.6, 0.7, 0.8)  # [m] edges of distances
-COUNTED = (  # name, [s] in which to notice, [m] nearest and farthest ball
-    ("60 cm", LIMIT, NEAREST, MIDDLE),
-    ("80 cm", LATE, NEAREST, FARTHEST),
-    ("near", LIMIT, NEAREST, NEAR),
-    ("near, late", 10.0, NEAREST, NEAR),
-    ("middle", LIMIT, NEAR, MIDDLE),
-    ("far", LIMIT, MIDDLE, FARTHEST),
-)
 WINDOW = 2.5  # [s] over which the velocity is averaged, assumed
 
 
@@ -49,68 +37,6 @@ def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
     match.close()
     after[began] = np.nan
     return distance, after
-
-
-def measure_held_robots(batch: Batch) -> Samples:
-    """Return distances and latencies of held robots (M,), and the counts for the criteria."""
-    distance, after = latencies(batch)
-    samples = {"distance": distance, "after": after}
-    for name, seconds, low, high in COUNTED:
-        trials = (distance >= low) & (distance < high) & ~np.isnan(after)
-        samples[f"trials {name}"] = trials.astype(float)
-        samples[f"in {name}"] = (trials & (after <= seconds)).astype(float)
-    fate = follow_moments(batch, recovery=True)
-    for name, seconds in (("5 s", LIMIT), ("20 s", LATEST)):
-        robots, known = count_hits(fate, lambda f, limit=seconds: f["began"] <= limit)  # type: ignore[misc]
-        for word, counts in (("robots", robots), ("known", known)):
-            samples[f"{word} {name}"] = np.concatenate([counts, np.zeros(HELD - len(counts))])
-    return samples
-
-
-def latency_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot quantiles of the time until a held robot notices against the ball's distance."""
-    bins = [samples["after"][there & ~np.isnan(samples["after"])] for there in bin_masks(samples["distance"], BINS)]
-    curves = tuple(
-        Curve(
-            f"{100 * share:.0f} %", middles_of(BINS, 100), [float(np.quantile(b, share, method="lower")) for b in bins]
-        )
-        for share in (0.5, 0.9)
-    )
-    return (Figure("Time until a held robot thinks itself stuck", "distance of the ball [cm]", "time [s]", curves),)
-
-
-S22 = Claim(
-    id="S22",
-    section="3.3",
-    statement="Robots almost always notice within a few seconds that they are stuck.",
-    method=f"{HELD} robots a batch walk to a still ball for {WALK:g} s and are then held, their legs slip; time until "
-    f"the team begins its recovery, the ball {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from the camera. Beside "
-    "them robots that others hold in 3 v 3 play (contact, a quarter of the way that their legs walk for 1.5 s).",
-    criteria=(
-        counted("ball at 20 to 60 cm: noticed within 5 s", "in 60 cm", "trials 60 cm", at_least=95.0),
-        counted("ball at 20 to 80 cm: noticed within 8 s", "in 80 cm", "trials 80 cm", at_least=90.0),
-        reported("ball at 20 to 35 cm: noticed within 5 s", percent, "in near", "trials near", unit="%"),
-        reported("ball at 20 to 35 cm: noticed within 10 s", percent, "in near, late", "trials near, late", unit="%"),
-        reported("ball at 35 to 60 cm: noticed within 5 s", percent, "in middle", "trials middle", unit="%"),
-        reported("ball at 60 to 80 cm: noticed within 5 s", percent, "in far", "trials far", unit="%"),
-        reported("held in play: noticed within 5 s", percent, "known 5 s", "robots 5 s", unit="%"),
-        reported("held in play: noticed within 20 s", percent, "known 20 s", "robots 20 s", unit="%"),
-    ),
-    rules=PLAYED_AND_STAGED,
-    measure=measure_held_robots,
-    figures=latency_figure,
-    ingredients=(
-        "stuck_count 9, near_zero, clearly, near_time 8 s: all assumed",
-        "a held robot sees the ball throughout",
-    ),
-    note="Nine net readings at three a second take 3 s at least, and within 35 cm the second counter waits for its "
-    "8 s: there nobody notices within 5 s, and everybody within 10 s. Of robots that others hold in play a third "
-    "notice in 20 s: most stand within 35 cm, often before an opponent that has the ball, and the ball moves or they "
-    "come free before both counters have tripped.",
-    seconds=3.0,
-    batches=12,
-    least=4,
-)
 
 
 def velocity_windows(batch: Batch) -> Samples:
@@ -158,8 +84,7 @@ def velocity_figure(samples: Samples) -> Sequence[Figure]:
 
 
 S04 = Claim(
-    id="S04",
-    section="3",
+    id="S04", section="3",
     statement="A robot that makes for the ball but comes no nearer is probably stuck.",
     method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
     f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
@@ -169,11 +94,6 @@ S04 = Claim(
         reported("median of free robots", "free", of=median, unit="cm/s"),
         reported("median of held robots", "stuck", of=median, unit="cm/s"),
     ),
-    rules=PLAYED,
-    measure=velocity_windows,
-    figures=velocity_figure,
+    rules=PLAYED, measure=velocity_windows, figures=velocity_figure, least=4, batches=12, seconds=2.0,
     ingredients=("sensors.dither", "memory.filter_length"),
-    seconds=2.0,
-    batches=12,
-    least=4,
-)
+)  # fmt: skip

@@ -1,26 +1,21 @@
 """False alarms: a robot that nothing stops believes that it is stuck.  [Sacks 2001, 3.3]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim
 from soccer_env.train.papers.claims.stuck.detection import NEAR, latencies
 from soccer_env.train.papers.claims.stuck.runs import is_recovering, set_up_seekers
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, distance_from_camera
+from soccer_env.train.papers.plots import plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, kick_off, play, point_ahead, put, put_ball
 from soccer_env.train.papers.values import least_rise, mean
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 COUNTS = (3, 6, 9, 12, 15)  # thresholds, S25
-VARIANTS: dict[str, dict[str, Any]] = {  # beside the team's own settings: S23
-    "steps of 0.9 at least": {"near_step": 0.9},
-    "steps of 0.1 at least": {"near_step": 0.1},
-    "a threshold of 5 readings": {"stuck_count": 5},
-}
 ROLLS = (0.1, 0.5)  # [m/s] of a ball that rolls
 TRIES, TIME = 48, 20.0  # approaches of each kind a batch, [s] of each at most
 
@@ -47,55 +42,6 @@ def approach(batch: Batch, rolls: bool, **settings: Any) -> np.ndarray:
     return alarms
 
 
-def compare_counters(batch: Batch) -> Samples:
-    """Return false alarms with one counter and with two counters, in approaches to a still ball (M,)."""
-    found = {}
-    for n in (1, 2):
-        found[f"counters {n}"] = approach(batch, rolls=False, two_counters=n == 2)
-        for name, settings in VARIANTS.items():
-            found[f"{name} {n}"] = approach(batch, rolls=False, two_counters=n == 2, **settings)
-    return {**found, "approaches": np.ones(TRIES)}
-
-
-def alarm_ratio(samples: Samples, name: str) -> float:
-    """Return the number of alarms with one counter divided by that with two (at least half an alarm); NaN: no alarm."""
-    one, two = samples[f"{name} 1"].sum(), samples[f"{name} 2"].sum()
-    return float(one / max(two, 0.5)) if one + two > 0.0 else float("nan")
-
-
-def alarms_per_hundred(samples: Samples, name: str) -> float:
-    """Return the number of alarms of the variant `name` in 100 approaches."""
-    return 100.0 * mean(samples[name])
-
-
-S23 = Claim(
-    id="S23",
-    section="3.3",
-    statement="One counter often raises false alarms near the ball; the second remedies this.",
-    method=f"{TRIES} approaches a batch to a still ball 40 to 90 cm away in any direction, nothing in the way, with "
-    "one counter and with two: a recovery that begins is a false alarm.",
-    criteria=(
-        counted("one counter: approaches with a false alarm", "counters 1", "approaches", at_least=5.0),
-        measured("alarms with one counter over those with two", alarm_ratio, "counters", at_least=5.0),
-        reported("two counters: alarms in 100 approaches", alarms_per_hundred, "counters 2"),
-        *(
-            reported(
-                f"{name}, {n} counter(s): alarms in 100 approaches", lambda s, name: 100 * mean(s[name]), f"{name} {n}"
-            )
-            for name in VARIANTS
-            for n in (1, 2)
-        ),
-    ),
-    measure=compare_counters,
-    ingredients=("near_step 0.25 and near_time 8 s: assumed",),
-    note="With the paper's smaller steps the ball's velocity drops to 3 cm/s, but the ball is reached before nine "
-    "readings are net. With a threshold of five one counter does what the paper says, and two counters mend it; the "
-    "paper does not tell its threshold.",
-    seconds=2.0,
-    batches=16,
-)
-
-
 def sweep_thresholds(batch: Batch) -> Samples:
     """Return latencies of held robots [s] and false alarms of free robots at each threshold (M, thresholds)."""
     delay, false = [], []
@@ -117,19 +63,8 @@ def false_alarm_rates(samples: Samples) -> list[float]:
     return [100.0 * mean(samples["false"][:, i]) for i in range(len(COUNTS))]
 
 
-def sweep_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the mean latency and the number of false alarms against the threshold."""
-    delay = Curve("held robots", COUNTS, mean_latencies(samples))
-    false = Curve("free robots", COUNTS, false_alarm_rates(samples))
-    return (
-        Figure("Delay by threshold", "threshold [readings]", "mean time until noticed [s]", (delay,)),
-        Figure("False alarms by threshold", "threshold [readings]", "false alarms in 100 approaches", (false,)),
-    )
-
-
 S25 = Claim(
-    id="S25",
-    section="3.3",
+    id="S25", section="3.3",
     statement="Higher thresholds prevent false alarms, but delay the detection of collisions.",
     method=f"Thresholds of {', '.join(map(str, COUNTS))} readings: held robots as in S22, {TRIES} a batch, the ball at "
     f"35 to 80 cm, and {2 * TRIES} approaches to a ball 40 to 90 cm away in any direction, half of them to one that "
@@ -145,10 +80,12 @@ S25 = Claim(
         reported("greatest threshold: delay", lambda s: mean_latencies(s)[-1], unit="s"),
     ),
     measure=sweep_thresholds,
-    figures=sweep_figure,
+    figures=plots(plot("Delay by threshold", "threshold [readings]", "mean time until noticed [s]", COUNTS,
+                       {"held robots": mean_latencies}),
+                  plot("False alarms by threshold", "threshold [readings]", "false alarms in 100 approaches", COUNTS,
+                       {"free robots": false_alarm_rates})),
+    batches=6, seconds=4.0,
     ingredients=("the second counter stays at 8 s",),
-    seconds=4.0,
-    batches=6,
 )  # fmt: skip
 
 # In play
@@ -245,12 +182,11 @@ def cause_share(samples: Samples, cause: int) -> float:
 
 
 S24 = Claim(
-    id="S24",
-    section="3.3",
+    id="S24", section="3.3",
     statement="False alarms are infrequent, usually while the ball moves away or the robot turns slowly.",
     method=f"{MATCHES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
-    f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the "
-    "robot turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
+    f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the robot "
+    "turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
     f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 "
     "to 90 cm away in any direction, nothing in the way.",
     criteria=(
@@ -267,10 +203,6 @@ S24 = Claim(
         reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(),
                  unit="%"),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=count_alarm_causes,
+    rules=PLAYED_AND_STAGED, measure=count_alarm_causes, least=4, batches=12, seconds=4.5,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
-    seconds=4.5,
-    batches=12,
-    least=4,
 )  # fmt: skip

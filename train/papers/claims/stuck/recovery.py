@@ -1,14 +1,14 @@
 """How a stuck robot gets free: steps back, then aside or round, then to the ball again.  [Sacks 2001, 3.4]"""
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, Claim
 from soccer_env.train.papers.claims.stuck.branches import FUTURE, count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
+from soccer_env.train.papers.plots import plot, plot_done
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -59,36 +59,24 @@ def ten_steps_ratio(samples: Samples) -> float:
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
 
-def again_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of robots held again against the number of steps back."""
-    curve = Curve("held again within 5 s", BACK_STEPS, held_again_shares(samples))
-    return (Figure("Held again after a recovery", "steps back", "robots [%]", (curve,)),)
-
-
 S26 = Claim(
-    id="S26",
-    section="3.4",
+    id="S26", section="3.4",
     statement="Ten steps back exceed the need, but prevent getting stuck again at once.",
     method=SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
     "recovery.",
     criteria=(
         measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
-        *(
-            reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
-            for i, steps in enumerate(BACK_STEPS)
-        ),
+        *(reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
+          for i, steps in enumerate(BACK_STEPS)),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=measure_held_again,
-    without=Ablation(
-        "the way back counted in the five seconds, as here it is not", partial(measure_held_again, way_back=True)
-    ),
-    figures=again_figure,
+    rules=PLAYED_AND_STAGED, measure=measure_held_again,
+    figures=plot("Held again after a recovery", "steps back", "robots [%]", BACK_STEPS,
+                 {"held again within 5 s": held_again_shares}),
+    least=4, batches=12, seconds=4.0,
+    without=Ablation("the way back counted in the five seconds, as here it is not",
+                     partial(measure_held_again, way_back=True)),
     ingredients=(HELD, "side_steps 5: assumed"),
-    seconds=4.0,
-    batches=12,
-    least=4,
-)
+)  # fmt: skip
 
 
 def compare_sides(batch: Batch) -> Samples:
@@ -115,16 +103,13 @@ def misalignment_change(samples: Samples, name: str = "", until: str = "at ball"
 
 
 S27 = Claim(
-    id="S27",
-    section="3.4",
+    id="S27", section="3.4",
     statement="The sidestep does not always clear the obstacle, but positions the robot to shoot.",
-    method=SCENE
-    + f"those that step aside: who is not held again within {CLEAR:g} s after the recovery has cleared the "
-    "way. Angle between the ways from robot to ball and from ball to goal, before and when the robot has the ball; "
+    method=SCENE + f"those that step aside: who is not held again within {CLEAR:g} s after the recovery has cleared "
+    "the way. Angle between the ways from robot to ball and from ball to goal, before and when the robot has the ball; "
     "beside it a side drawn at random, and the angle right after the recovery.",
     criteria=(
-        counted("cleared the obstacle: at least 50 %", "clear", "aside", at_least=50.0),
-        counted("cleared the obstacle: at most 95 %", "clear", "aside", at_most=95.0),
+        counted("cleared the obstacle", "clear", "aside", at_least=50.0, at_most=95.0),
         measured("change of the misalignment until the robot has the ball", misalignment_change, unit="deg", below=0.0),
         measured("misalignment when it has the ball, less that with a random side",
                  lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
@@ -136,14 +121,10 @@ S27 = Claim(
                  lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
         reported("misalignment before", "before", unit="deg"),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=compare_sides,
+    rules=PLAYED_AND_STAGED, measure=compare_sides, least=4, batches=12, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="The paper speaks of the moment at which the robot reaches the ball. Right after the recovery a robot is "
     "placed worse than before: while it retreats the others take the ball elsewhere.",
-    seconds=3.0,
-    batches=12,
-    least=4,
 )  # fmt: skip
 
 
@@ -182,16 +163,6 @@ def recovery_gain(
     )
 
 
-def tries_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of robots that are free again against the time, for each kind of recovery."""
-    grid = np.linspace(0.0, FUTURE, 49)
-    curves = []
-    for word, title in (("begun", "recover at once"), ("on", "recover when they notice"), ("off", "push on")):
-        times = samples[f"freed {word}"][~np.isnan(samples[f"freed {word}"])]
-        curves.append(Curve(title, grid.tolist(), [100.0 * float((times <= t).mean()) for t in grid]))
-    return (Figure("Robots held in play: free by when", "time [s]", "robots [%]", tuple(curves)),)
-
-
 def repeated_recovery_share(samples: Samples) -> float:
     """Return the share [%] of robots that begin more than one recovery before they have the ball."""
     tries = samples["tries begun"]
@@ -199,12 +170,10 @@ def repeated_recovery_share(samples: Samples) -> float:
 
 
 S29 = Claim(
-    id="S29",
-    section="3.4",
+    id="S29", section="3.4",
     statement="The recovery seems relatively effective, though it sometimes takes a few tries.",
-    method=SCENE
-    + "or push on: free is who walks as asked for 1 s, not recovering and in contact with nobody, or has the "
-    f"ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
+    method=SCENE + "or push on: free is who walks as asked for 1 s, not recovering and in contact with nobody, or has "
+    f"the ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
     criteria=(
         counted("free after at most three tries", "few", "one", at_least=90.0),
         measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
@@ -216,28 +185,22 @@ S29 = Claim(
         reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
                  partial(recovery_gain, word="quick"), unit="pp"),
         reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
-        *(
-            reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
-                     unit="pp")
-            for title, flags in SITUATIONS.items()
-        ),
-        *(
-            reported(f"{title}: ball got, recovering less pushing on", partial(recovery_gain, name="got", flags=flags),
-                     unit="pp")
-            for title, flags in {"all": {}, **SITUATIONS}.items()
-        ),
+        *(reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
+                   unit="pp") for title, flags in SITUATIONS.items()),
+        *(reported(f"{title}: ball got, recovering less pushing on", partial(recovery_gain, name="got", flags=flags),
+                   unit="pp") for title, flags in {"all": {}, **SITUATIONS}.items()),
         reported("goals in 100, recovering less pushing on",
                  lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     ),
-    rules=PLAYED_AND_STAGED,
-    measure=compare_recoveries,
-    figures=tries_figure,
+    rules=PLAYED_AND_STAGED, measure=compare_recoveries, condition="where the recovery is begun for the robot",
+    figures=plot_done("Robots held in play: free by when", "robots [%]", np.linspace(0.0, FUTURE, 49),
+                      {f"freed {word}": title
+                       for word, title in (("begun", "recover at once"), ("on", "recover when they notice"),
+                                           ("off", "push on"))}),
+    least=4, batches=12, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
     "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "
     "gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings and 1 s most do, and it "
     "comes free more often too.",
-    seconds=3.0,
-    batches=12,
-    least=4,
 )  # fmt: skip
