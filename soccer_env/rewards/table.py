@@ -122,7 +122,8 @@ class Rewards(Weights):  # type: ignore[misc]  # its fields follow from the tabl
 PRESETS = {
     "default": Rewards(),
     "sparse": Rewards.only(**{term.name: term.weight for term in TERMS if term.kind == "event"}),
-    "training": Rewards(  # of `soccer train`; a goal takes back half of `progress`: with goal=1.0 it would cost 1.5
+    # Of `soccer train`. A goal takes back half of `progress`: with goal=1.0 it would cost 1.5.
+    "training": Rewards(
         goal=5.0,
         progress=5.0,
         approach=2.0,
@@ -133,7 +134,7 @@ PRESETS = {
         strength=0.3,
         shot=1.0,
         foul=2.0,
-    ),  # fmt: skip
+    ),
 }
 
 KINDS_OF_PLAYERS: dict[str, dict[str, float]] = {  # amounts a minute of the terms of weight 1

@@ -28,8 +28,8 @@ HEINEMANN: dict[str, Any] = {"league": MIDDLE_SIZE, "path": True}
 MOMENTS = (
     Moment(
         "match.gif",
-        {"home": "learned", "away": "chaser", "seed": 94, "minutes": 4.0},
-        {"start": 97.0, "seconds": 19.0, "width": 600, "speed": 4.0, "fps": 10.0},
+        {"home": "learned", "away": "chaser", "seed": 4, "minutes": 4.0},
+        {"start": 30.0, "seconds": 19.0, "width": 600, "speed": 4.0, "fps": 10.0},
     ),
     Moment(
         "middle-size.gif",

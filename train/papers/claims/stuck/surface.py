@@ -72,13 +72,16 @@ def fit_of_s22(samples: Samples, rows: np.ndarray | slice = slice(None)) -> np.n
     """Return the least of all shares over their bounds at each setting, 1 or more where S22's sentence holds."""
     quiet = (100.0 - shares(samples, "two", "approaches", rows)) / (100.0 - FALSE)
     soon, late = (shares(samples, *names, rows) for names in (("near soon", "near"), ("all late", "all")))
-    return np.minimum(quiet, np.minimum(soon / NOTICED, late / NOTICED_LATE))
+    fit: np.ndarray = np.minimum(quiet, np.minimum(soon / NOTICED, late / NOTICED_LATE))
+    return fit
 
 
 def fit_of_s23(samples: Samples, rows: np.ndarray | slice = slice(None)) -> np.ndarray:
     """Return the lesser of the alarms with one counter and of the ratio, over their bounds, at each setting."""
     one, two = (samples[name][rows].sum(axis=0) for name in ("one", "two"))
-    return np.minimum(shares(samples, "one", "approaches", rows) / OFTEN, one / np.maximum(two, 0.5) / FEWER)
+    ratio = one / np.maximum(two, 0.5)
+    fit: np.ndarray = np.minimum(shares(samples, "one", "approaches", rows) / OFTEN, ratio / FEWER)
+    return fit
 
 
 FITS = {"S22": fit_of_s22, "S23": fit_of_s23}
