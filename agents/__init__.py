@@ -14,6 +14,7 @@ onnx_team.py    policies in ONNX files as teams
 onnx_checks.py  checks of ONNX files: a network of known size
 perceptron.py   the network, computed in compiled code
 attention.py    attention over other players, before the layers
+recurrent.py    a recurrent memory before the layers
 policies/       the bundled policies, with their model card
 """
 

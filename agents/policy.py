@@ -3,6 +3,7 @@
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
       -> normalised, if `normalise` is set                                 normalising.py
       -> kind "attention" only: other players pooled                       attention.py
+      -> with a memory: its state appended                                 recurrent.py
       -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
       -> ...
       -> weights[-1] x + biases[-1]                                        no activation
@@ -23,6 +24,8 @@ import numpy as np
 from soccer_env.actions import BOX, FULL, PARTS
 from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
+from soccer_env.agents.recurrent import GATES, MAX_MEMORY, memory_shapes, memory_units
+from soccer_env.agents.recurrent import TENSORS as MEMORY_TENSORS
 from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
 from soccer_env.agents.trained_with import check_trained_with
 from soccer_env.guards.checking import check_choice, raise_not_allowed, short_repr
@@ -75,6 +78,7 @@ class Policy:
     normalise: Mapping[str, Any] = field(default_factory=dict)  # table of `normalising`; {}: not normalised
     senses: str = ""  # of the training, "sensors" or "ideal"; "": unknown, see `trained_with`
     pose: str = ""  # of the training, "percept" or "particles"; "": unknown
+    memory: tuple[np.ndarray, ...] = ()  # float32, as `recurrent.TENSORS` names them; (): no memory
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -100,13 +104,15 @@ class Policy:
         if self.mirror:
             observation_signs(self.entries)
         features = _check_attention(self.kind, self.attention, self.entries)
-        numbers = sum(array.size for array in self.attention)
-        _check_layers(self.weights, self.biases, features, ACTIONS[self.actions], numbers)
+        units = _check_memory(self.memory, features)
+        numbers = sum(array.size for array in (*self.attention, *self.memory))
+        _check_layers(self.weights, self.biases, features + units, ACTIONS[self.actions], numbers)
         largest = _check_attention_overflow(
             self.attention, self.activation, check_normalise(self.normalise, len(self.inputs))
         )
+        _check_memory_overflow(self.memory, largest)
         _check_unit_overflow(self.weights, self.biases, self.activation, largest)
-        for name in ("weights", "biases", "attention"):
+        for name in ("weights", "biases", "attention", "memory"):
             object.__setattr__(self, name, tuple(_read_only_copy(array) for array in getattr(self, name)))
         for name in ("made", "rules", "normalise"):
             object.__setattr__(self, name, dict(getattr(self, name)))
@@ -114,6 +120,7 @@ class Policy:
     def __repr__(self) -> str:
         """Return name, league and shape of the policy, without its numbers."""
         sizes = ", ".join(str(len(bias)) for bias in self.biases)
+        sizes += f", memory of {memory_units(self.memory)}" if self.memory else ""
         shape = f"{self.kind} of {len(self.inputs)} inputs, layers of {sizes}"
         return f"Policy({self.name!r}, {self.league!r}, observe={self.observe!r}, actions={self.actions!r}: {shape})"
 
@@ -224,12 +231,34 @@ def _check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> i
     width = len(attention[1]) if attention[1].ndim == 1 else 0
     if not 1 <= width <= MAX_UNITS:
         raise ValueError(f"{TENSORS[1]} must have the shape (1 to {MAX_UNITS},), got {attention[1].shape}")
-    for name, array, shape in zip(TENSORS, attention, layout.shapes(width), strict=True):
+    _check_tensors(TENSORS, attention, layout.shapes(width))
+    return layout.features(width)
+
+
+def _check_tensors(names: Sequence[str], arrays: Sequence[np.ndarray], shapes: Sequence[tuple[int, ...]]) -> None:
+    """Raise ValueError unless all arrays are finite and of the given shapes."""
+    for name, array, shape in zip(names, arrays, shapes, strict=True):
         if array.shape != shape:
             raise ValueError(f"{name} must have the shape {shape}, got {array.shape}")
         if not np.isfinite(array).all():
             raise ValueError(f"{name} must be finite, it holds NaN or infinity")
-    return layout.features(width)
+
+
+def _check_memory(memory: object, features: int) -> int:
+    """Return the units of the memory, 0 without; ValueError unless its tensors fit the features that it reads."""
+    if not isinstance(memory, tuple) or len(memory) not in (0, len(MEMORY_TENSORS)):
+        size = f"{len(memory)} arrays" if isinstance(memory, tuple) else type(memory).__name__
+        raise ValueError(f"memory must be an empty tuple or one of {', '.join(MEMORY_TENSORS)}, got {size}")
+    for name, array in zip(MEMORY_TENSORS, memory):
+        _check_array(name, array)
+    if not memory:
+        return 0
+    units = memory_units(memory) if memory[1].ndim == 1 else 0
+    if not 1 <= units <= MAX_MEMORY:
+        allowed = f"({GATES} times 1 to {MAX_MEMORY},)"
+        raise ValueError(f"{MEMORY_TENSORS[1]} must have the shape {allowed}, got {memory[1].shape}")
+    _check_tensors(MEMORY_TENSORS, memory, memory_shapes(units, features))
+    return units
 
 
 def _check_layers(weights: object, biases: object, inputs: int, outputs: int, numbers: int) -> None:
@@ -270,6 +299,14 @@ def _check_attention_overflow(attention: tuple[np.ndarray, ...], activation: str
             _check_below_limit(name, reached)
         largest = max(largest, float(bounded.max()))
     return largest
+
+
+def _check_memory_overflow(memory: tuple[np.ndarray, ...], largest: float) -> None:
+    """Raise ValueError if features up to `largest`, with a state in [-1, 1], could make a gate overflow."""
+    if memory:
+        inputs, states = (np.abs(weight).sum(axis=1, dtype=np.float64) for weight in memory[::2])
+        reached = inputs * largest + states + np.abs(memory[1]) + np.abs(memory[3])
+        _check_below_limit("memory", reached.max())
 
 
 def _check_unit_overflow(
