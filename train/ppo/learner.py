@@ -14,6 +14,7 @@ from stable_baselines3.common.logger import Logger
 
 from soccer_env.observations import Entry, layout
 from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.recurrent import RecurrentPolicy, SequenceBuffer, connect_memory
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
@@ -91,6 +92,7 @@ class Learner:
             "step": self.steps,
             "updates": self.model._n_updates,
             "starts": np.asarray(self.model._last_episode_starts),
+            "states": self.network.states,
         }
 
     def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
@@ -98,6 +100,7 @@ class Learner:
         self.network.load_state_dict(saved["network"])
         self.network.optimizer.load_state_dict(saved["optimizer"])
         self.model.num_timesteps, self.model._n_updates = saved["step"], saved["updates"]
+        self.network.states = saved["states"]
         self._set_rollout_start(observations, saved["starts"])
 
     def _set_rollout_start(self, observations: np.ndarray, starts: np.ndarray) -> None:
@@ -118,20 +121,23 @@ def make_model(settings: TrainSettings, matches: SoccerVecEnv, entries: list[Ent
     """Return stable-baselines3's PPO, set up to train on `matches`."""
     shape = {
         "entries": entries, "kind": settings.kind, "hidden": settings.hidden_sizes, "critic": settings.critic_sizes,
-        "activation": settings.activation, "mirror": settings.mirror, "log_std_init": float(np.log(settings.noise)),
+        "activation": settings.activation, "mirror": settings.mirror, "memory": settings.memory,
+        "log_std_init": float(np.log(settings.noise)),
     }  # fmt: skip
 
     def rate(left: float) -> float:
         return settings.learning_rate * (LEAST_RATE + (1.0 - LEAST_RATE) * max(left, 0.0) if settings.decay else 1.0)
 
+    policy, buffer = (RecurrentPolicy, SequenceBuffer) if settings.memory else (SoccerPolicy, None)
     with warnings.catch_warnings():  # of a last part that is a little smaller, and of GPUs being slow for small nets
         warnings.filterwarnings("ignore", category=UserWarning, module="stable_baselines3")
         model = PPO(
-            SoccerPolicy, matches, learning_rate=rate, n_steps=settings.rollout,
+            policy, matches, learning_rate=rate, n_steps=settings.rollout, rollout_buffer_class=buffer,
             batch_size=minibatch_size(settings.rollout * matches.num_envs, settings.batch),
             n_epochs=settings.epochs, gamma=settings.gamma, gae_lambda=settings.gae_lambda, clip_range=settings.clip,
             ent_coef=settings.entropy, policy_kwargs=shape, seed=settings.seed, device=settings.device,
         )  # fmt: skip
+    connect_memory(model)
     model.set_logger(Logger(folder=None, output_formats=[]))
     return model
 

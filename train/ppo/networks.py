@@ -3,10 +3,10 @@
 The actor sees the robot's own observation; the critic sees this, optionally followed by the true state of the match
 (`state()`). With the kind "attention" other players are pooled before the actor's layers; the critic stays plain. With
 `mirror` the actor is the mean of a network and of its left-right mirror image: for a mirrored observation it returns
-exactly the mirrored action.
+exactly the mirrored action. An actor with a memory learns from sequences (`recurrent.py`).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,6 +17,7 @@ from torch import nn
 
 from soccer_env.agents.attention import Layout, attention_width, layout_of
 from soccer_env.agents.policy import Policy, training_fields
+from soccer_env.agents.recurrent import memory_shapes
 from soccer_env.leagues.league import League
 from soccer_env.observations import Entry
 from soccer_env.observations import layout as entries_of
@@ -73,7 +74,7 @@ class ActorAndCritic(nn.Module):
 
     def __init__(
         self, inputs: int, features: int, hidden: Sequence[int], critic: Sequence[int], activation: str, signs: Any,
-        attention: Attention | None = None,
+        attention: Attention | None = None, units: int = 0,
     ) -> None:  # fmt: skip
         super().__init__()
         self.inputs = inputs
@@ -81,7 +82,9 @@ class ActorAndCritic(nn.Module):
         self.latent_dim_vf = critic[-1]
         self.register_buffer("signs", signs, persistent=False)
         self.attention = attention
-        self.policy_net = layers([attention.features if attention else inputs, *hidden], activation)
+        width = attention.features if attention else inputs
+        self.memory = nn.GRUCell(width, units) if units else None
+        self.policy_net = layers([width + units, *hidden], activation)
         self.value_net = layers([features, *critic], activation)
 
     def forward(self, features: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
@@ -90,10 +93,14 @@ class ActorAndCritic(nn.Module):
 
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
         """Return the actor's last hidden layer (B, h); with a mirror (2 B, h), the mirrored observations last."""
+        latent: torch.Tensor = self.policy_net(self.read(features))
+        return latent
+
+    def read(self, features: torch.Tensor) -> torch.Tensor:
+        """Return what memory or layers of the actor read, (B, f) or with a mirror (2 B, f)."""
         own = features[:, : self.inputs]
         own = own if self.signs is None else torch.cat([own, own * self.signs])
-        latent: torch.Tensor = self.policy_net(self.attention(own) if self.attention else own)
-        return latent
+        return self.attention(own) if self.attention else own
 
     def forward_critic(self, features: torch.Tensor) -> torch.Tensor:
         """Return the critic's last hidden layer (B, h)."""
@@ -121,6 +128,8 @@ class MirrorHead(nn.Module):
 class SoccerPolicy(ActorCriticPolicy):
     """The policy class for stable-baselines3's PPO; `entries` describe a robot's own observation."""
 
+    states: torch.Tensor | None = None  # of a memory, in the running matches
+
     def __init__(
         self,
         observation_space: Any,
@@ -133,6 +142,7 @@ class SoccerPolicy(ActorCriticPolicy):
         activation: str = "tanh",
         mirror: bool = False,
         kind: str = "slots",
+        memory: int = 0,
         **settings: Any,
     ) -> None:
         self.entries = entries
@@ -141,6 +151,7 @@ class SoccerPolicy(ActorCriticPolicy):
         self.kind = kind
         self.activation = activation
         self.mirror = mirror
+        self.memory = memory
         super().__init__(
             observation_space, action_space, lr_schedule, activation_fn=ACTIVATIONS[activation], **settings
         )
@@ -151,7 +162,7 @@ class SoccerPolicy(ActorCriticPolicy):
         attention = None
         if self.kind == "attention":
             attention = Attention(layout_of(self.entries), attention_width(self.hidden), self.activation)
-        self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs, attention)
+        self.mlp_extractor: Any = ActorAndCritic(*sizes, self.activation, signs, attention, self.memory)
 
     def _build(self, lr_schedule: Any) -> None:
         super()._build(lr_schedule)
@@ -165,11 +176,20 @@ class SoccerPolicy(ActorCriticPolicy):
         actions: torch.Tensor = self.action_net(self.mlp_extractor.forward_actor(observations))
         return actions
 
+    def answers(
+        self, observations: torch.Tensor, asked: torch.Tensor, batch: int, generator: torch.Generator
+    ) -> Iterator[tuple[torch.Tensor, torch.Tensor]]:
+        """Yield (mean actions, asked actions) of `batch` decisions (n, ...) after another, in a random order."""
+        order = torch.randperm(len(observations), generator=generator)
+        for chosen in order.split(batch):
+            seen, wanted = (part[chosen].to(self.device) for part in (observations, asked))
+            yield self.mean_actions(seen), wanted
+
     def actor_parameters(self) -> list[nn.Parameter]:
         """Return the parameters of the actor alone, including those of its exploration noise."""
-        own = [*self.mlp_extractor.policy_net.parameters(), *self.action_net.parameters()]
-        attention = self.mlp_extractor.attention
-        return [*(attention.parameters() if attention else ()), *own, self.log_std]
+        actor = self.mlp_extractor
+        parts = [actor.attention, actor.memory, actor.policy_net, self.action_net]
+        return [*(parameter for part in parts if part is not None for parameter in part.parameters()), self.log_std]
 
 
 def export_policy(
@@ -177,24 +197,26 @@ def export_policy(
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
     """Return the actor of a trained network as a Policy, to be written to a file."""
-    weights, biases, pooling = (
+    weights, biases, pooling, memory = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
         name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
-        weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose,
+        weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose, memory=memory,
     )  # fmt: skip
 
 
-def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch.Tensor], list[torch.Tensor]]:
-    """Return the weights, biases and attention tensors of an actor, in the order of `Policy`."""
+def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], ...]:
+    """Return the weights, biases, attention and memory tensors of an actor, in the order of `Policy`."""
     head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
     linear: list[Any] = [part for part in network.mlp_extractor.policy_net if isinstance(part, nn.Linear)]
     linear.append(head)
-    attention = network.mlp_extractor.attention
-    return [part.weight for part in linear], [part.bias for part in linear], attention.tensors() if attention else []
+    attention, cell = network.mlp_extractor.attention, network.mlp_extractor.memory
+    memory = [cell.weight_ih, cell.bias_ih, cell.weight_hh, cell.bias_hh] if cell else []
+    pooling = attention.tensors() if attention else []
+    return [part.weight for part in linear], [part.bias for part in linear], pooling, memory
 
 
 def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
@@ -215,13 +237,15 @@ def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
         return wide
 
     attention = tuple(widen(part) if index % 3 == 2 else part for index, part in enumerate(policy.attention))  # Q
-    return replace(policy, inputs=inputs, weights=(widen(policy.weights[0]), *policy.weights[1:]), attention=attention)
+    memory = tuple(widen(part) if index == 0 else part for index, part in enumerate(policy.memory))
+    weights = (widen(policy.weights[0]), *policy.weights[1:])
+    return replace(policy, inputs=inputs, weights=weights, attention=attention, memory=memory)
 
 
 def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
     """Copy a policy's actor into a network, which may observe more; its noise and critic stay unchanged."""
     policy = widened_policy(policy, tuple(entry.name for entry in network.entries))
-    given = (policy.weights, policy.biases, policy.attention)
+    given = (policy.weights, policy.biases, policy.attention, policy.memory)
     with torch.no_grad():
         for parts, arrays in zip(actor_tensors(network), given, strict=True):
             for part, array in zip(parts, arrays, strict=True):
@@ -238,7 +262,8 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
     if settings.kind == "attention":
         layout, width = layout_of(entries), attention_width(settings.hidden_sizes)
         features, pooling = layout.features(width), layout.shapes(width)
-    sizes = (features, *settings.hidden_sizes, actions)
+    remembering = memory_shapes(settings.memory, features) if settings.memory else ()
+    sizes = (features + settings.memory, *settings.hidden_sizes, actions)
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
         name=settings.name, **training_fields(league), observe=settings.observe, inputs=names, actions="box",
@@ -246,5 +271,6 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
         kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
         biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},
-        attention=tuple(np.zeros(shape, np.float32) for shape in pooling), **settings.own_senses,
+        attention=tuple(np.zeros(shape, np.float32) for shape in pooling),
+        memory=tuple(np.zeros(shape, np.float32) for shape in remembering), **settings.own_senses,
     )  # fmt: skip

@@ -59,24 +59,23 @@ def fit(
     advance: Callable[[float], None] = lambda share: None, rate: float = 1e-3, batch: int = 4096,
     error: Callable[[torch.Tensor, torch.Tensor], torch.Tensor] = mean_square,
 ) -> list[float]:  # fmt: skip
-    """Fit the actor to recorded decisions; return the mean error of each epoch."""
+    """Fit the actor to recorded decisions, or with a memory to whole episodes; return the mean error of each epoch."""
     rows = torch.as_tensor(observations), torch.as_tensor(actions)
     optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=rate)
     generator = torch.Generator().manual_seed(seed)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, epochs, eta_min=0.05 * rate)
     errors = []
     for _ in range(epochs):
-        order, total = torch.randperm(len(observations), generator=generator), 0.0
-        for first in range(0, len(order), batch):
-            chosen = order[first : first + batch]
-            seen, asked = (part[chosen].to(network.device) for part in rows)
-            missed = error(network.mean_actions(seen), asked)
+        count, total = 0, 0.0
+        for answered, asked in network.answers(*rows, batch, generator):
+            missed = error(answered, asked)
             optimizer.zero_grad()
             missed.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
             optimizer.step()
-            total += float(missed.detach()) * len(chosen)
+            total += float(missed.detach()) * len(asked)
+            count += len(asked)
         schedule.step()
-        errors.append(total / len(order))
+        errors.append(total / count)
         advance(1.0 / epochs)
     return errors
 
