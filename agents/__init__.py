@@ -12,6 +12,7 @@ torch_layers.py the layers of a torch module
 sb3_zip.py      zips of stable-baselines3, read without running their contents
 sb3_actor.py    the parameters of the actor in these zips
 onnx_team.py    policies in ONNX files as teams
+onnx_export.py  policies written as ONNX files
 onnx_checks.py  checks of ONNX files: a network of known size
 perceptron.py   the network, computed in compiled code
 attention.py    attention over other players, before the layers
@@ -24,9 +25,12 @@ from typing import TYPE_CHECKING
 from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
+    from soccer_env.agents.onnx_export import save_onnx
     from soccer_env.agents.sb3_zip import convert_sb3, load_sb3
     from soccer_env.agents.torch_policy import save_policy
 
-__all__ = ["convert_sb3", "load_sb3", "save_policy"]
-_ZIP, _TORCH = "soccer_env.agents.sb3_zip", "soccer_env.agents.torch_policy"
-__getattr__, __dir__ = lazy_names(__name__, {"convert_sb3": _ZIP, "load_sb3": _ZIP, "save_policy": _TORCH})
+__all__ = ["convert_sb3", "load_sb3", "save_onnx", "save_policy"]
+_ZIP, _TORCH, _ONNX = (f"{__name__}.{module}" for module in ("sb3_zip", "torch_policy", "onnx_export"))
+__getattr__, __dir__ = lazy_names(
+    __name__, {"convert_sb3": _ZIP, "load_sb3": _ZIP, "save_onnx": _ONNX, "save_policy": _TORCH}
+)
