@@ -28,7 +28,7 @@ from tests.agents.staged_files import (
     with_tensor,
     without_key,
 )
-from tests.agents.staged_policies import SMALL_ATTENTION
+from tests.agents.staged_policies import SMALL_ATTENTION, random_recurrent_policy
 from tests.agents.staged_zips import Canary
 
 
@@ -47,10 +47,12 @@ def test_the_corpus_starts_from_a_good_file() -> None:
     assert dump(parse(with_table(TABLE), WHERE)) == GOOD
 
 
-both_kinds = pytest.mark.parametrize("good", [GOOD, dump(SMALL_ATTENTION)], ids=["slots", "attention"])
+SMALL_MEMORY = random_recurrent_policy(2, units=2, inputs=("ball_x", "active"))
+FILES = {"slots": GOOD, "attention": dump(SMALL_ATTENTION), "memory": dump(SMALL_MEMORY)}
+all_kinds = pytest.mark.parametrize("good", FILES.values(), ids=FILES)
 
 
-@both_kinds
+@all_kinds
 def test_a_file_that_is_cut_off_anywhere_is_refused(good: bytes) -> None:
     for length in range(len(good)):
         assert_content_refused(good[:length])
@@ -58,7 +60,7 @@ def test_a_file_that_is_cut_off_anywhere_is_refused(good: bytes) -> None:
     assert_content_refused(good + good)
 
 
-@both_kinds
+@all_kinds
 def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
     for place in range(len(good)):
         for bit in (0, 3, 7):
@@ -69,7 +71,9 @@ def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
             except ValueError as refusal:
                 assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
             else:  # another word of free text, or another weight
-                assert all(np.isfinite(array).all() for array in found.weights + found.biases + found.attention)
+                assert all(
+                    np.isfinite(array).all() for array in found.weights + found.biases + found.attention + found.memory
+                )
 
 
 @settings(max_examples=100)

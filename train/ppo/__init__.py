@@ -6,6 +6,7 @@
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
     curriculum.py      the choice of opponents                     teaching/         a scripted teacher, before rewards
     networks.py        actor and critic                            critic_state.py   the critic's view of the truth
+    recurrent.py       an actor with a memory, in sequences
     learner.py         PPO, and its state                          checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
     reporting/         other logs, the report as a page
