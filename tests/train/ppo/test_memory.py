@@ -15,9 +15,10 @@ pytest.importorskip("stable_baselines3")
 
 import torch
 from gymnasium import spaces
+from stable_baselines3.common.vec_env import VecEnv
 
 from soccer_env.train.ppo.checks import check_start, make_curriculum, make_matches
-from soccer_env.train.ppo.learner import Learner
+from soccer_env.train.ppo.learner import Learner, make_model
 from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, export_policy
 from soccer_env.train.ppo.recurrent import BACK, RecurrentPolicy, Sequences
 from soccer_env.train.ppo.settings import TrainSettings, command_of
@@ -185,3 +186,53 @@ def test_the_settings_of_a_memory() -> None:
     for wrong in ({}, {"rounds": 2, "teacher_until": 0.5}):
         with pytest.raises(ValueError, match="memory needs whole episodes: give teacher rounds"):
             TrainSettings(memory=8, **wrong)  # type: ignore[arg-type]
+
+
+class BallSeenOnce(VecEnv):
+    """Episodes of 6 decisions: the ball is seen at the first, left or right; paid is to walk towards it at the last."""
+
+    LENGTH, ROWS = 6, 64
+
+    def __init__(self) -> None:
+        super().__init__(self.ROWS, *(spaces.Box(-1.0, 1.0, (size,), np.float32) for size in (len(NAMES), 4)))
+        self.rng, self.step_count = np.random.default_rng(1), np.arange(self.ROWS) % self.LENGTH
+        self.side = self.rng.choice([-1.0, 1.0], self.ROWS)
+
+    def reset(self) -> np.ndarray:
+        seen = np.zeros((self.ROWS, len(NAMES)), np.float32)
+        seen[:, ACTIVE] = 1.0
+        seen[:, BALL] = np.where(self.step_count == 0, self.side, 0.0)
+        return seen
+
+    def step_async(self, actions: np.ndarray) -> None:
+        self.actions = actions
+
+    def step_wait(self) -> Any:
+        dones = self.step_count == self.LENGTH - 1
+        paid = np.where(dones, self.side * self.actions[:, 0], 0.0).astype(np.float32)
+        self.step_count = np.where(dones, 0, self.step_count + 1)
+        self.side = np.where(dones, self.rng.choice([-1.0, 1.0], self.ROWS), self.side)
+        return self.reset(), paid, dones, [{} for _ in dones]
+
+    def close(self) -> None: ...
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        return [None] * self.ROWS
+
+    def set_attr(self, *_: Any) -> None: ...
+
+    def env_method(self, *_: Any, **__: Any) -> list[Any]:
+        return []
+
+    def env_is_wrapped(self, *_: Any) -> list[bool]:
+        return [False] * self.ROWS
+
+
+@pytest.mark.parametrize(("units", "least", "most"), [(8, 0.7, 1.5), (0, -0.2, 0.2)])
+def test_ppo_learns_to_remember_and_a_plain_actor_does_not(units: int, least: float, most: float) -> None:
+    settings = TrainSettings(teacher="", memory=units, hidden="16", critic="16", rollout=30, batch=480, epochs=6,
+                             learning_rate=0.003, noise=0.5, device="cpu", mirror=False, seed=2)  # fmt: skip
+    model = make_model(settings, BallSeenOnce(), ENTRIES)  # type: ignore[arg-type]
+    model.learn(40 * 30 * BallSeenOnce.ROWS)
+    paid = model.rollout_buffer.rewards.sum() / (model.rollout_buffer.rewards != 0.0).sum()
+    assert least < paid < most, "with noise; by chance 0, at best about 0.8"
