@@ -106,7 +106,7 @@ def awake_states(graph: Graph, policy: Policy, images: int) -> list[str]:
         active = graph.add("Gather", "seen", graph.constant(np.array([policy.inputs.index(ACTIVE)])), axis=1)
         plays = graph.add("GreaterOrEqual", active, graph.constant(np.float32(0.0)))
         state = graph.add("Mul", state, graph.add("Cast", plays, to=1))  # to float32
-    return graph.add("Split", state, outputs=images, axis=1) if images > 1 else [state]  # type: ignore[no-any-return]
+    return graph.add("Split", state, outputs=images, axis=1) if images > 1 else [state]
 
 
 def write_network(graph: Graph, policy: Policy, seen: str, state: str) -> tuple[str, str]:

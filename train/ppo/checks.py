@@ -70,13 +70,13 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
             if own != other:
                 told = f"{what} is {short_repr(other)}, the run's {short_repr(own)}"
                 raise ValueError(f"policy file {settings.start!r} is of another shape: {told}")
-        shapes = [[array.shape for array in (*one.memory, *one.weights)] for one in (blank, policy)]
+        units = [memory_units(one.memory) for one in (blank, policy)]
+        if units[0] != units[1]:
+            raise ValueError(f"policy file {settings.start!r} has a memory of {units[1]}, the run {units[0]}")
+        shapes = [[weight.shape for weight in one.weights] for one in (blank, policy)]
         if shapes[0] != shapes[1]:
-            sizes, units = ",".join(str(len(bias)) for bias in policy.biases[:-1]), memory_units(policy.memory)
-            raise ValueError(
-                f"policy file {settings.start!r} has hidden layers of {sizes} and a memory of {units}, the run "
-                f"{settings.hidden} and {settings.memory}"
-            )
+            sizes = ",".join(str(len(bias)) for bias in policy.biases[:-1])
+            raise ValueError(f"policy file {settings.start!r} has hidden layers of {sizes}, the run {settings.hidden}")
 
 
 def check_minutes(settings: TrainSettings, league: League) -> None:

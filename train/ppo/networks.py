@@ -181,7 +181,7 @@ class SoccerPolicy(ActorCriticPolicy):
     ) -> Iterator[tuple[torch.Tensor, torch.Tensor]]:
         """Yield (mean actions, asked actions) of `batch` decisions (n, ...) after another, in a random order."""
         order = torch.randperm(len(observations), generator=generator)
-        for chosen in order.split(batch):
+        for chosen in torch.split(order, batch):
             seen, wanted = (part[chosen].to(self.device) for part in (observations, asked))
             yield self.mean_actions(seen), wanted
 

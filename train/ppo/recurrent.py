@@ -83,7 +83,7 @@ class RecurrentPolicy(SoccerPolicy):
         Episodes come in a random order, their pieces in their own; nothing is asked where `asked` is NaN.
         """
         order = torch.randperm(observations.shape[1], generator=generator)
-        for rows in order.split(max(1, batch // BACK)):
+        for rows in torch.split(order, max(1, batch // BACK)):
             states = torch.zeros(1 + self.mirror, len(rows), self.memory, device=self.device)
             for first in range(0, len(observations), BACK):
                 seen, wanted = (part[first : first + BACK, rows].to(self.device) for part in (observations, asked))
