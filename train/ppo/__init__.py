@@ -6,7 +6,8 @@
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
     tally.py           what matches pay and count, for the log     stages.py         stages of team sizes and opponents
     curriculum.py      the choice of opponents                     teaching/         a scripted teacher, before rewards
-    networks.py        actor and critic                            critic_state.py   the critic's view of the truth
+    networks.py        actor and critic                            recurrent.py      the actor's memory
+    critic_state.py    the critic's view of the truth
     rollout.py         play, and its advantages                    update.py         PPO
     learner.py         both in turn, and their state               checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve

@@ -111,6 +111,8 @@ class PlainSettings:
     """Number of first rollouts in which only the critic learns: an untrained critic would spoil the imitation."""
     kind: Literal["slots", "attention"] = "slots"
     """How the network takes in the other players: one slot of inputs each, or attention, which ignores their order."""
+    memory: int = 0
+    """Units of a recurrent memory (GRU) before the actor's layers, 0 to 128; 0 for none. A teacher needs --rounds."""
     hidden: str = "64,64"
     """Sizes of the actor's hidden layers, separated by commas."""
     critic: str = "64,64"
@@ -198,6 +200,8 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
             raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
         if self.rounds and not (self.teacher and self.observe == "belief"):
             raise ValueError("rounds need a teacher, and observe='belief': the teacher says what to do by beliefs too")
+        if self.memory and self.teacher and not (self.rounds or self.start):
+            raise ValueError("a memory is taught in whole episodes: give rounds, or teacher='' for no teacher")
         if self.mirror and self.observe == "percepts":
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
