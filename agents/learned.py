@@ -2,31 +2,33 @@
 
 A decision is kept for `action_repeat` control steps. The walk of a legged robot is latched when a gait step ends, so
 decisions come just early enough for that: the first one `first_decision_step` control steps into an episode.
-Until then a robot stands.
+Until then a robot stands. A policy with a memory keeps its states beside the decision, in a player's memory, so that
+they are saved, loaded, branched and hashed with the match, and are 0 when an episode begins.
 """
 
 from pathlib import Path
 
 import numpy as np
 
-from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, pack_policy, widest_layer
+from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, memory_size, pack_policy, widest_layer
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
+from soccer_env.agents.recurrent import MAX_MEMORY
 from soccer_env.compiled import compiled
 from soccer_env.guards.names import Made
-from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, ranged_record
+from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League
 from soccer_env.observations import entry_names
 from soccer_env.teams import ObservingTeam
 
 BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
-MEMORY = ranged_record(
-    [
-        ("begun", "i8", FLAG),  # 1 once the episode has begun
-        ("wait", "i8", COUNT),  # [control steps] until the next decision
-        ("action", "f8", NUMBER, (7,)),  # forward, left, turn, kick, head, pan, tilt
-    ]
-)
+DECISION = [
+    ("begun", "i8", FLAG),  # 1 once the episode has begun
+    ("wait", "i8", COUNT),  # [control steps] until the next decision
+    ("action", "f8", NUMBER, (7,)),  # forward, left, turn, kick, head, pan, tilt
+]
+MEMORY = ranged_record(DECISION)
+STATES = ranged_record([*DECISION, ("states", "f8", UNIT, (2, MAX_MEMORY))])  # of a recurrent memory and its mirror
 HEAD = 4  # index of the head mode in an action
 
 
@@ -53,8 +55,9 @@ class LearnedTeam(ObservingTeam):
 
 def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:
     """Return a team that plays a policy; `at_once`: it decides in the first step of an episode."""
+    kernel, memory = (remember_slice, STATES) if policy.memory else (decide_slice, MEMORY)
     made = LearnedTeam(
-        policy.name, decide_slice, MEMORY, pack_policy(policy, at_once), (policy.family,), observe=policy.observe
+        policy.name, kernel, memory, pack_policy(policy, at_once), (policy.family,), observe=policy.observe
     )
     object.__setattr__(made, "policy", policy)
     return made
@@ -105,21 +108,37 @@ def first_decision_step(delay_steps: int, repeat: int) -> int:
 @compiled
 def decide_slice(observations, memory, commands, players, constants, numbers, first, last):
     """Write the commands of all players of a slice of matches; memory (M, P) has a column for each of `players`."""
-    repeat, size = int(numbers[REPEAT]), action_size(numbers)
-    delay = 0 if numbers[AT_ONCE] != 0.0 else constants[0].delay_steps
     scratch = np.empty((3, widest_layer(numbers)))
     for m in range(first, last):
         for p in range(len(players)):
-            kept = memory[m, p]
-            if kept.begun == 0:
-                kept.begun = 1
-                kept.wait = -delay % repeat
-                kept.action[HEAD] = -1.0
-            if kept.wait == 0:
-                act(numbers, observations[m, players[p]], kept.action[:size], scratch)
-                kept.wait = repeat
-            kept.wait -= 1
+            kept, states = memory[m, p], scratch[:2, :0]
+            decide(numbers, observations[m, players[p]], kept, states, constants[0], scratch)
             write_action(commands[m, players[p]], kept.action)
+
+
+@compiled
+def remember_slice(observations, memory, commands, players, constants, numbers, first, last):
+    """Write the commands of all players of a slice of matches, as `decide_slice`, by a policy with a memory."""
+    scratch, units = np.empty((3, widest_layer(numbers))), memory_size(numbers)
+    for m in range(first, last):
+        for p in range(len(players)):
+            kept = memory[m, p]
+            decide(numbers, observations[m, players[p]], kept, kept.states[:, :units], constants[0], scratch)
+            write_action(commands[m, players[p]], kept.action)
+
+
+@compiled
+def decide(numbers, observation, kept, states, k, scratch):
+    """Let one player wait, or decide and update the states (2, units) of its policy's memory."""
+    repeat = int(numbers[REPEAT])
+    if kept.begun == 0:
+        kept.begun = 1
+        kept.wait = 0 if numbers[AT_ONCE] != 0.0 else -k.delay_steps % repeat
+        kept.action[HEAD] = -1.0
+    if kept.wait == 0:
+        act(numbers, observation, kept.action[: action_size(numbers)], states, scratch)
+        kept.wait = repeat
+    kept.wait -= 1
 
 
 @compiled

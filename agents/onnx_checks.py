@@ -58,7 +58,7 @@ def checked_model(content: bytes) -> Any:
     for name in ("value_info", "quantization_annotation"):
         graph.ClearField(name)
     check_operators(graph.node)
-    check_input(model)
+    check_inputs(model)
     try:
         onnx.checker.check_model(model)
     except Exception as error:  # protobuf's, or the checker's
@@ -90,15 +90,23 @@ def check_operators(nodes: Any) -> None:
             raise ValueError(f"has the operator {short_repr(name)}: {why}")
 
 
-def check_input(model: Any) -> None:
-    """Raise ValueError unless a model has exactly one input, of shape (B, n) with a fixed n."""
-    axes = {one.name: [axis.dim_param or axis.dim_value for axis in declared_axes(one)] for one in inputs_of(model)}
-    if [len(sizes) for sizes in axes.values()] != [2]:
+def check_inputs(model: Any) -> None:
+    """Raise ValueError unless a model has one input or two of shape (B, n) with a fixed n, and an output for each.
+
+    The second input and output are the state of a recurrent memory.
+    """
+    inputs = inputs_of(model)
+    axes = {one.name: [axis.dim_param or axis.dim_value for axis in declared_axes(one)] for one in inputs}
+    if [len(sizes) for sizes in axes.values()] not in ([2], [2, 2]):
         got = ", ".join(f"{name} {sizes}" for name, sizes in axes.items())
-        raise ValueError(f"must have one input (B, n), got {got or 'none'}; see team_of_function")
-    width = next(iter(axes.values()))[1]
-    if not isinstance(width, int) or width < 1:
-        raise ValueError(f"must have one input (B, n) where n is a number, got {short_repr(width)}")
+        raise ValueError(
+            f"must have one input (B, n), or a state (B, m) too, got {got or 'none'}; see team_of_function"
+        )
+    for _, width in axes.values():
+        if not isinstance(width, int) or width < 1:
+            raise ValueError(f"must have inputs (B, n) where n is a number, got {short_repr(width)}")
+    if len(inputs) == 2 and (len(model.graph.output) < 2 or element_type(inputs[0]) != element_type(inputs[1])):
+        raise ValueError("must return actions and the new state, of the type of the observations, if it takes a state")
 
 
 def inputs_of(model: Any) -> list[Any]:
@@ -118,7 +126,8 @@ def check_sizes(model: Any, rows: int) -> None:
 
     pinned = onnx.ModelProto()
     pinned.CopyFrom(model)
-    declared_axes(inputs_of(pinned)[0])[0].dim_value = rows
+    for one in inputs_of(pinned):
+        declared_axes(one)[0].dim_value = rows
     for output in pinned.graph.output:  # sizes in the file are not trusted
         output.type.tensor_type.ClearField("shape")
     try:

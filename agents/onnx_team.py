@@ -1,8 +1,9 @@
 """Teams from ONNX files: networks that any library exports, run by onnxruntime (the extra `onnx`).
 
-    input     one: observations (B, n), or (1, n)
+    input     observations (B, n), or (1, n); the state of a recurrent memory (B, m) may follow, 0 at first
     output    the first: actions (B, 4 or 7); twice as many numbers, the first half being means; values of our discrete
-              actions (B, 12) or of the choices of "multi" (B, 20); or the chosen actions (B,), whole numbers
+              actions (B, 12) or of the choices of "multi" (B, 20); or the chosen actions (B,), whole numbers;
+              the second: the new state (B, m), in [-1, 1] as that of a GRU, if there is one
 
 A file is read once; `onnx_checks.py` checks its contents.
 """
@@ -16,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import BOX, FULL, PARTS, ActionKind
-from soccer_env.agents.onnx_checks import MAX_FILE, check_sizes, checked_model, declared_axes, inputs_of
+from soccer_env.agents.onnx_checks import MAX_FILE, check_sizes, checked_model, declared_axes, element_type, inputs_of
 from soccer_env.agents.policy_file import one_line, read_limited_file, short_path
 from soccer_env.teams.function_teams import FunctionTeam, team_of_function
 
@@ -24,7 +25,10 @@ HALVES = (2 * len(BOX), 2 * len(FULL))
 
 
 class OnnxPolicy:
-    """A function of observations (B, n) that runs an ONNX network; ValueError if inputs or outputs do not fit."""
+    """A function of observations (B, n), and of a state (B, m) if it has one, that runs an ONNX network.
+
+    ValueError if inputs or outputs do not fit.
+    """
 
     def __init__(self, content: bytes, where: str) -> None:
         try:
@@ -35,8 +39,8 @@ class OnnxPolicy:
         self.content, self.where = content, where
         self.runtime = f"onnxruntime {onnxruntime.__version__}"
         self._model = self._asked(partial(checked_model, content))
-        self._input = inputs_of(self._model)[0]
-        self._size, self._width = (axis.dim_value for axis in declared_axes(self._input))  # 0: any number of rows
+        self._inputs = inputs_of(self._model)
+        self._size, self._width = (axis.dim_value for axis in declared_axes(self._inputs[0]))  # 0: any number of rows
         self._known: set[int] = set()  # numbers of rows with checked sizes
         self._check(self._size or 1)
         options = onnxruntime.SessionOptions()
@@ -45,19 +49,29 @@ class OnnxPolicy:
         sound = self._model.SerializeToString()
         providers = ["CPUExecutionProvider"]
         self._session = self._asked(lambda: onnxruntime.InferenceSession(sound, options, providers=providers))
-        self._kind = np.float64 if self._input.type.tensor_type.elem_type == onnx.TensorProto.DOUBLE else np.float32
+        self._kind = np.float64 if element_type(self._inputs[0]) == onnx.TensorProto.DOUBLE else np.float32
+        widths = [declared_axes(one)[1].dim_value for one in self._inputs[1:]]
+        self.memory = np.dtype((self._kind, (widths[0],))) if widths else None  # of a player's state
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
         return OnnxPolicy, (self.content, self.where)
 
-    def __call__(self, observations: np.ndarray) -> np.ndarray:
-        """Return actions (B, 4 or 7), or indices of discrete actions (B,), as the network gives them for (B, n)."""
+    def __call__(self, observations: np.ndarray, state: np.ndarray | None = None) -> np.ndarray:
+        """Return actions (B, 4 or 7), or indices of discrete actions (B,), as the network gives them for (B, n).
+
+        state: (B, m), which this call updates, of a network that has one; None: 0.
+        """
         if self._width != observations.shape[1]:
             taken = f"takes {self._width} inputs, the observation has {observations.shape[1]}"
             raise ValueError(f"policy file {self.where!r}: {taken}: give observe= as in its training")
-        parts = [observations] if self._size != 1 else list(observations[:, None])  # of exports for one robot at a time
-        runs = [self._run(part.astype(self._kind)) for part in parts]
-        outputs = np.concatenate(runs)
+        if state is None and self.memory is not None:
+            state = np.zeros((len(observations), *self.memory.shape), self._kind)
+        given = [observations] if state is None else [observations, state]
+        step = len(observations) if self._size != 1 else 1  # of exports for one robot at a time
+        runs = [self._run([part[i : i + step] for part in given]) for i in range(0, len(observations), step)]
+        outputs, *states = (np.concatenate(parts) for parts in zip(*runs, strict=True))
+        if state is not None:
+            state[...] = states[0]
         for kind in map(ActionKind, PARTS):
             if outputs.dtype.kind == "f" and outputs.shape[1:] == (sum(kind.parts),):
                 return kind.expand(kind.choose(outputs))
@@ -65,11 +79,15 @@ class OnnxPolicy:
             return np.asarray(outputs[:, : outputs.shape[1] // 2])
         return outputs
 
-    def _run(self, rows: np.ndarray) -> np.ndarray:
-        """Return the first output of the network for rows (B, n)."""
-        self._check(len(rows))
-        first: np.ndarray = self._asked(lambda: self._session.run(None, {self._input.name: rows})[0])
-        return first
+    def _run(self, parts: list[np.ndarray]) -> list[np.ndarray]:
+        """Return as many outputs of the network as it has inputs, for rows (B, n) and perhaps states (B, m)."""
+        self._check(len(parts[0]))
+        named = {one.name: part.astype(self._kind) for one, part in zip(self._inputs, parts, strict=True)}
+        outputs: list[np.ndarray] = self._asked(lambda: self._session.run(None, named))[: len(parts)]
+        if len(parts) == 2 and outputs[1].shape != parts[1].shape:
+            got = f"a state of shape {parts[1].shape}, and returns one of {outputs[1].shape}"
+            raise ValueError(f"policy file {self.where!r}: takes {got}")
+        return outputs
 
     def _check(self, rows: int) -> None:
         """Raise ValueError unless time and memory for this number of rows are limited."""
@@ -91,6 +109,6 @@ def from_onnx(path: str | Path, observe: str = "belief", action_repeat: int = 1,
     policy = OnnxPolicy(content, short_path(path))
     fingerprint = f"{policy.runtime} {observe} {action_repeat} {at_once} {sha256(content).hexdigest()}"
     return team_of_function(
-        policy, observe=observe, action_repeat=action_repeat, at_once=at_once, flat=True,
+        policy, observe=observe, action_repeat=action_repeat, at_once=at_once, flat=True, memory=policy.memory,
         name=Path(path).stem, fingerprint=fingerprint,
     )  # fmt: skip

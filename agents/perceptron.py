@@ -3,10 +3,11 @@
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
     layers, kind and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
-    layer's inputs in front | with attention its shape | places of the inputs in an observation | signs of a mirror
-    | normalised: limit, means, deviations | with attention Q, W, b of both kinds | weights and biases
+    layer's inputs in front | with attention its shape | with a memory its units, and which input says that the robot
+    is active | places of the inputs in an observation | signs of a mirror | normalised: limit, means, deviations
+    | with attention Q, W, b of both kinds | with a memory W, b, U, c | weights and biases
 
-An action depends bit for bit on its own observation alone, and not on other rows.
+An action depends bit for bit on its own observation and state of memory alone, and not on other rows.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import numpy as np
 from soccer_env.actions import BOX, DISCRETE_TABLE, FULL, KICK_TABLE, LEVEL_TABLE, WALK
 from soccer_env.agents.attention import SHAPE, attend, flatten_tensors, layout_of, observation_size, shape_numbers
 from soccer_env.agents.normalising import pack_table
+from soccer_env.agents.recurrent import ACTIVE, GATES, memory_units, multiply, remember
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.observations.reflection import action_signs, observation_signs
@@ -33,6 +35,8 @@ OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN}
 CHOICE, CHOICES = len(BOX), len(FULL)  # numbers of an action of the kind "discrete", and of "multi"
 NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
 ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
+RECURRENT = len(NETWORKS)  # is added to the index of a network with a memory
+MEMORY_SHAPE = 2  # numbers: units, and the input ACTIVE, or -1
 
 
 def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | None = None) -> np.ndarray:
@@ -41,39 +45,44 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
     columns: the place of each input in an observation; None: the policy's inputs are the observation.
     """
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
-    network = NETWORKS.index((policy.kind, policy.activation))
+    network = NETWORKS.index((policy.kind, policy.activation)) + (RECURRENT if policy.memory else 0)
     output = OUTPUTS.get(policy.actions, SQUASHED if policy.squash else CLIPPED)
     scaled = pack_table(policy.normalise)
     head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
     if policy.attention:
         head += shape_numbers(layout_of(policy.entries), len(policy.attention[1]))
+    if policy.memory:
+        head += memory_units(policy.memory), policy.inputs.index(ACTIVE) if ACTIVE in policy.inputs else -1
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
     turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
     places = np.arange(len(policy.inputs)) if columns is None else np.array(columns)
     parts = [np.array(head, np.float64), places.astype(np.float64), signs, turned, scaled]
     parts += flatten_tensors(policy.attention)
-    for weight, bias in zip(policy.weights, policy.biases, strict=True):
+    layers = (*zip(policy.memory[::2], policy.memory[1::2]), *zip(policy.weights, policy.biases))
+    for weight, bias in layers:
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
     return np.concatenate(parts)
 
 
 @compiled
-def act(numbers, row, action, scratch):
-    """Write the action (a,) for one observation (n,), in [-1, 1]; scratch (3, widest) is working space.
+def act(numbers, row, action, states, scratch):
+    """Write the action (a,) for one observation (n,), in [-1, 1], and update the states (2, units) of its memory.
 
-    Entries of the observation that the network does not read have no effect.
+    The second state is that of the mirror image; a network without memory takes (2, 0). scratch (3, widest) is working
+    space. Entries of the observation that the network does not read have no effect.
     With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
     layers = int(numbers[LAYERS])
     inputs, outputs = input_size(numbers), int(numbers[SIZES + layers])
-    places = SIZES + layers + 1 + (SHAPE if numbers[NETWORK] >= ATTENTION else 0)
+    places = memory_shape(numbers) + (MEMORY_SHAPE if numbers[NETWORK] >= RECURRENT else 0)
+    forget_if_sent_off(numbers, row, places, states)
     signs = places + inputs
     scale = signs + inputs + outputs
     start = scale + (1 + 2 * inputs if numbers[NORMALISED] != 0.0 else 0)
     for i in range(inputs):
         scratch[2, i] = row[int(numbers[places + i])]
     normalise(numbers, scale, inputs, scratch)
-    forward(numbers, layers, start, scratch)
+    forward(numbers, layers, start, states[0], scratch)
     if numbers[OUTPUT] == CHOSEN:
         choose_action(outputs, action, scratch)
         return
@@ -86,7 +95,7 @@ def act(numbers, row, action, scratch):
         for i in range(inputs):
             scratch[2, i] = numbers[signs + i] * row[int(numbers[places + i])]
         normalise(numbers, scale, inputs, scratch)
-        forward(numbers, layers, start, scratch)
+        forward(numbers, layers, start, states[1], scratch)
         for i in range(outputs):
             action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * scratch[0, i])
     squash = numbers[OUTPUT] == SQUASHED
@@ -135,32 +144,55 @@ def index_of_largest(scratch, first, count):
 
 
 @compiled
-def forward(numbers, layers, start, scratch):
-    """Compute the network's outputs for the inputs in scratch[2], and write them into scratch[0]."""
+def forget_if_sent_off(numbers, row, places, states):
+    """Set the states (2, units) of a memory to 0 if the observation says that the robot is sent off."""
+    if numbers[NETWORK] >= RECURRENT:
+        active = int(numbers[memory_shape(numbers) + 1])
+        if active >= 0 and row[int(numbers[places + active])] < 0.0:
+            states[:] = 0.0
+
+
+@compiled
+def forward(numbers, layers, start, state, scratch):
+    """Compute the network's outputs for the inputs in scratch[2], write them into scratch[0], and update `state`."""
     smooth, at = numbers[NETWORK] % 2.0 == 0.0, start
-    if numbers[NETWORK] >= ATTENTION:
+    if has_attention(numbers):
         at = attend(numbers, SIZES + layers + 1, start, smooth, scratch)
+    units = memory_size(numbers)
+    if units > 0:
+        at = remember(numbers, at, int(numbers[SIZES]) - units, units, state, scratch)
     for layer in range(layers):
         wide, out = int(numbers[SIZES + layer]), int(numbers[SIZES + layer + 1])
-        bias = at + wide * out
-        for j in range(out):
-            scratch[0, j] = numbers[bias + j]
-        for i in range(wide):  # column by column: no sum is reordered, and the inner loop uses vector instructions
-            value = scratch[2, i]
-            for j in range(out):
-                scratch[0, j] += value * numbers[at + i * out + j]
-        at = bias + out
+        at = multiply(numbers, at, wide, out, scratch[2], scratch[0])
         if layer < layers - 1:
             for j in range(out):
                 scratch[2, j] = tanh(scratch[0, j]) if smooth else max(scratch[0, j], 0.0)
 
 
 @compiled
+def has_attention(numbers):
+    """Tell whether this network has attention."""
+    return numbers[NETWORK] % RECURRENT >= ATTENTION
+
+
+@compiled
+def memory_shape(numbers):
+    """Return the index at which the shape of a memory begins, if there is one."""
+    return SIZES + int(numbers[LAYERS]) + 1 + (SHAPE if has_attention(numbers) else 0)
+
+
+@compiled
+def memory_size(numbers):
+    """Return the number of units of this network's memory, 0 without."""
+    return int(numbers[memory_shape(numbers)]) if numbers[NETWORK] >= RECURRENT else 0
+
+
+@compiled
 def input_size(numbers):
     """Return the number of entries of an observation that this network reads."""
-    if numbers[NETWORK] >= ATTENTION:
+    if has_attention(numbers):
         return observation_size(numbers, SIZES + int(numbers[LAYERS]) + 1)
-    return int(numbers[SIZES])
+    return int(numbers[SIZES]) - memory_size(numbers)
 
 
 @compiled
@@ -173,5 +205,6 @@ def action_size(numbers):
 
 @compiled
 def widest_layer(numbers):
-    """Return the width of the widest layer, including inputs and outputs."""
-    return max(input_size(numbers), int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max()))
+    """Return the width of the widest layer, including inputs, outputs and the gates of a memory."""
+    widest = int(numbers[SIZES : SIZES + int(numbers[LAYERS]) + 1].max())
+    return max(input_size(numbers), widest, GATES * memory_size(numbers))

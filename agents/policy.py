@@ -3,6 +3,7 @@
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
       -> normalised, if `normalise` is set                                 normalising.py
       -> kind "attention" only: other players pooled                       attention.py
+      -> with a memory: its state appended                                 recurrent.py
       -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
       -> ...
       -> weights[-1] x + biases[-1]                                        no activation
@@ -14,16 +15,24 @@ Every policy is checked when it is made: a checked policy can neither overflow n
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from soccer_env.actions import BOX, FULL, PARTS
-from soccer_env.agents.attention import TENSORS, layout_of
 from soccer_env.agents.normalising import check_normalise
+from soccer_env.agents.recurrent import memory_units
 from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
+from soccer_env.agents.tensors import (
+    check_attention,
+    check_attention_overflow,
+    check_layers,
+    check_memory,
+    check_memory_overflow,
+    check_unit_overflow,
+)
 from soccer_env.agents.trained_with import check_trained_with
 from soccer_env.guards.checking import check_choice, raise_not_allowed, short_repr
 from soccer_env.leagues.checks import check_family
@@ -35,13 +44,9 @@ ACTIONS = {"box": len(BOX), "full": len(FULL), **{kind: sum(parts) for kind, par
 KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
-MAX_LAYERS = 8
-MAX_UNITS = 1024
 MAX_INPUTS = 4096
-MAX_NUMBERS = 3_900_000  # of all layers together, so that a policy file stays below its 16 MiB
 MAX_MADE = 64  # entries
 MAX_TEXT = 2000  # characters of one entry
-MAX_ACTIVITY = 1e37  # largest value of a unit; float32 ends at 3.4e38
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,63}")  # safe in a table, in a command line and as a file's name
 INPUT = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
 
@@ -75,6 +80,7 @@ class Policy:
     normalise: Mapping[str, Any] = field(default_factory=dict)  # table of `normalising`; {}: not normalised
     senses: str = ""  # of the training, "sensors" or "ideal"; "": unknown, see `trained_with`
     pose: str = ""  # of the training, "percept" or "particles"; "": unknown
+    memory: tuple[np.ndarray, ...] = ()  # float32, as `recurrent.TENSORS` names them; (): no memory
 
     def __post_init__(self) -> None:
         _check_text("name", self.name, NAME)
@@ -99,14 +105,16 @@ class Policy:
         check_trained_with(self)
         if self.mirror:
             observation_signs(self.entries)
-        features = _check_attention(self.kind, self.attention, self.entries)
-        numbers = sum(array.size for array in self.attention)
-        _check_layers(self.weights, self.biases, features, ACTIONS[self.actions], numbers)
-        largest = _check_attention_overflow(
+        features = check_attention(self.kind, self.attention, self.entries)
+        units = check_memory(self.memory, features)
+        numbers = sum(array.size for array in (*self.attention, *self.memory))
+        check_layers(self.weights, self.biases, features + units, ACTIONS[self.actions], numbers)
+        largest = check_attention_overflow(
             self.attention, self.activation, check_normalise(self.normalise, len(self.inputs))
         )
-        _check_unit_overflow(self.weights, self.biases, self.activation, largest)
-        for name in ("weights", "biases", "attention"):
+        check_memory_overflow(self.memory, largest)
+        check_unit_overflow(self.weights, self.biases, self.activation, largest)
+        for name in ("weights", "biases", "attention", "memory"):
             object.__setattr__(self, name, tuple(_read_only_copy(array) for array in getattr(self, name)))
         for name in ("made", "rules", "normalise"):
             object.__setattr__(self, name, dict(getattr(self, name)))
@@ -114,6 +122,7 @@ class Policy:
     def __repr__(self) -> str:
         """Return name, league and shape of the policy, without its numbers."""
         sizes = ", ".join(str(len(bias)) for bias in self.biases)
+        sizes += f", memory of {memory_units(self.memory)}" if self.memory else ""
         shape = f"{self.kind} of {len(self.inputs)} inputs, layers of {sizes}"
         return f"Policy({self.name!r}, {self.league!r}, observe={self.observe!r}, actions={self.actions!r}: {shape})"
 
@@ -201,91 +210,6 @@ def _check_origin(made: object) -> None:
             raise ValueError(f"made[{key!r}] must be a text of at most {MAX_TEXT} characters, got {size}")
         if not text.replace("\n", "").replace("\t", "").isprintable():
             raise_not_allowed(f"made[{key!r}]", "plain text", text)
-
-
-def _check_array(what: str, array: object) -> None:
-    """Raise ValueError unless `array` is an array of float32."""
-    if not isinstance(array, np.ndarray) or array.dtype != np.float32:
-        kind = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
-        raise ValueError(f"{what} must be an array of float32, got {kind}")
-
-
-def _check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> int:
-    """Return the number of inputs to the first layer; ValueError unless attention fits kind and inputs."""
-    if not isinstance(attention, tuple) or len(attention) != (len(TENSORS) if kind == "attention" else 0):
-        size = f"{len(attention)} arrays" if isinstance(attention, tuple) else type(attention).__name__
-        wanted = f"of {', '.join(TENSORS)}" if kind == "attention" else "without arrays"
-        raise ValueError(f"attention of kind {kind!r} must be a tuple {wanted}, got {size}")
-    if kind == "slots":
-        return len(inputs)
-    layout = layout_of(inputs)
-    for name, array in zip(TENSORS, attention, strict=True):
-        _check_array(name, array)
-    width = len(attention[1]) if attention[1].ndim == 1 else 0
-    if not 1 <= width <= MAX_UNITS:
-        raise ValueError(f"{TENSORS[1]} must have the shape (1 to {MAX_UNITS},), got {attention[1].shape}")
-    for name, array, shape in zip(TENSORS, attention, layout.shapes(width), strict=True):
-        if array.shape != shape:
-            raise ValueError(f"{name} must have the shape {shape}, got {array.shape}")
-        if not np.isfinite(array).all():
-            raise ValueError(f"{name} must be finite, it holds NaN or infinity")
-    return layout.features(width)
-
-
-def _check_layers(weights: object, biases: object, inputs: int, outputs: int, numbers: int) -> None:
-    """Raise ValueError unless the layers connect inputs to outputs, within the limits and with finite numbers."""
-    if not (isinstance(weights, tuple) and isinstance(biases, tuple) and len(weights) == len(biases)):
-        raise ValueError("weights and biases must be tuples of the same length, one array for each layer")
-    if not 1 <= len(weights) <= MAX_LAYERS:
-        raise ValueError(f"a policy must have 1 to {MAX_LAYERS} layers, got {len(weights)}")
-    width, last = inputs, len(weights) - 1
-    for number, (weight, bias) in enumerate(zip(weights, biases)):
-        for what, array in (("weight", weight), ("bias", bias)):
-            _check_array(f"layer{number}.{what}", array)
-        out = outputs if number == last else len(bias) if bias.ndim == 1 else 0
-        if not 1 <= out <= MAX_UNITS:
-            raise ValueError(f"layer{number}.bias must have the shape (1 to {MAX_UNITS},), got {bias.shape}")
-        if weight.shape != (out, width) or bias.shape != (out,):
-            raise ValueError(
-                f"layer{number} must have a weight {(out, width)} and a bias {(out,)}, got {weight.shape}, {bias.shape}"
-            )
-        width, numbers = out, numbers + weight.size + bias.size
-        if numbers > MAX_NUMBERS:
-            raise ValueError(f"a policy must have at most {MAX_NUMBERS} weights and biases, layer{number} is too much")
-        if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
-            raise ValueError(f"layer{number} must be finite, it holds NaN or infinity")
-
-
-def _check_attention_overflow(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
-    """Return the largest possible input to the first layer; ValueError if attention could overflow."""
-    largest = entering
-    for first in range(0, len(attention), 3):
-        weight, bias, query = (np.abs(array.astype(np.float64)) for array in attention[first : first + 3])
-        encoded = weight.sum(axis=1) * entering + bias
-        bounded = np.minimum(encoded, 1.0) if activation == "tanh" else encoded
-        for name, reached in (
-            (TENSORS[first], encoded.max()),
-            (TENSORS[first + 2], query.sum(axis=1) @ bounded * entering),
-        ):
-            _check_below_limit(name, reached)
-        largest = max(largest, float(bounded.max()))
-    return largest
-
-
-def _check_unit_overflow(
-    weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str, largest: float
-) -> None:
-    """Raise ValueError if inputs up to `largest` could make a unit of the network overflow."""
-    for number, (weight, bias) in enumerate(zip(weights, biases)):
-        reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
-        _check_below_limit(f"layer{number}", reached.max())
-        largest = 1.0 if activation == "tanh" else float(reached.max())
-
-
-def _check_below_limit(what: str, reached: float) -> None:
-    """Raise ValueError unless the largest value that units can reach stays below the limit."""
-    if not reached < MAX_ACTIVITY:
-        raise ValueError(f"{what} must stay below {MAX_ACTIVITY:g}, its units could reach {reached:g}")
 
 
 def _read_only_copy(array: np.ndarray) -> np.ndarray:

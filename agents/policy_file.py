@@ -6,10 +6,12 @@
 
 TEXT is JSON again: the fields of `Policy` without its arrays, and "version". The schema is strict: exactly these keys,
 each once, with these types; anything else is a ValueError in one line that names the file. `inputs` names the entries
-that the policy reads. Version 6 added actions of the kind "multi"; version 5 the senses of the training; version 4
-added discrete, squashed and normalised policies, and the step of the first decision.
-Versions 1 and 2 have no rules; version 1 has only the name of the league, so family and control rate are those of our
-league of that name. The kind "attention" has six more tensors, "teammate.weight" and so on (`attention.TENSORS`).
+that the policy reads. The kind "attention" has six more tensors, "teammate.weight" and so on (`attention.TENSORS`), a
+policy with a memory four (`recurrent.TENSORS`).
+
+Version 7 added the memory; version 6 actions of the kind "multi"; version 5 the senses of the training; version 4
+discrete, squashed and normalised policies, and the step of the first decision. Versions 1 and 2 have no rules; version
+1 has only the name of the league, so family and control rate are those of our league of that name.
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It accepts duplicate names, unknown fields of a tensor and any
@@ -28,13 +30,15 @@ from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
 from soccer_env.agents.attention import TENSORS
-from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_fields
+from soccer_env.agents.policy import MAX_INPUTS, Policy, league_fields
+from soccer_env.agents.recurrent import TENSORS as MEMORY_TENSORS
+from soccer_env.agents.tensors import MAX_LAYERS
 from soccer_env.guards import whole_files
 from soccer_env.guards.checking import short_repr
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import version
 
-VERSION = 6
+VERSION = 7
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
@@ -53,10 +57,11 @@ NEWER: dict[int, dict[str, Any]] = {
 LATEST = NEWER[4] | NEWER[5]
 LACKS = {
     1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5]),
-    5: (),
+    5: (), 6: (),
 }  # fmt: skip
 """The keys that older files lack, by version."""
 KINDS = {"discrete": 4, "multi": 6}  # the versions that added kinds of actions
+MEMORY = 7  # the version that added the memory
 TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
@@ -70,10 +75,10 @@ def dump(policy: Policy) -> bytes:
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
     table = {"version": VERSION, **fields, "inputs": list(policy.inputs), **tables}
     needed = [version for version, keys in NEWER.items() if any(table[key] != usual for key, usual in keys.items())]
-    table["version"] = max([3, *needed, KINDS.get(policy.actions, 3)])
+    table["version"] = max([3, *needed, KINDS.get(policy.actions, 3), MEMORY if policy.memory else 3])
     table = {key: value for key, value in table.items() if key not in LACKS.get(table["version"], ())}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
-    tensors = dict(zip(TENSORS, policy.attention))
+    tensors = dict(zip(TENSORS, policy.attention)) | dict(zip(MEMORY_TENSORS, policy.memory))
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
         tensors |= {f"layer{number}.weight": weight, f"layer{number}.bias": bias}
     content: bytes = save(tensors, metadata={KEY: text})
@@ -90,7 +95,7 @@ def parse(data: bytes, where: str) -> Policy:
     try:
         header = _header(data)
         table = _read_policy_fields(header)
-        _check_tensors(header, _attention_tensor_names(table))
+        _check_tensors(header, _more_tensor_names(table, header))
         return _policy_from_tensors(table, tensors_of(data))
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
@@ -213,9 +218,10 @@ def describe_maker(table: Mapping[str, Any]) -> str:
     return f"{origin}; this soccer_env ({version()})"
 
 
-def _attention_tensor_names(table: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return the names of a policy's tensors that belong to attention instead of layers."""
-    return TENSORS if table["kind"] == "attention" else ()
+def _more_tensor_names(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the names of a policy's tensors that belong to attention or memory instead of layers."""
+    remembers = table["version"] >= MEMORY and any(name in tensors for name in MEMORY_TENSORS)
+    return (TENSORS if table["kind"] == "attention" else ()) + (MEMORY_TENSORS if remembers else ())
 
 
 def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
@@ -240,11 +246,13 @@ def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
 
 def _policy_from_tensors(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
     """Return the policy made from a checked table and its tensors."""
-    layers = range((len(tensors) - len(_attention_tensor_names(table))) // 2)
+    more = _more_tensor_names(table, tensors)
+    layers = range((len(tensors) - len(more)) // 2)
     return Policy(
         **{key: table[key] for key in SCHEMA if key not in ("version", "inputs")},
         inputs=tuple(table["inputs"]),
         weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
         biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
-        attention=tuple(tensors[name] for name in _attention_tensor_names(table)),
+        attention=tuple(tensors[name] for name in more if name in TENSORS),
+        memory=tuple(tensors[name] for name in more if name in MEMORY_TENSORS),
     )

@@ -135,7 +135,7 @@ def compute_actions(policy: Policy, rows: np.ndarray) -> np.ndarray:
     actions = np.zeros((len(rows), action_size(numbers)))
     scratch = np.zeros((3, widest_layer(numbers)))
     for row, action in zip(rows, actions, strict=True):
-        act(numbers, row, action, scratch)
+        act(numbers, row, action, scratch[:2, :0], scratch)
     return actions
 
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from soccer_env.agents.attention import layout_of
 from soccer_env.agents.learned import LearnedTeam, from_file
-from soccer_env.agents.perceptron import act, pack_policy, widest_layer
+from soccer_env.agents.perceptron import act, memory_size, pack_policy, widest_layer
 from soccer_env.agents.policy import ACTIONS, Policy, training_fields
 from soccer_env.agents.policy_file import dump
+from soccer_env.agents.recurrent import memory_shapes
 from soccer_env.leagues import find_league
 from soccer_env.observations import entry_names
 
@@ -47,6 +48,18 @@ def random_attention_policy(
     return replace(plain, kind="attention", attention=attention, weights=(first, *plain.weights[1:]))
 
 
+def random_recurrent_policy(
+    *hidden: int, units: int = 8, attention: bool = False, seed: int = 1, **changes: Any
+) -> Policy:
+    """Return the like with a memory of some units, with or without attention."""
+    plain = (random_attention_policy if attention else random_policy)(*hidden, seed=seed, **changes)
+    first, rng = plain.weights[0], np.random.default_rng(seed)
+    shapes = memory_shapes(units, first.shape[1])
+    memory = tuple(rng.normal(0.0, 2.0 / shape[-1] ** 0.5, shape).astype(np.float32) for shape in shapes)
+    states = rng.normal(0.0, 2.0, (len(first), units)).astype(np.float32)
+    return replace(plain, memory=memory, weights=(np.hstack([first, states]), *plain.weights[1:]))
+
+
 SMALL_ATTENTION = random_attention_policy(
     3, width=2, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32)),
     inputs=("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x"),
@@ -61,9 +74,10 @@ def team_from_disk(policy: Policy, folder: Path) -> LearnedTeam:
 
 
 def decide(policy: Policy, rows: np.ndarray) -> np.ndarray:
-    """Return the actions (n, 4 or 7) for observations (n, inputs), one row after the other."""
+    """Return the actions (n, 4 or 7) for observations (n, inputs), one row after the other in the same memory."""
     numbers = pack_policy(policy)
     actions, scratch = np.zeros((len(rows), ACTIONS[policy.actions])), np.zeros((3, widest_layer(numbers)))
+    states = np.zeros((2, memory_size(numbers) + 1))[:, :-1]  # strided, as in a match
     for row, action in zip(np.ascontiguousarray(rows, np.float32), actions):
-        act(numbers, row, action, scratch)
+        act(numbers, row, action, states, scratch)
     return actions

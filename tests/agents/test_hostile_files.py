@@ -28,7 +28,7 @@ from tests.agents.staged_files import (
     with_tensor,
     without_key,
 )
-from tests.agents.staged_policies import SMALL_ATTENTION
+from tests.agents.staged_policies import SMALL_ATTENTION, random_recurrent_policy
 from tests.agents.staged_zips import Canary
 
 
@@ -47,10 +47,12 @@ def test_the_corpus_starts_from_a_good_file() -> None:
     assert dump(parse(with_table(TABLE), WHERE)) == GOOD
 
 
-both_kinds = pytest.mark.parametrize("good", [GOOD, dump(SMALL_ATTENTION)], ids=["slots", "attention"])
+SMALL_MEMORY = random_recurrent_policy(2, units=2, inputs=("ball_x", "active"))
+FILES = {"slots": GOOD, "attention": dump(SMALL_ATTENTION), "memory": dump(SMALL_MEMORY)}
+all_kinds = pytest.mark.parametrize("good", FILES.values(), ids=FILES)
 
 
-@both_kinds
+@all_kinds
 def test_a_file_that_is_cut_off_anywhere_is_refused(good: bytes) -> None:
     for length in range(len(good)):
         assert_content_refused(good[:length])
@@ -58,7 +60,7 @@ def test_a_file_that_is_cut_off_anywhere_is_refused(good: bytes) -> None:
     assert_content_refused(good + good)
 
 
-@both_kinds
+@all_kinds
 def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
     for place in range(len(good)):
         for bit in (0, 3, 7):
@@ -69,7 +71,9 @@ def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
             except ValueError as refusal:
                 assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
             else:  # another word of free text, or another weight
-                assert all(np.isfinite(array).all() for array in found.weights + found.biases + found.attention)
+                assert all(
+                    np.isfinite(array).all() for array in found.weights + found.biases + found.attention + found.memory
+                )
 
 
 @settings(max_examples=100)
@@ -138,8 +142,8 @@ CORPUS = {
     "infinite number": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": 1e999')), "inf"),
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000, 1)), "number of 100000 digits"),
     "huge size": (pack_safetensors(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
-    "other version": (with_fields(version=7), r"is of format version 7; this soccer_env \(0\.1\.0\) reads versions 1 "),
-    "a later maker": (with_fields(version=7, made={"soccer_env": "9\n[red]"}), r"made by soccer_env 9 \[red\]; this"),
+    "other version": (with_fields(version=8), r"is of format version 8; this soccer_env \(0\.1\.0\) reads versions 1 "),
+    "a later maker": (with_fields(version=8, made={"soccer_env": "9\n[red]"}), r"made by soccer_env 9 \[red\]; this"),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),
     "no version": (with_table(without_key(TABLE, "version")), "is of format version None"),

@@ -148,7 +148,14 @@ HUGE = {
     ),
     "two inputs": (
         lambda: small(node("Add", "x z", "y"), inputs={"x": ["B", 4], "z": ["B", 4]}),
-        r"must have one input \(B, n\), got x \['B', 4\], z \['B', 4\]",
+        "must return actions and the new state, of the type of the observations, if it takes a state",
+    ),
+    "three inputs": (
+        lambda: small(node("Sum", "x z w", "y"), inputs=dict.fromkeys("xzw", ["B", 4])),
+        r"must have one input \(B, n\), or a state \(B, m\) too, got x \['B', 4\], z \['B', 4\], w \['B', 4\]",
+    ),
+    "a state of any width": (
+        lambda: small(node("Add", "x z", "y"), inputs={"x": ["B", 4], "z": ["B", "n"]}), "n is a number, got 'n'",
     ),
     "any width": (lambda: small(node("Tanh", "x", "y"), inputs={"x": ["B", "n"]}), "where n is a number, got 'n'"),
     "no input": (lambda: small(node("Constant", "", "y", value_float=1.0), inputs={"w": []}), r"got w \[\]"),
@@ -160,6 +167,14 @@ def test_what_could_take_all_time_or_memory_is_refused_before_it_is_computed(kin
     make: Callable[[], Any]
     make, reason = HUGE[kind]
     refused(make().SerializeToString(), reason)
+
+
+def test_a_state_of_another_shape_is_refused() -> None:
+    model = small(node("Tanh", "x", "y"), node("Concat", "h x", "g", axis=1), inputs={"x": ["B", 4], "h": ["B", 3]})
+    model.graph.output.append(onnx.helper.make_tensor_value_info("g", onnx.TensorProto.FLOAT, ["B", "m"]))
+    refused(model.SerializeToString(), r"takes a state of shape \(3, 3\), and returns one of \(3, 7\)")
+    model.graph.input[1].type.tensor_type.elem_type = onnx.TensorProto.DOUBLE
+    refused(model.SerializeToString(), "new state, of the type of the observations")
 
 
 def test_what_the_file_says_of_sizes_is_not_believed() -> None:

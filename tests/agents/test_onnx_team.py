@@ -3,6 +3,7 @@
 import pickle
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +11,11 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, make_team
+from soccer_env.agents import save_onnx
 from soccer_env.agents.learned import team_from_policy
+from soccer_env.agents.policy_file import dump
 from tests.agents.staged_onnx import exported
-from tests.agents.staged_policies import random_policy
+from tests.agents.staged_policies import random_attention_policy, random_policy, random_recurrent_policy
 from tests.scenes.staging import refused
 
 pytest.importorskip("onnx")
@@ -45,6 +48,57 @@ def test_it_plays_as_our_own_inference(case: str, tmp_path: Path) -> None:
             gap = np.abs(theirs.robots["command"][name] - ours.robots["command"][name])
             assert gap.max() < 1e-3, name
     assert len(np.unique(ours.robots["command"]["forward"])) > 2
+
+
+NORMALISED = {"mean": [0.1] * 97, "deviation": [0.5] * 97, "limit": 1.5}
+WRITTEN: dict[str, Any] = {
+    "plain": random_policy(16, 12),
+    "mirrored": random_policy(16, mirror=True),
+    "relu": random_policy(16, activation="relu"),
+    "squashed": random_policy(16, squash=True),
+    "values of discrete actions": random_policy(16, actions="discrete"),
+    "normalised": random_policy(16, normalise=NORMALISED),
+    "memory": random_recurrent_policy(16, units=8),
+    "memory and mirror": random_recurrent_policy(16, units=8, mirror=True, normalise=NORMALISED),
+}
+
+
+@pytest.mark.parametrize("case", WRITTEN)
+def test_a_policy_that_is_written_plays_as_before(case: str, tmp_path: Path) -> None:
+    """Also with robots that are sent off, whose memory begins anew."""
+    policy = replace(WRITTEN[case], action_repeat=2)
+    (tmp_path / "mine.safetensors").write_bytes(dump(policy))
+    save_onnx(tmp_path / "mine.safetensors", tmp_path / "mine.onnx")
+    path = f"{tmp_path / 'mine.onnx'}:observe=belief,action_repeat=2,at_once=False"
+    settings: dict[str, Any] = {"home": 2, "away": 2, "matches": 3, "seed": 1}
+    both = [
+        Match(controllers={"home": team, "away": "chaser"}, **settings) for team in (path, team_from_policy(policy))
+    ]
+    for step in range(60):
+        for match in both:
+            if step == 30:
+                match.robots["active"][1, 0], match.robots["penalty"][1, 0] = 0, 1.0
+            match.step()
+        for name in ("forward", "left", "turn", "kick"):
+            gap = np.abs(both[0].robots["command"][name] - both[1].robots["command"][name])
+            assert gap.max() < 1e-3, (step, name)
+    assert len(np.unique(both[1].robots["command"]["forward"])) > 2
+    if policy.memory:
+        units = 8 * (1 + policy.mirror)
+        theirs, ours = (match.squads[0].memory for match in both)
+        states = ours["states"][..., :8].reshape(3, 2, 16)[..., :units]
+        assert np.abs(theirs["own"] - states).max() < 1e-3 and np.abs(states).max() > 0.1
+        again = Match(controllers={"home": path, "away": "chaser"}, **settings)
+        again.load(both[0].save())
+        again.step(), both[0].step()
+        assert again.state_hash() == both[0].state_hash()
+
+
+def test_what_cannot_be_written_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"an ONNX file must end in .onnx, got 'mine.pt'"):
+        save_onnx(random_policy(8), "mine.pt")
+    with pytest.raises(ValueError, match="policy 'lively' has attention, which save_onnx does not write"):
+        save_onnx(random_attention_policy(8), tmp_path / "mine.onnx")
 
 
 def test_a_match_with_it_is_copied(tmp_path: Path) -> None:

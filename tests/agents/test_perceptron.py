@@ -33,7 +33,7 @@ def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: 
     assert policy.kind == kind
     rows = observations(policy)
     with torch.no_grad():
-        expected = network.mean_actions(torch.as_tensor(rows)).numpy()
+        expected = network.mean_actions(torch.as_tensor(rows)[None])[0][0].numpy()
     decided = decide(policy, rows)
     np.testing.assert_allclose(decided, expected.clip(-1.0, 1.0), rtol=0.0, atol=1e-6)
     assert np.std(expected, axis=0).min() > 0.02, "the actions of these rows differ"

@@ -5,8 +5,9 @@
     checks.py          check that a run is playable                training.py       a run: its state and its output
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
     curriculum.py      the choice of opponents                     stages.py         stages of team sizes and opponents
-    networks.py        actor and critic                            critic_state.py   the critic's view of the truth
-    teaching/          a scripted teacher, before rewards          updating/         rollouts and updates of PPO
+    networks.py        actor and critic                            recurrent.py      the actor's memory
+    critic_state.py    the critic's view of the truth              updating/         rollouts and updates of PPO
+    teaching/          a scripted teacher, before rewards
     learner.py         both in turn, and their state               checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
     reporting/         other logs, the report as a page

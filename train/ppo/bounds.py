@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from soccer_env.agents.recurrent import MAX_MEMORY
 from soccer_env.guards.checking import FROM_ZERO, Range
 from soccer_env.rewards import NAMES
 
@@ -20,6 +21,7 @@ BOUNDS: dict[str, tuple[Any, ...]] = {
     **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
     **dict.fromkeys(NAMES, Range(0.0, 1e9)),
     "evaluate_matches": Range(1),
+    "memory": Range(0, MAX_MEMORY),
     "torch_threads": Range(1, 256),
     "noise": Range(0.0, 10.0, above=True),
     **dict.fromkeys(("ideal_share",), Range(0.0, 1.0)),

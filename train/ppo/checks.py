@@ -14,6 +14,7 @@ from typing import Any
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
+from soccer_env.agents.recurrent import memory_units
 from soccer_env.guards.checking import short_repr
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
@@ -71,6 +72,9 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
             if own != other:
                 told = f"{what} is {short_repr(other)}, the run's {short_repr(own)}"
                 raise ValueError(f"policy file {settings.start!r} is of another shape: {told}")
+        units = [memory_units(one.memory) for one in (blank, policy)]
+        if units[0] != units[1]:
+            raise ValueError(f"policy file {settings.start!r} has a memory of {units[1]}, the run {units[0]}")
         shapes = [[weight.shape for weight in one.weights] for one in (blank, policy)]
         if shapes[0] != shapes[1]:
             sizes = ",".join(str(len(bias)) for bias in policy.biases[:-1])

@@ -9,7 +9,7 @@ import torch
 from soccer_env.observations import layout
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.ppo.updating.rollout import Rollout, collect
+from soccer_env.train.ppo.updating.rollout import Rollout, Start, collect
 from soccer_env.train.ppo.updating.update import make_optimizer, update
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
@@ -26,12 +26,12 @@ class Learner:
         self.network = SoccerPolicy(
             layout(self.league, settings.observe), features, hidden=settings.hidden_sizes,
             critic=settings.critic_sizes, activation=settings.activation, mirror=settings.mirror, kind=settings.kind,
-            noise=settings.noise,
+            noise=settings.noise, memory=settings.memory,
         ).to(device_of(settings.device))  # fmt: skip
         self.optimizer = make_optimizer(self.network, settings.learning_rate)
         self.steps = 0  # decisions so far, summed over all robots
         self.noted: dict[str, float] = {}  # statistics of the last update
-        self._seen = np.zeros((0, 0), np.float32)  # observations at which the next rollout begins
+        self._start = self._episode_start(np.zeros((0, 0), np.float32))  # of the next rollout
         self._rollout: Rollout | None = None
 
     def begin_matches(self, matches: SoccerVecEnv | None = None) -> None:
@@ -39,7 +39,11 @@ class Learner:
         if matches is not None:
             self.matches.close()
             self.matches = matches
-        self._seen = self.matches.reset()
+        self._start = self._episode_start(self.matches.reset())
+
+    def _episode_start(self, seen: np.ndarray) -> Start:
+        """Return the start of a rollout in which all rows begin an episode with these observations (N, n)."""
+        return Start(seen, self.network.no_states(len(seen)))
 
     def collect_rollout(self, each_step: Callable[[], None]) -> None:
         """Collect a rollout by the policy with exploration noise; `each_step` is called after each decision."""
@@ -49,8 +53,8 @@ class Learner:
             each_step()
 
         settings = self.settings
-        self._rollout, self._seen = collect(
-            self.network, self.matches, self._seen, settings.rollout, settings.gamma, settings.gae_lambda, count,
+        self._rollout, self._start = collect(
+            self.network, self.matches, self._start, settings.rollout, settings.gamma, settings.gae_lambda, count,
             settings.torch_threads,
         )  # fmt: skip
 
@@ -67,13 +71,16 @@ class Learner:
 
     def state(self) -> dict[str, Any]:
         """Return the learner's state for a checkpoint, as plain values and arrays."""
-        return {"network": self.network.state_dict(), "optimizer": self.optimizer.state_dict(), "step": self.steps}
+        return {
+            "network": self.network.state_dict(), "optimizer": self.optimizer.state_dict(), "step": self.steps,
+            "states": self._start.states,
+        }  # fmt: skip
 
     def restore(self, saved: dict[str, Any], observations: np.ndarray) -> None:
         """Resume from a checkpoint (a result of `state`); the next rollout begins with these observations."""
         self.network.load_state_dict(saved["network"])
         self.optimizer.load_state_dict(saved["optimizer"])
-        self.steps, self._seen = saved["step"], observations
+        self.steps, self._start = saved["step"], Start(observations, saved["states"].to(self.network.device))
 
 
 def device_of(name: str) -> torch.device:

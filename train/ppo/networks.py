@@ -3,7 +3,7 @@
 The actor sees the robot's own observation; the critic sees this, optionally followed by the true state of the match
 (`state()`). With the kind "attention" other players are pooled before the actor's layers; the critic stays plain. With
 `mirror` the actor is the mean of a network and of its left-right mirror image: for a mirrored observation it returns
-exactly the mirrored action.
+exactly the mirrored action. Actions of an actor with a memory depend on earlier observations, too (`recurrent.py`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -16,10 +16,12 @@ from torch import nn
 
 from soccer_env.agents.attention import Layout, attention_width, layout_of
 from soccer_env.agents.policy import Policy, training_fields
+from soccer_env.agents.recurrent import memory_shapes
 from soccer_env.leagues.league import League
 from soccer_env.observations import Entry
 from soccer_env.observations import layout as entries_of
 from soccer_env.observations.reflection import action_signs, observation_signs
+from soccer_env.train.ppo.recurrent import Memory
 from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
@@ -95,7 +97,7 @@ class SoccerPolicy(nn.Module):
     """Actor and critic: the actor sees a robot's own observation, described by `entries`; the critic sees more.
 
     features: numbers that the critic sees, of which the first are the robot's own observation; noise: initial standard
-    deviation of the actions.
+    deviation of the actions; memory: units of a recurrent memory, 0 for none.
     """
 
     signs: torch.Tensor | None
@@ -103,7 +105,7 @@ class SoccerPolicy(nn.Module):
     def __init__(
         self, entries: Sequence[Entry], features: int, actions: int = 4, *, hidden: Sequence[int] = (64, 64),
         critic: Sequence[int] = (64, 64), activation: str = "tanh", mirror: bool = False, kind: str = "slots",
-        noise: float = 1.0,
+        noise: float = 1.0, memory: int = 0,
     ) -> None:  # fmt: skip
         super().__init__()
         self.entries, self.kind, self.activation, self.mirror = entries, kind, activation, mirror
@@ -114,7 +116,8 @@ class SoccerPolicy(nn.Module):
         if kind == "attention":
             self.attention = Attention(layout_of(entries), attention_width(hidden), activation)
             inputs = self.attention.features
-        self.policy_net = layers([inputs, *hidden], activation)
+        self.memory = Memory(entries, inputs, memory) if memory else None
+        self.policy_net = layers([inputs + memory, *hidden], activation)
         head = linear(hidden[-1], actions, ACTION_GAIN)
         action_mirror = torch.tensor(action_signs(actions), dtype=torch.float32)
         self.action_net: nn.Module = MirrorHead(head, action_mirror) if mirror else head
@@ -126,12 +129,27 @@ class SoccerPolicy(nn.Module):
         """Return the device of the parameters."""
         return self.log_std.device
 
-    def mean_actions(self, features: torch.Tensor) -> torch.Tensor:
-        """Return the actor's mean actions (B, a) for features (B, n or more), without noise and not clipped."""
-        own = features[:, : len(self.entries)]
-        own = own if self.signs is None else torch.cat([own, own * self.signs])
-        actions: torch.Tensor = self.action_net(self.policy_net(self.attention(own) if self.attention else own))
-        return actions
+    def no_states(self, rows: int) -> torch.Tensor:
+        """Return the states (images, rows, units) of the memory at the beginning of episodes; 0 units without."""
+        units = self.memory.units if self.memory else 0
+        return torch.zeros(1 + self.mirror, rows, units, device=self.device)
+
+    def mean_actions(
+        self, features: torch.Tensor, states: torch.Tensor | None = None, begins: torch.Tensor | None = None
+    ) -> tuple[torch.Tensor, torch.Tensor]:
+        """Return the actor's mean actions (T, N, a), without noise and not clipped, and the states after them.
+
+        features: (T, N, n or more) of T decisions of N rows; states: (images, N, units) before them, None for 0;
+        begins: (T, N) flags of decisions that begin an episode, None for none.
+        """
+        steps, rows = features.shape[:2]
+        own = features[..., : len(self.entries)].flatten(0, 1)
+        images = own if self.signs is None else torch.cat([own, own * self.signs])
+        read = self.attention(images) if self.attention else images
+        states = self.no_states(rows) if states is None else states
+        if self.memory:
+            read, states = self.memory(read, states, features, begins)
+        return self.action_net(self.policy_net(read)).view(steps, rows, -1), states
 
     def values(self, features: torch.Tensor) -> torch.Tensor:
         """Return the critic's values (B,) of features (B, n)."""
@@ -140,8 +158,8 @@ class SoccerPolicy(nn.Module):
 
     def actor_parameters(self) -> list[nn.Parameter]:
         """Return the parameters of the actor alone, its exploration noise last."""
-        own = [*self.policy_net.parameters(), *self.action_net.parameters()]
-        return [*(self.attention.parameters() if self.attention else ()), *own, self.log_std]
+        parts = [self.attention, self.memory, self.policy_net, self.action_net]
+        return [*(parameter for part in parts if part is not None for parameter in part.parameters()), self.log_std]
 
 
 def export_policy(
@@ -149,24 +167,25 @@ def export_policy(
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
     """Return the actor of a trained network as a Policy, to be written to a file."""
-    weights, biases, pooling = (
+    weights, biases, pooling, memory = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
         name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,
         action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
-        weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose,
+        weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose, memory=memory,
     )  # fmt: skip
 
 
-def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], list[torch.Tensor], list[torch.Tensor]]:
-    """Return the weights, biases and attention tensors of an actor, in the order of `Policy`."""
+def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], ...]:
+    """Return the weights, biases, attention and memory tensors of an actor, in the order of `Policy`."""
     head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
     linear: list[Any] = [part for part in network.policy_net if isinstance(part, nn.Linear)]
     linear.append(head)
-    attention = network.attention
-    return [part.weight for part in linear], [part.bias for part in linear], attention.tensors() if attention else []
+    attention, memory = network.attention, network.memory
+    parts = attention.tensors() if attention else [], memory.tensors() if memory else []
+    return [part.weight for part in linear], [part.bias for part in linear], *parts
 
 
 def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
@@ -187,13 +206,15 @@ def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
         return wide
 
     attention = tuple(widen(part) if index % 3 == 2 else part for index, part in enumerate(policy.attention))  # Q
-    return replace(policy, inputs=inputs, weights=(widen(policy.weights[0]), *policy.weights[1:]), attention=attention)
+    memory = tuple(widen(part) if index == 0 else part for index, part in enumerate(policy.memory))
+    weights = (widen(policy.weights[0]), *policy.weights[1:])
+    return replace(policy, inputs=inputs, weights=weights, attention=attention, memory=memory)
 
 
 def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
     """Copy a policy's actor into a network, which may observe more; its noise and critic stay unchanged."""
     policy = widened_policy(policy, tuple(entry.name for entry in network.entries))
-    given = (policy.weights, policy.biases, policy.attention)
+    given = (policy.weights, policy.biases, policy.attention, policy.memory)
     with torch.no_grad():
         for parts, arrays in zip(actor_tensors(network), given, strict=True):
             for part, array in zip(parts, arrays, strict=True):
@@ -210,7 +231,8 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
     if settings.kind == "attention":
         layout, width = layout_of(entries), attention_width(settings.hidden_sizes)
         features, pooling = layout.features(width), layout.shapes(width)
-    sizes = (features, *settings.hidden_sizes, actions)
+    remembering = memory_shapes(settings.memory, features) if settings.memory else ()
+    sizes = (features + settings.memory, *settings.hidden_sizes, actions)
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
         name=settings.name, **training_fields(league), observe=settings.observe, inputs=names, actions="box",
@@ -218,5 +240,6 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
         kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
         biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},
-        attention=tuple(np.zeros(shape, np.float32) for shape in pooling), **settings.own_senses,
+        attention=tuple(np.zeros(shape, np.float32) for shape in pooling),
+        memory=tuple(np.zeros(shape, np.float32) for shape in remembering), **settings.own_senses,
     )  # fmt: skip

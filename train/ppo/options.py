@@ -84,6 +84,8 @@ class PlainSettings:
     """Number of first rollouts in which only the critic learns: an untrained critic would spoil the imitation."""
     kind: Literal["slots", "attention"] = "slots"
     """How the network takes in the other players: one slot of inputs each, or attention, which ignores their order."""
+    memory: int = 0
+    """Units of a recurrent memory (GRU) before the actor's layers, 0 to 128; 0 for none. A teacher needs --rounds."""
     hidden: str = "64,64"
     """Sizes of the actor's hidden layers, separated by commas."""
     critic: str = "64,64"

@@ -72,6 +72,8 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
             raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
         if self.rounds and not (self.teacher and self.observe == "belief"):
             raise ValueError("rounds need a teacher, and observe='belief': the teacher says what to do by beliefs too")
+        if self.memory and self.teacher and not (self.rounds or self.start):
+            raise ValueError("a memory is taught in whole episodes: give rounds, or teacher='' for no teacher")
         if self.mirror and self.observe == "percepts":
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"

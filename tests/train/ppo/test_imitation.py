@@ -105,7 +105,7 @@ def test_fitting_lowers_the_error(recorded: Rows, mirror: bool) -> None:
     errors, made = fitted(recorded, mirror=mirror)
     assert len(errors) == 20 and errors[-1] < 0.8 * errors[0]
     with torch.no_grad():
-        left = made.mean_actions(torch.as_tensor(recorded[0])).numpy() - recorded[1]
+        left = made.mean_actions(torch.as_tensor(recorded[0])[None])[0][0].numpy() - recorded[1]
     assert (left**2).mean() == pytest.approx(errors[-1], rel=0.1), "the errors are those of the actor"
 
 

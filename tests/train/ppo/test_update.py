@@ -16,7 +16,7 @@ from soccer_env.match.truth_state import entries
 from soccer_env.observations import layout
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings, half_life_factor
-from soccer_env.train.ppo.updating.rollout import advantages, collect, normalised, scales, values_of
+from soccer_env.train.ppo.updating.rollout import Start, advantages, collect, normalised, scales, values_of
 from soccer_env.train.ppo.updating.update import (
     RATES,
     Normal,
@@ -84,7 +84,8 @@ def test_an_episode_that_is_cut_off_keeps_the_value_of_its_last_state(whistle: b
     env = SoccerVecEnv(
         players=[(1, 1)], matches=2, opponents="still", observe="belief", action_repeat=2, rewards="sparse", **length
     )
-    found, _ = collect(a_network(env, 2.0), env, env.reset(), 12, 0.5, 0.0, lambda: None)
+    network = a_network(env, 2.0)
+    found, _ = collect(network, env, Start(env.reset(), network.no_states(2)), 12, 0.5, 0.0, lambda: None)
     ends = [round(0.02 * 60 * 16 / 2) - 1] if whistle else [3, 7, 11]
     expected = np.full((12, 2), 0.5 * 2.0 - 2.0)
     if whistle:

@@ -46,6 +46,15 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
 
     Whole episodes are played, once each; robots that are out, and matches that have ended, are left out.
     """
+    observations, advice = advised_episodes(player, teacher, opponents, players, repeat, **settings)
+    played = np.isfinite(advice[..., 0])
+    return observations[played], advice[played]
+
+
+def advised_episodes(
+    player: Any, teacher: Any, opponents: Any, players: tuple[int, int], repeat: int, **settings: Any
+) -> Rows:
+    """Return the episodes of `advised` as (steps, rows, entries) and (steps, rows, 4), NaN where nothing is asked."""
     senses = settings.pop("senses")
     settings |= {"home": players[0], "away": players[1], "observe": "belief"}
     match = Match(controllers={"home": player, "away": opponents}, senses=senses, **settings)
@@ -55,15 +64,17 @@ def advised(player: Any, teacher: Any, opponents: Any, players: tuple[int, int],
             adviser.commands(match)
         match.step()
     observations, advice = [], []
+    rows = match.count * players[0]
     while not (match.terminated | match.truncated).all():
         plays = match.robots["active"][:, : players[0]] == 1
         plays &= ~(match.terminated | match.truncated)[:, None]
         known = match.beliefs["ball"]["age"][:, : players[0]] < KNOWN
-        observations.append(match.observations[:, : players[0]][plays])
-        advice.append(play_decision(match, advisers, known, repeat)[plays])
+        observations.append(match.observations[:, : players[0]].reshape(rows, -1).copy())
+        asked = play_decision(match, advisers, known, repeat)
+        advice.append(np.where(plays[..., None], asked, np.nan).astype(np.float32).reshape(rows, -1))
     for one in (match, *(adviser.match for adviser in advisers)):
         one.close()
-    return np.concatenate(observations), np.concatenate(advice).astype(np.float32)
+    return np.stack(observations), np.stack(advice)
 
 
 def play_decision(match: Match, advisers: list[Adviser], known: np.ndarray, repeat: int) -> np.ndarray:

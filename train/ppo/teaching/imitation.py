@@ -4,7 +4,7 @@ The teacher plays home with the learner's senses. At each decision of the learne
 teacher's walk at this moment, and the teacher's strongest kick until the next decision.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,9 @@ from soccer_env.match import Match
 from soccer_env.observations.entry import OWN_COMMAND, Entry
 from soccer_env.train.ppo.networks import SoccerPolicy
 
-Rows = tuple[np.ndarray, np.ndarray]  # observations (n, entries), actions (n, 4)
+Rows = tuple[np.ndarray, np.ndarray]  # observations (n, entries), actions (n, 4); of episodes (steps, rows, ...)
 WALK = ("forward", "left", "turn")
+BACK = 64  # steps through which the error of a fit flows back in a memory
 NO_KICK = -0.4  # near enough to a kick (0.3) for a learner's noise to find one; with -1 it never did
 
 
@@ -56,26 +57,46 @@ def fit(
     advance: Callable[[float], None] = lambda share: None, rate: float = 1e-3, batch: int = 4096,
     error: Callable[[torch.Tensor, torch.Tensor], torch.Tensor] = mean_square,
 ) -> list[float]:  # fmt: skip
-    """Fit the actor to recorded decisions; return the mean error of each epoch."""
-    rows = torch.as_tensor(observations), torch.as_tensor(actions)
+    """Fit the actor to recorded decisions, or with a memory to whole episodes; return the mean error of each epoch."""
+    steps = len(observations) if network.memory else 1
+    rows = [torch.as_tensor(part).reshape(steps, -1, part.shape[-1]) for part in (observations, actions)]
     optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=rate)
     generator = torch.Generator().manual_seed(seed)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, epochs, eta_min=0.05 * rate)
     errors = []
     for _ in range(epochs):
-        order, total = torch.randperm(len(observations), generator=generator), 0.0
-        for first in range(0, len(order), batch):
-            chosen = order[first : first + batch]
-            seen, asked = (part[chosen].to(network.device) for part in rows)
-            missed = error(network.mean_actions(seen), asked)
+        count, total = 0, 0.0
+        for answered, asked in answers(network, *rows, batch, generator):
+            missed = error(answered, asked)
             optimizer.zero_grad()
             missed.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
             optimizer.step()
-            total += float(missed.detach()) * len(chosen)
+            total += float(missed.detach()) * len(asked)
+            count += len(asked)
         schedule.step()
-        errors.append(total / len(order))
+        errors.append(total / count)
         advance(1.0 / epochs)
     return errors
+
+
+def answers(
+    network: SoccerPolicy, observations: torch.Tensor, asked: torch.Tensor, batch: int, generator: torch.Generator
+) -> Iterator[tuple[torch.Tensor, torch.Tensor]]:
+    """Yield the actor's and the asked actions (n, 4) of about `batch` decisions at a time, of rows in a random order.
+
+    observations: (steps, rows, entries); asked: (steps, rows, 4), NaN where nothing is asked. Of a memory the error
+    flows back through BACK steps; the state goes on from one such piece of an episode to the next [truncated
+    backpropagation through time: Williams, Peng 1990].
+    """
+    order = torch.randperm(observations.shape[1], generator=generator)
+    for rows in order.split(max(1, batch // BACK) if network.memory else batch):
+        states = network.no_states(len(rows))
+        for first in range(0, len(observations), BACK):
+            seen, wanted = (part[first : first + BACK, rows].to(network.device) for part in (observations, asked))
+            actions, states = network.mean_actions(seen, states.detach())
+            played = wanted[..., 0].isfinite()
+            if played.any():
+                yield actions[played], wanted[played]
 
 
 def permute_own_commands(observations: np.ndarray, entries: Sequence[Entry], seed: int) -> None:

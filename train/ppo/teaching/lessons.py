@@ -18,7 +18,7 @@ from soccer_env.train.ppo.checkpoints import read_checkpoint
 from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_policy
 from soccer_env.train.ppo.run_folder import ROUNDS
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.ppo.teaching.advice import advice_error, advised
+from soccer_env.train.ppo.teaching.advice import advice_error, advised, advised_episodes
 from soccer_env.train.ppo.teaching.imitation import Rows, fit, permute_own_commands, record
 from soccer_env.train.progress import Progress
 
@@ -61,9 +61,22 @@ def lessons(
 
 def join_lessons(parts: Sequence[Rows], settings: TrainSettings, entries: Sequence[Entry]) -> Rows:
     """Join the rows of all match settings, and shuffle the entries for robots' own last commands."""
-    observations = np.concatenate([part[0] for part in parts])
-    permute_own_commands(observations, entries, settings.seed)
-    return observations, np.concatenate([part[1] for part in parts])
+    observations, actions = join_rows(parts)
+    permute_own_commands(observations.reshape(-1, observations.shape[-1]), entries, settings.seed)
+    return observations, actions
+
+
+def join_rows(parts: Sequence[Rows]) -> Rows:
+    """Join rows (n, ...), or episodes (steps, rows, ...); after the end of a shorter episode nothing is asked for."""
+    if parts[0][1].ndim == 3:
+        steps = max(len(advice) for _, advice in parts)
+        parts = [(lengthened(seen, steps, 0.0), lengthened(advice, steps, np.nan)) for seen, advice in parts]
+    return np.concatenate([part[0] for part in parts], axis=-2), np.concatenate([part[1] for part in parts], axis=-2)
+
+
+def lengthened(array: np.ndarray, steps: int, filling: float) -> np.ndarray:
+    """Return an array (steps, rows, n), filled up after its end."""
+    return np.pad(array, ((0, steps - len(array)), (0, 0), (0, 0)), constant_values=filling)
 
 
 class Lessons:
@@ -107,18 +120,19 @@ class Lessons:
             with Progress(f"advised by {settings.teacher}, round {number + 1}", 2 * cases) as progress:
                 rounds.append(self._round(number, progress))
                 self._fit_advice(rounds, progress)
-            yield sum(len(actions) for _, actions in rounds)
+            yield sum(int(np.isfinite(actions[..., 0]).sum()) for _, actions in rounds)
             self.kept.keep(number, rounds[-1], self.network)
 
     def _round(self, number: int, progress: Progress) -> Rows:
         """Play one round of advice in every match setting; return observations and advised actions."""
         settings, parts = self.settings, []
+        ask = advised_episodes if settings.memory else advised
         player = self._actor_as_team() if number or settings.start else settings.teacher
         for opponent, players, _, given in recordings_by_setting(settings):
             given["seed"] += ROUND_SEED * number
-            parts.append(advised(player, settings.teacher, opponent, players, settings.action_repeat, **given))
+            parts.append(ask(player, settings.teacher, opponent, players, settings.action_repeat, **given))
             progress.advance(1.0)
-        return np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
+        return join_rows(parts)
 
     def _fit_advice(self, rounds: list[Rows], progress: Progress) -> None:
         """Fit the actor to the advice of all rounds so far, for more epochs after the last round."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -16,6 +17,13 @@ from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 CHUNK = 16_384  # rows in a pass of a network over a rollout
 LEAST_SCALE = 1e-6  # of a standard deviation
+
+
+class Start(NamedTuple):
+    """The observations and states with which a rollout begins."""
+
+    seen: np.ndarray  # (N, n)
+    states: torch.Tensor  # (images, N, units) of the actor's memory
 
 
 @dataclass
@@ -28,6 +36,8 @@ class Rollout:
     values: np.ndarray  # (T, N) of the critic
     advantages: np.ndarray  # (T, N)
     groups: np.ndarray  # (N,) number of the team size
+    dones: np.ndarray  # (T, N) flags: an episode ended with the decision
+    states: torch.Tensor  # (images, N, units) of the actor's memory before the first decision
 
     @property
     def returns(self) -> np.ndarray:
@@ -37,16 +47,16 @@ class Rollout:
 
 
 def collect(
-    network: SoccerPolicy, matches: SoccerVecEnv, seen: np.ndarray, length: int, gamma: float, lam: float,
+    network: SoccerPolicy, matches: SoccerVecEnv, start: Start, length: int, gamma: float, lam: float,
     each_step: Callable[[], None], threads: int = 1,
-) -> tuple[Rollout, np.ndarray]:  # fmt: skip
-    """Play `length` decisions from the observations `seen` (N, n); return the rollout, and the observations after it.
+) -> tuple[Rollout, Start]:  # fmt: skip
+    """Play `length` decisions; return the rollout, and the start of the next one.
 
     `each_step` is called after each decision; threads: of torch, for the values of all decisions at once. A time
     limit ends an episode in the log only: the value of its last observation is added to the last reward [Pardo et al.
     2018].
     """
-    rows, actions = matches.num_envs, network.log_std.shape[0]
+    (seen, states), rows, actions = start, matches.num_envs, network.log_std.shape[0]
     observations = np.empty((length, rows, seen.shape[1]), np.float32)
     means, drawn = (np.empty((length, rows, actions), np.float32) for _ in range(2))
     rewards, dones = np.empty((length, rows), np.float32), np.empty((length, rows), bool)
@@ -56,11 +66,13 @@ def collect(
     for t in range(length):
         observations[t] = seen
         with torch.no_grad():
-            mean = network.mean_actions(torch.as_tensor(seen, device=network.device))
+            one_step, states = network.mean_actions(torch.as_tensor(seen[None], device=network.device), states)
+            mean = one_step[0]
             drawn[t] = (mean + network.log_std.exp() * torch.randn_like(mean)).cpu()
             means[t] = mean.cpu()
         matches.step_async(drawn[t])
         seen, rewards[t], dones[t], infos = matches.step_wait()
+        states = states.masked_fill(torch.as_tensor(dones[t], device=network.device)[None, :, None], 0.0)
         rows_cut = [row for row in np.flatnonzero(dones[t]).tolist() if infos[row]["TimeLimit.truncated"]]
         cut_off += [(t, row) for row in rows_cut]
         last_seen += [infos[row]["terminal_observation"] for row in rows_cut]
@@ -70,7 +82,8 @@ def collect(
         rewards[tuple(np.transpose(cut_off))] += gamma * values_of(network, np.array(last_seen))
     values = values_of(network, observations.reshape(length * rows, -1)).reshape(length, rows)
     gained = advantages(rewards, values, dones, values_of(network, seen), gamma, lam)
-    return Rollout(observations, means, drawn, values, gained, matches.size_of_row), seen
+    made = Rollout(observations, means, drawn, values, gained, matches.size_of_row, dones, start.states)
+    return made, Start(seen, states)
 
 
 def values_of(network: SoccerPolicy, observations: np.ndarray) -> np.ndarray:

@@ -3,6 +3,9 @@
 Advantages have mean 0 and deviation 1 at each team size, and the errors of the critic are divided by the deviation of
 the returns at their team size, so that sizes with few goals count as much as those with many. The actor's learning
 rate follows the divergence of the policy, as in rsl_rl [Rudin et al. 2022].
+
+A gradient step takes single decisions; with a memory it takes all decisions of some rows (robots), one after another,
+and the error flows back through the whole rollout.
 """
 
 from __future__ import annotations
@@ -41,17 +44,19 @@ def update(
     network: SoccerPolicy, optimizer: torch.optim.Adam, rollout: Rollout, settings: TrainSettings, actor: bool
 ) -> dict[str, float]:
     """Update actor and critic, without `actor` only the critic; return the statistics of the update by name."""
-    rows = as_rows(rollout, network.device)
-    count, std = len(rows[0]), network.log_std.detach().exp()
-    size = minibatch_size(count, settings.batch)
+    parts = as_sequences(rollout, network)
+    steps, count = parts[0].shape[:2]
+    std = network.log_std.detach().exp()
+    size = minibatch_size(count, settings.batch / steps)
     noted: list[tuple[float, ...]] = []  # value loss, divergence, clipped share of each gradient step
     for _ in range(settings.epochs):
         for chosen in torch.randperm(count).to(network.device).split(size):  # type: ignore[no-untyped-call]
-            parts = [row[chosen] for row in rows]
-            loss, kl, clipped = critic_loss(network, parts), torch.zeros(()), torch.zeros(())
+            chosen_parts = [part[:, chosen] for part in parts]
+            loss, kl, clipped = critic_loss(network, chosen_parts), torch.zeros(()), torch.zeros(())
             value_loss = loss.detach()
             if actor:
-                gain, kl, clipped = actor_gain(network, parts, std)
+                states = rollout.states[:, chosen] if network.memory else None
+                gain, kl, clipped = actor_gain(network, chosen_parts, states, std)
                 loss = loss - gain
                 follow_divergence(optimizer, float(kl), settings.target_kl)
             optimizer.zero_grad()
@@ -70,32 +75,42 @@ def update(
 
 
 def critic_loss(network: SoccerPolicy, parts: list[torch.Tensor]) -> torch.Tensor:
-    """Return the mean square error of the critic, in deviations of the returns, on rows of `as_rows`."""
-    seen, _, _, _, returns, scale = parts
+    """Return the mean square error of the critic, in deviations of the returns, on parts of `as_sequences`."""
+    seen, _, _, _, _, returns, scale = (part.flatten(0, 1) for part in parts)
     return (((network.values(seen) - returns) / scale) ** 2).mean()
 
 
 def actor_gain(
-    network: SoccerPolicy, parts: list[torch.Tensor], std: torch.Tensor
+    network: SoccerPolicy, parts: list[torch.Tensor], states: torch.Tensor | None, std: torch.Tensor
 ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """Return the clipped gain of the actor on rows of `as_rows`, its divergence, and the share that is clipped."""
-    seen, means, actions, gains, _, _ = parts
-    old, new = Normal(means, std), Normal(network.mean_actions(seen), network.log_std.exp())
+    """Return the clipped gain of the actor on parts of `as_sequences`, its divergence, and the share that is clipped.
+
+    states: of its memory before the first decisions.
+    """
+    _, _, means, actions, gains, _, _ = (part.flatten(0, 1) for part in parts)
+    played, _ = network.mean_actions(parts[0], states, parts[1])
+    old, new = Normal(means, std), Normal(played.flatten(0, 1), network.log_std.exp())
     ratio = (log_prob(new, actions) - log_prob(old, actions)).exp()
     clamped = ratio.clamp(1.0 - CLIP, 1.0 + CLIP)
     gain = torch.min(ratio * gains, clamped * gains).mean()
     return gain, divergence(old, new), (ratio != clamped).float().mean()
 
 
-def as_rows(rollout: Rollout, device: torch.device) -> Parts:
-    """Return observations, means, actions, advantages, returns and their scales as tensors with a row a decision."""
+def as_sequences(rollout: Rollout, network: SoccerPolicy) -> Parts:
+    """Return observations, begins, means, actions, advantages, returns and their scales as tensors (steps, rows, ...).
+
+    begins: flags of decisions that begin an episode. Without a memory every decision is a row of one step.
+    """
+    shape = rollout.dones.shape if network.memory else (1, -1)
+    begins = np.concatenate([np.zeros_like(rollout.dones[:1]), rollout.dones[:-1]])
     scale = scales(rollout.returns, rollout.groups, LEAST_SCALE)
     arrays = (
-        rollout.observations, rollout.means, rollout.actions, normalised(rollout.advantages, rollout.groups),
+        rollout.observations, begins, rollout.means, rollout.actions, normalised(rollout.advantages, rollout.groups),
         rollout.returns, np.broadcast_to(scale, rollout.returns.shape),
     )  # fmt: skip
     return tuple(
-        torch.as_tensor(np.ascontiguousarray(array).reshape(-1, *array.shape[2:]), device=device) for array in arrays
+        torch.as_tensor(np.ascontiguousarray(array).reshape(*shape, *array.shape[2:]), device=network.device)
+        for array in arrays
     )
 
 
@@ -133,7 +148,7 @@ def follow_divergence(optimizer: torch.optim.Adam, kl: float, target: float) -> 
         group["lr"] = min(group["lr"] * STEP, most)
 
 
-def minibatch_size(decisions: int, batch: int) -> int:
-    """Return a batch size near `batch` that divides a rollout's decisions into nearly equal parts."""
-    parts = max(1, round(decisions / batch))
-    return -(-decisions // parts)
+def minibatch_size(rows: int, batch: float) -> int:
+    """Return a batch size near `batch` that divides the rows of a rollout into nearly equal parts."""
+    parts = max(1, round(rows / batch))
+    return -(-rows // parts)
