@@ -68,12 +68,11 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
 def act(numbers, row, action, states, scratch):
     """Write the action (a,) for one observation (n,), in [-1, 1], and update the states (2, units) of its memory.
 
-    The second state is that of the mirror image; a network without memory takes (2, 0). scratch (3, widest) is working
-    space. Entries of the observation that the network does not read have no effect.
+    Without memory: (2, 0). scratch (3, widest) is working space. Entries that the network does not read have no effect.
     With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
-    layers = int(numbers[LAYERS])
-    inputs, outputs = input_size(numbers), int(numbers[SIZES + layers])
+    layers, inputs = int(numbers[LAYERS]), input_size(numbers)
+    outputs = int(numbers[SIZES + layers])
     places = memory_shape(numbers) + (MEMORY_SHAPE if numbers[NETWORK] >= RECURRENT else 0)
     forget_if_sent_off(numbers, row, places, states)
     signs = places + inputs
