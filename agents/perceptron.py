@@ -97,9 +97,8 @@ def act(numbers, row, action, states, scratch):
         forward(numbers, layers, start, states[1], scratch)
         for i in range(outputs):
             action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * scratch[0, i])
-    squash = numbers[OUTPUT] == SQUASHED
     for i in range(outputs):
-        action[i] = tanh(action[i]) if squash else clip(action[i], -1.0, 1.0)
+        action[i] = tanh(action[i]) if numbers[OUTPUT] == SQUASHED else clip(action[i], -1.0, 1.0)
 
 
 @compiled
