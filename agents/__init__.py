@@ -2,7 +2,6 @@
 
 learned.py      a policy as a team
 policy.py       a policy: a network, and the facts that must agree before it may play
-tensors.py      checks of a policy's tensors
 normalising.py  normalisation of observations before a network
 rules_known.py  the rules that a policy was trained under, and a warning under other rules
 trained_with.py the senses that a policy was trained with, and differences from a match

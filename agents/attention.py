@@ -28,6 +28,8 @@ WIDTH = 1
 SLOTS = 2
 ENTRIES = 4
 SHAPE = 6  # numbers of the shape
+MAX_UNITS = 1024
+MAX_ACTIVITY = 1e37  # largest value of a unit; float32 ends at 3.4e38
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,62 @@ def flatten_tensors(tensors: Sequence[np.ndarray]) -> list[np.ndarray]:
         weight, bias, query = tensors[first : first + 3]
         parts += [query.T.ravel(), weight.T.ravel(), bias]
     return [part.astype(np.float64) for part in parts]
+
+
+def check_array(what: str, array: object) -> None:
+    """Raise ValueError unless `array` is an array of float32."""
+    if not isinstance(array, np.ndarray) or array.dtype != np.float32:
+        kind = array.dtype if isinstance(array, np.ndarray) else type(array).__name__
+        raise ValueError(f"{what} must be an array of float32, got {kind}")
+
+
+def check_tensors(names: Sequence[str], arrays: Sequence[np.ndarray], shapes: Sequence[tuple[int, ...]]) -> None:
+    """Raise ValueError unless all arrays are finite and of the given shapes."""
+    for name, array, shape in zip(names, arrays, shapes, strict=True):
+        if array.shape != shape:
+            raise ValueError(f"{name} must have the shape {shape}, got {array.shape}")
+        if not np.isfinite(array).all():
+            raise ValueError(f"{name} must be finite, it holds NaN or infinity")
+
+
+def check_below_limit(what: str, reached: float) -> None:
+    """Raise ValueError unless the largest value that units can reach stays below the limit."""
+    if not reached < MAX_ACTIVITY:
+        raise ValueError(f"{what} must stay below {MAX_ACTIVITY:g}, its units could reach {reached:g}")
+
+
+def check_attention(kind: str, attention: object, inputs: Sequence[Entry]) -> int:
+    """Return the number of inputs to the first layer; ValueError unless attention fits kind and inputs."""
+    if not isinstance(attention, tuple) or len(attention) != (len(TENSORS) if kind == "attention" else 0):
+        size = f"{len(attention)} arrays" if isinstance(attention, tuple) else type(attention).__name__
+        wanted = f"of {', '.join(TENSORS)}" if kind == "attention" else "without arrays"
+        raise ValueError(f"attention of kind {kind!r} must be a tuple {wanted}, got {size}")
+    if kind == "slots":
+        return len(inputs)
+    layout = layout_of(inputs)
+    for name, array in zip(TENSORS, attention, strict=True):
+        check_array(name, array)
+    width = len(attention[1]) if attention[1].ndim == 1 else 0
+    if not 1 <= width <= MAX_UNITS:
+        raise ValueError(f"{TENSORS[1]} must have the shape (1 to {MAX_UNITS},), got {attention[1].shape}")
+    check_tensors(TENSORS, attention, layout.shapes(width))
+    return layout.features(width)
+
+
+def check_attention_overflow(attention: tuple[np.ndarray, ...], activation: str, entering: float) -> float:
+    """Return the largest possible input to the first layer; ValueError if attention could overflow."""
+    largest = entering
+    for first in range(0, len(attention), 3):
+        weight, bias, query = (np.abs(array.astype(np.float64)) for array in attention[first : first + 3])
+        encoded = weight.sum(axis=1) * entering + bias
+        bounded = np.minimum(encoded, 1.0) if activation == "tanh" else encoded
+        for name, reached in (
+            (TENSORS[first], encoded.max()),
+            (TENSORS[first + 2], query.sum(axis=1) @ bounded * entering),
+        ):
+            check_below_limit(name, reached)
+        largest = max(largest, float(bounded.max()))
+    return largest
 
 
 @compiled

@@ -4,6 +4,8 @@ A decision is kept for `action_repeat` control steps. The walk of a legged robot
 decisions come just early enough for that: the first one `first_decision_step` control steps into an episode.
 Until then a robot stands. A policy with a memory keeps its states beside the decision, in a player's memory, so that
 they are saved, loaded, branched and hashed with the match, and are 0 when an episode begins.
+
+`k`: the league's constants.
 """
 
 from pathlib import Path

@@ -68,12 +68,11 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
 def act(numbers, row, action, states, scratch):
     """Write the action (a,) for one observation (n,), in [-1, 1], and update the states (2, units) of its memory.
 
-    The second state is that of the mirror image; a network without memory takes (2, 0). scratch (3, widest) is working
-    space. Entries of the observation that the network does not read have no effect.
+    Without memory: (2, 0). scratch (3, widest) is working space. Entries that the network does not read have no effect.
     With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
     """
-    layers = int(numbers[LAYERS])
-    inputs, outputs = input_size(numbers), int(numbers[SIZES + layers])
+    layers, inputs = int(numbers[LAYERS]), input_size(numbers)
+    outputs = int(numbers[SIZES + layers])
     places = memory_shape(numbers) + (MEMORY_SHAPE if numbers[NETWORK] >= RECURRENT else 0)
     forget_if_sent_off(numbers, row, places, states)
     signs = places + inputs
@@ -98,9 +97,8 @@ def act(numbers, row, action, states, scratch):
         forward(numbers, layers, start, states[1], scratch)
         for i in range(outputs):
             action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * scratch[0, i])
-    squash = numbers[OUTPUT] == SQUASHED
     for i in range(outputs):
-        action[i] = tanh(action[i]) if squash else clip(action[i], -1.0, 1.0)
+        action[i] = tanh(action[i]) if numbers[OUTPUT] == SQUASHED else clip(action[i], -1.0, 1.0)
 
 
 @compiled

@@ -22,17 +22,16 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import BOX, FULL, PARTS
-from soccer_env.agents.normalising import check_normalise
-from soccer_env.agents.recurrent import memory_units
-from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
-from soccer_env.agents.tensors import (
+from soccer_env.agents.attention import (
+    MAX_UNITS,
+    check_array,
     check_attention,
     check_attention_overflow,
-    check_layers,
-    check_memory,
-    check_memory_overflow,
-    check_unit_overflow,
+    check_below_limit,
 )
+from soccer_env.agents.normalising import check_normalise
+from soccer_env.agents.recurrent import check_memory, check_memory_overflow, memory_units
+from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
 from soccer_env.agents.trained_with import check_trained_with
 from soccer_env.guards.checking import check_choice, raise_not_allowed, short_repr
 from soccer_env.leagues.checks import check_family
@@ -45,6 +44,8 @@ KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
 MAX_INPUTS = 4096
+MAX_LAYERS = 8
+MAX_NUMBERS = 3_900_000  # of all layers together, so that a policy file stays below its 16 MiB
 MAX_MADE = 64  # entries
 MAX_TEXT = 2000  # characters of one entry
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._+-]{0,63}")  # safe in a table, in a command line and as a file's name
@@ -108,12 +109,11 @@ class Policy:
         features = check_attention(self.kind, self.attention, self.entries)
         units = check_memory(self.memory, features)
         numbers = sum(array.size for array in (*self.attention, *self.memory))
-        check_layers(self.weights, self.biases, features + units, ACTIONS[self.actions], numbers)
-        largest = check_attention_overflow(
-            self.attention, self.activation, check_normalise(self.normalise, len(self.inputs))
-        )
+        _check_layers(self.weights, self.biases, features + units, ACTIONS[self.actions], numbers)
+        entering = check_normalise(self.normalise, len(self.inputs))
+        largest = check_attention_overflow(self.attention, self.activation, entering)
         check_memory_overflow(self.memory, largest)
-        check_unit_overflow(self.weights, self.biases, self.activation, largest)
+        _check_unit_overflow(self.weights, self.biases, self.activation, largest)
         for name in ("weights", "biases", "attention", "memory"):
             object.__setattr__(self, name, tuple(_read_only_copy(array) for array in getattr(self, name)))
         for name in ("made", "rules", "normalise"):
@@ -210,6 +210,40 @@ def _check_origin(made: object) -> None:
             raise ValueError(f"made[{key!r}] must be a text of at most {MAX_TEXT} characters, got {size}")
         if not text.replace("\n", "").replace("\t", "").isprintable():
             raise_not_allowed(f"made[{key!r}]", "plain text", text)
+
+
+def _check_layers(weights: object, biases: object, inputs: int, outputs: int, numbers: int) -> None:
+    """Raise ValueError unless the layers connect inputs to outputs, within the limits and with finite numbers."""
+    if not (isinstance(weights, tuple) and isinstance(biases, tuple) and len(weights) == len(biases)):
+        raise ValueError("weights and biases must be tuples of the same length, one array for each layer")
+    if not 1 <= len(weights) <= MAX_LAYERS:
+        raise ValueError(f"a policy must have 1 to {MAX_LAYERS} layers, got {len(weights)}")
+    width, last = inputs, len(weights) - 1
+    for number, (weight, bias) in enumerate(zip(weights, biases)):
+        for what, array in (("weight", weight), ("bias", bias)):
+            check_array(f"layer{number}.{what}", array)
+        out = outputs if number == last else len(bias) if bias.ndim == 1 else 0
+        if not 1 <= out <= MAX_UNITS:
+            raise ValueError(f"layer{number}.bias must have the shape (1 to {MAX_UNITS},), got {bias.shape}")
+        if weight.shape != (out, width) or bias.shape != (out,):
+            raise ValueError(
+                f"layer{number} must have a weight {(out, width)} and a bias {(out,)}, got {weight.shape}, {bias.shape}"
+            )
+        width, numbers = out, numbers + weight.size + bias.size
+        if numbers > MAX_NUMBERS:
+            raise ValueError(f"a policy must have at most {MAX_NUMBERS} weights and biases, layer{number} is too much")
+        if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
+            raise ValueError(f"layer{number} must be finite, it holds NaN or infinity")
+
+
+def _check_unit_overflow(
+    weights: tuple[np.ndarray, ...], biases: tuple[np.ndarray, ...], activation: str, largest: float
+) -> None:
+    """Raise ValueError if inputs up to `largest` could make a unit of the network overflow."""
+    for number, (weight, bias) in enumerate(zip(weights, biases)):
+        reached = np.abs(weight).sum(axis=1, dtype=np.float64) * largest + np.abs(bias)
+        check_below_limit(f"layer{number}", reached.max())
+        largest = 1.0 if activation == "tanh" else float(reached.max())
 
 
 def _read_only_copy(array: np.ndarray) -> np.ndarray:

@@ -30,9 +30,8 @@ from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
 from soccer_env.agents.attention import TENSORS
-from soccer_env.agents.policy import MAX_INPUTS, Policy, league_fields
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_fields
 from soccer_env.agents.recurrent import TENSORS as MEMORY_TENSORS
-from soccer_env.agents.tensors import MAX_LAYERS
 from soccer_env.guards import whole_files
 from soccer_env.guards.checking import short_repr
 from soccer_env.leagues import LEAGUES

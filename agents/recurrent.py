@@ -14,6 +14,7 @@ from math import tanh
 
 import numpy as np
 
+from soccer_env.agents.attention import check_array, check_below_limit, check_tensors
 from soccer_env.compiled import compiled
 
 TENSORS = tuple(f"memory.{part}_{kind}" for part in ("input", "state") for kind in ("weight", "bias"))  # W, b, U, c
@@ -31,6 +32,31 @@ def memory_shapes(units: int, features: int) -> tuple[tuple[int, ...], ...]:
 def memory_units(tensors: tuple[np.ndarray, ...]) -> int:
     """Return the number of units of a memory with these tensors; 0 without."""
     return len(tensors[1]) // GATES if tensors else 0
+
+
+def check_memory(memory: object, features: int) -> int:
+    """Return the units of the memory, 0 without; ValueError unless its tensors fit the features that it reads."""
+    if not isinstance(memory, tuple) or len(memory) not in (0, len(TENSORS)):
+        size = f"{len(memory)} arrays" if isinstance(memory, tuple) else type(memory).__name__
+        raise ValueError(f"memory must be an empty tuple or one of {', '.join(TENSORS)}, got {size}")
+    for name, array in zip(TENSORS, memory):
+        check_array(name, array)
+    if not memory:
+        return 0
+    units = memory_units(memory) if memory[1].ndim == 1 else 0
+    if not 1 <= units <= MAX_MEMORY:
+        allowed = f"({GATES} times 1 to {MAX_MEMORY},)"
+        raise ValueError(f"{TENSORS[1]} must have the shape {allowed}, got {memory[1].shape}")
+    check_tensors(TENSORS, memory, memory_shapes(units, features))
+    return units
+
+
+def check_memory_overflow(memory: tuple[np.ndarray, ...], largest: float) -> None:
+    """Raise ValueError if features up to `largest`, with a state in [-1, 1], could make a gate overflow."""
+    if memory:
+        inputs, states = (np.abs(weight).sum(axis=1, dtype=np.float64) for weight in memory[::2])
+        reached = inputs * largest + states + np.abs(memory[1]) + np.abs(memory[3])
+        check_below_limit("memory", reached.max())
 
 
 @compiled

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from soccer_env.agents import policy as limits
 from soccer_env.agents.policy import Policy, training_fields
 from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
-from soccer_env.agents.tensors import MAX_NUMBERS
 from soccer_env.leagues import LEAGUES, Slots, find_league
 from soccer_env.observations import entry_names
 from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
@@ -69,7 +68,7 @@ def test_the_largest_policy_fits_into_a_file() -> None:
     inputs = tuple(f"{'n' * 59}_{number:04d}" for number in range(limits.MAX_INPUTS - 1000))
     made = {f"{'k' * 60}{number:02d}": '"\U0001f600\n\\' * 500 for number in range(limits.MAX_MADE)}
     large = policy(1000, 700, inputs=inputs, made=made)
-    assert sum(array.size for array in large.weights + large.biases) > 0.97 * MAX_NUMBERS
+    assert sum(array.size for array in large.weights + large.biases) > 0.97 * limits.MAX_NUMBERS
     content = dump(large)
     assert len(content) < MAX_FILE
     assert dump(parse(content, "here")) == content
