@@ -22,8 +22,9 @@ class Learner:
         torch.manual_seed(settings.seed)  # of weights, noise, and the order of a rollout's parts
         self.settings, self.league = settings, settings.played
         self.matches = matches
+        (features,) = matches.observation_space.shape or (0,)
         self.network = SoccerPolicy(
-            layout(self.league, settings.observe), matches.observation_space.shape[0], hidden=settings.hidden_sizes,
+            layout(self.league, settings.observe), features, hidden=settings.hidden_sizes,
             critic=settings.critic_sizes, activation=settings.activation, mirror=settings.mirror, kind=settings.kind,
             noise=settings.noise, memory=settings.memory,
         ).to(device_of(settings.device))  # fmt: skip

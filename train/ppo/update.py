@@ -50,7 +50,7 @@ def update(
     size = minibatch_size(count, settings.batch / steps)
     noted: list[tuple[float, ...]] = []  # value loss, divergence, clipped share of each gradient step
     for _ in range(settings.epochs):
-        for chosen in torch.randperm(count).to(network.device).split(size):
+        for chosen in torch.randperm(count).to(network.device).split(size):  # type: ignore[no-untyped-call]
             sequences = [part[:, chosen] for part in parts]
             seen, begins, means, actions, advantages, returns, scale = (part.flatten(0, 1) for part in sequences)
             loss = value_loss = (((network.values(seen) - returns) / scale) ** 2).mean()
