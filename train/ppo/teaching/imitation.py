@@ -89,7 +89,7 @@ def answers(
     backpropagation through time: Williams, Peng 1990].
     """
     order = torch.randperm(observations.shape[1], generator=generator)
-    for rows in order.split(max(1, batch // BACK) if network.memory else batch):
+    for rows in torch.split(order, max(1, batch // BACK) if network.memory else batch):
         states = network.no_states(len(rows))
         for first in range(0, len(observations), BACK):
             seen, wanted = (part[first : first + BACK, rows].to(network.device) for part in (observations, asked))
