@@ -52,10 +52,7 @@ def make_belief_kernel(
         Matches that are `asleep` (M,), because they ended before this step, stay unchanged.
         """
         numbers = MemoryNumbers(*borrow_arrays(numbers))
-        k = numbers.constants[0]
-        s = numbers.sensors[0]
-        w = numbers.memory[0]
-        table = numbers.tables[0]
+        k, s, w, table = numbers.constants[0], numbers.sensors[0], numbers.memory[0], numbers.tables[0]
         beliefs, tracks, memories, particles, messages, noise, gazes = BeliefArrays(*borrow_arrays(minds))
         percepts, owned = borrow_arrays(percepts), make_scratch()
         scratch = borrow_arrays(owned)

@@ -71,7 +71,6 @@ def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
     """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
     shares = 0.8 - 0.08 * np.log2(np.array(past.REPLANS) / 0.5) ** 2
     samples = {"clean": np.tile(shares, (3, 1))}
-    assert past.half_second_gain(samples) == pytest.approx(8.0)
     assert past.fast_decisions_gain(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
 
 

@@ -65,11 +65,7 @@ def collect(
     torch.set_num_threads(1)  # an actor of few rows is slower on more
     for t in range(length):
         observations[t] = seen
-        with torch.no_grad():
-            one_step, states = network.mean_actions(torch.as_tensor(seen[None], device=network.device), states)
-            mean = one_step[0]
-            drawn[t] = (mean + network.log_std.exp() * torch.randn_like(mean)).cpu()
-            means[t] = mean.cpu()
+        means[t], drawn[t], states = draw_actions(network, seen, states)
         matches.step_async(drawn[t])
         seen, rewards[t], dones[t], infos = matches.step_wait()
         states = states.masked_fill(torch.as_tensor(dones[t], device=network.device)[None, :, None], 0.0)
@@ -84,6 +80,16 @@ def collect(
     gained = advantages(rewards, values, dones, values_of(network, seen), gamma, lam)
     made = Rollout(observations, means, drawn, values, gained, matches.size_of_row, dones, start.states)
     return made, Start(seen, states)
+
+
+def draw_actions(
+    network: SoccerPolicy, seen: np.ndarray, states: torch.Tensor
+) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+    """Return mean actions (N, a), actions drawn round them, and the next states of a memory, of observations (N, n)."""
+    with torch.no_grad():
+        steps, states = network.mean_actions(torch.as_tensor(seen[None], device=network.device), states)
+        mean = steps[0]
+        return mean.cpu(), (mean + network.log_std.exp() * torch.randn_like(mean)).cpu(), states
 
 
 def values_of(network: SoccerPolicy, observations: np.ndarray) -> np.ndarray:

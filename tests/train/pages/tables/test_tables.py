@@ -62,7 +62,7 @@ def test_states_are_taken_anew_where_the_scores_agree_alone(monkeypatch: pytest.
 
 def test_the_headlines_have_a_command_each() -> None:
     rows = list(headlines(DATA))
-    assert len(rows) == 6
+    assert len(rows) == 7
     assert {row.command.split()[0] for row in rows} == {"soccer", "make"}
 
 
