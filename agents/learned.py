@@ -16,7 +16,7 @@ from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, memo
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.recurrent import MAX_MEMORY
-from soccer_env.compiled import compiled
+from soccer_env.compiled import compiled, inlined
 from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League
@@ -129,7 +129,7 @@ def remember_slice(observations, memory, commands, players, constants, numbers, 
             write_action(commands[m, players[p]], kept.action)
 
 
-@compiled
+@inlined
 def decide(numbers, observation, kept, states, k, scratch):
     """Let one player wait, or decide and update the states (2, units) of its policy's memory."""
     repeat = int(numbers[REPEAT])

@@ -1,13 +1,12 @@
 """Train a policy: `soccer train`. PPO over the batched core; `train` below is the outline.
 
     settings.py        the options of the command                  toml_file.py      options from a file
-    options.py         their texts                                 bounds.py         ranges of numeric options
-    checks.py          check that a run is playable                training.py       a run: its state and its output
+    options.py         their texts and ranges                      training.py       a run: its state and its output
+    checks.py          check that a run is playable                updating/         rollouts and updates of PPO
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
     curriculum.py      the choice of opponents                     stages.py         stages of team sizes and opponents
     networks.py        actor and critic                            recurrent.py      the actor's memory
-    critic_state.py    the critic's view of the truth              updating/         rollouts and updates of PPO
-    teaching/          a scripted teacher, before rewards
+    critic_state.py    the critic's view of the truth              teaching/         a scripted teacher, before rewards
     learner.py         both in turn, and their state               checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
     reporting/         other logs, the report as a page

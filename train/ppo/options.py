@@ -1,4 +1,4 @@
-"""The options of a training run, without the weights of its rewards.
+"""The options of a training run, without the weights of its rewards, and the ranges of the numeric ones.
 
 The help of `soccer train` is the text beside each field here.
 """
@@ -7,7 +7,33 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
+
+from soccer_env.agents.recurrent import MAX_MEMORY
+from soccer_env.guards.checking import FROM_ZERO, Range
+from soccer_env.rewards import NAMES
+
+LOGS = ("csv", "tensorboard", "wandb")  # further logs, each in a folder of that name
+MAX_SEED = 2**32 - 1  # of numpy's global generator
+SHARE = Range(0.0, 1.0, above=True)
+MINUTES = Range(0.0, 10_000.0, above=True, below=True)
+SECONDS = Range(0.0, 86_400.0, above=True)
+MOST = 65_536
+BOUNDS: dict[str, tuple[Any, ...]] = {
+    **dict.fromkeys(("action_repeat", "batch", "epochs", "evaluate_every", "past_every", "stage_steps"), Range(1)),
+    **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
+    **dict.fromkeys(("steps", "past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"), FROM_ZERO),
+    **dict.fromkeys(("learning_rate", "target_kl", "stage_share"), SHARE),
+    **dict.fromkeys(("discount_half_life", "advantage_half_life"), SECONDS),
+    **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
+    **dict.fromkeys(NAMES, Range(0.0, 1e9)),
+    "evaluate_matches": Range(1),
+    "memory": Range(0, MAX_MEMORY),
+    "torch_threads": Range(1, 256),
+    "noise": Range(0.0, 10.0, above=True),
+    **dict.fromkeys(("ideal_share",), Range(0.0, 1.0)),
+    "seed": Range(0, MAX_SEED),
+}
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,8 @@ from typing import Any
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.evaluate.results import KEPT_FILES
 from soccer_env.train.files import read_lines
-from soccer_env.train.ppo.bounds import LOGS
 from soccer_env.train.ppo.checkpoints import LATEST, NAMES
+from soccer_env.train.ppo.options import LOGS
 from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.provenance import module_hashes
 from soccer_env.train.results_folder import SETTINGS, ResultsFolder, RunKind

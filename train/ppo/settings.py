@@ -16,8 +16,7 @@ from soccer_env.leagues.rules import rule_set
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
 from soccer_env.scenes import Scene, mixture, scene_names
 from soccer_env.train.evaluate.replays.choice import Keep
-from soccer_env.train.ppo.bounds import BOUNDS, LOGS
-from soccer_env.train.ppo.options import PlainSettings
+from soccer_env.train.ppo.options import BOUNDS, LOGS, PlainSettings
 from soccer_env.train.ppo.stages import Sizes, Stage, parse_stages
 from soccer_env.train.written_settings import (
     CommandSettings,

@@ -71,7 +71,7 @@ def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
     """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
     shares = 0.8 - 0.08 * np.log2(np.array(past.REPLANS) / 0.5) ** 2
     samples = {"clean": np.tile(shares, (3, 1))}
-    assert past.fast_decisions_gain(samples) == pytest.approx(-8.0 * (1.0 + 4.0) / 2.0)
+    assert past.fitted_clean_share(samples, 0.5) - past.fitted_clean_share(samples, 1.0) == pytest.approx(8.0)
 
 
 def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:

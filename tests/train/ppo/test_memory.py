@@ -201,7 +201,11 @@ class BallSeenOnce:
         seen[:, BALL] = np.where(self.step_count == 0, self.side, 0.0)
         return seen
 
-    def step(self, actions: np.ndarray) -> Any:
+    def step_async(self, actions: np.ndarray) -> None:
+        self.actions = actions
+
+    def step_wait(self) -> Any:
+        actions = self.actions
         dones = self.step_count == self.LENGTH - 1
         rewards = np.where(dones, self.side * actions[:, 0].clip(-1.0, 1.0), 0.0).astype(np.float32)
         self.paid.append(float(rewards[dones].mean()))
@@ -218,4 +222,4 @@ def test_ppo_learns_to_remember_and_a_plain_actor_does_not(units: int, least: fl
     for _ in range(40):
         rollout, start = collect(made, matches, start, 30, 0.99, 0.95, lambda: None)  # type: ignore[arg-type]
         update(made, optimizer, rollout, settings, actor=True)
-    assert least < np.mean(matches.paid[-30:]) < most, "with noise; by chance 0, at best 1"
+    assert least < np.mean(matches.paid[-30:]) <= most, "with noise; by chance 0, at best 1"

@@ -14,9 +14,8 @@ from soccer_env.agents.learned import BUNDLED
 from soccer_env.rewards import NAMES, TERMS
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
-from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import check_playable
-from soccer_env.train.ppo.options import PlainSettings
+from soccer_env.train.ppo.options import BOUNDS, PlainSettings
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.ppo.updating.update import minibatch_size
 from soccer_env.train.written_settings import split_names

@@ -27,8 +27,8 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
 from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo import reports, train, training
-from soccer_env.train.ppo.bounds import BOUNDS
 from soccer_env.train.ppo.checks import make_curriculum, make_lesson_match, make_matches
+from soccer_env.train.ppo.options import BOUNDS
 from soccer_env.train.ppo.reports import ProgressBoard, learning_curve, policy_contest, rounded, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.ppo.teaching import lessons

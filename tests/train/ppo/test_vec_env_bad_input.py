@@ -18,7 +18,7 @@ from tests.train.evaluate.staged_rows import MIXED, assert_same_play, draw, play
 
 pytest.importorskip("stable_baselines3")
 
-COUNT = 2 * 1 + 2 * 3  # rows of MIXED
+COUNT = 3 * 1 + 1 * 3  # rows of MIXED: as many robots of each size
 
 
 def hashes(env: Any) -> list[str]:
@@ -35,11 +35,11 @@ def with_one(value: float, row: int = 0) -> np.ndarray:
     ("actions", "complaint"),
     [
         (with_one(np.nan), r"action of row 0, home_0 of match 0 of its block, is not finite: \[0.0, 0.0, nan, 0.0\]"),
-        (with_one(np.inf, row=6), "action of row 6, home_1 of match 1 of its block, is not finite"),
-        (np.zeros(()), r"actions must be numbers of shape \(8, 4\), got float64 of shape \(\)"),
+        (with_one(np.inf, row=4), "action of row 4, home_1 of match 0 of its block, is not finite"),
+        (np.zeros(()), r"actions must be numbers of shape \(6, 4\), got float64 of shape \(\)"),
         (np.zeros(4), r"got float64 of shape \(4,\)"),
         (np.zeros((1, 4)), r"got float64 of shape \(1, 4\)"),
-        (np.zeros((COUNT, 1)), r"got float64 of shape \(8, 1\)"),
+        (np.zeros((COUNT, 1)), r"got float64 of shape \(6, 1\)"),
         (np.zeros((COUNT, 4), complex), "got complex128"),
         (np.zeros((COUNT, 4), bool), "got bool"),
         (np.zeros((COUNT, 4), object), "got object"),

@@ -14,7 +14,7 @@ from uuid import uuid4
 
 from stable_baselines3.common.logger import Logger, make_output_format
 
-from soccer_env.train.ppo.bounds import LOGS
+from soccer_env.train.ppo.options import LOGS
 from soccer_env.train.ppo.run_folder import RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 

@@ -59,14 +59,14 @@ def fit(
 ) -> list[float]:  # fmt: skip
     """Fit the actor to recorded decisions, or with a memory to whole episodes; return the mean error of each epoch."""
     steps = len(observations) if network.memory else 1
-    rows = [torch.as_tensor(part).reshape(steps, -1, part.shape[-1]) for part in (observations, actions)]
+    seen, wanted = (torch.as_tensor(part).reshape(steps, -1, part.shape[-1]) for part in (observations, actions))
     optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=rate)
     generator = torch.Generator().manual_seed(seed)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, epochs, eta_min=0.05 * rate)
     errors = []
     for _ in range(epochs):
         count, total = 0, 0.0
-        for answered, asked in answers(network, *rows, batch, generator):
+        for answered, asked in answers(network, seen, wanted, batch, generator):
             missed = error(answered, asked)
             optimizer.zero_grad()
             missed.backward()  # type: ignore[no-untyped-call]  # torch gives it no return type
