@@ -51,11 +51,6 @@ class PlainSettings:
     steps: int = 2_000_000
     """Training length in decisions of learning robots. Raise it to train a finished run further; 0 only imitates the
     teacher."""
-    stage_share: float = 0.75
-    """Share of the goals in recent training episodes that the run must have scored at every team size of its stage, to
-    move on to the next stage."""
-    stage_steps: int = 10_000_000
-    """Decisions after which a run moves on to the next stage in any case."""
     teacher: str = "chaser"
     """Team that the actor imitates before PPO begins; "" for none."""
     action_repeat: int = 8
@@ -74,6 +69,11 @@ class PlainSettings:
     """Name of the policy."""
     rewards: str = ""
     """Rewards of your own, as MODULE:NAME; "" for the terms weighted by the options below."""
+    stage_share: float = 0.75
+    """Share of the goals in recent training episodes that the run must have scored at every team size of its stage, to
+    move on to the next stage."""
+    stage_steps: int = 10_000_000
+    """Decisions after which a run moves on to the next stage in any case."""
     matches: int = 128
     """Matches played side by side. Each team size of a stage has as many robots as the others, so larger teams have
     fewer matches."""
