@@ -16,7 +16,7 @@ from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, memo
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.recurrent import MAX_MEMORY
-from soccer_env.compiled import compiled, inlined
+from soccer_env.compiled import compiled
 from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League
@@ -30,7 +30,9 @@ DECISION = [
     ("action", "f8", NUMBER, (7,)),  # forward, left, turn, kick, head, pan, tilt
 ]
 MEMORY = ranged_record(DECISION)
-STATES = ranged_record([*DECISION, ("states", "f8", UNIT, (2, MAX_MEMORY))])  # of a recurrent memory and its mirror
+STATES = ranged_record(
+    [("states", "f8", UNIT, (2, MAX_MEMORY)), *DECISION]
+)  # of a memory and its mirror; first, or numba takes the record for a MEMORY
 HEAD = 4  # index of the head mode in an action
 
 
@@ -129,7 +131,7 @@ def remember_slice(observations, memory, commands, players, constants, numbers, 
             write_action(commands[m, players[p]], kept.action)
 
 
-@inlined
+@compiled
 def decide(numbers, observation, kept, states, k, scratch):
     """Let one player wait, or decide and update the states (2, units) of its policy's memory."""
     repeat = int(numbers[REPEAT])
