@@ -30,9 +30,8 @@ DECISION = [
     ("action", "f8", NUMBER, (7,)),  # forward, left, turn, kick, head, pan, tilt
 ]
 MEMORY = ranged_record(DECISION)
-STATES = ranged_record(
-    [("states", "f8", UNIT, (2, MAX_MEMORY)), *DECISION]
-)  # of a memory and its mirror; first, or numba takes the record for a MEMORY
+# States of a memory and its mirror come first, or numba takes the record for a MEMORY.
+STATES = ranged_record([("states", "f8", UNIT, (2, MAX_MEMORY)), *DECISION])
 HEAD = 4  # index of the head mode in an action
 
 
