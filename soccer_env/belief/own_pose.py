@@ -10,7 +10,7 @@ All robots share this; `legged/landmarks.py` weighs particles by landmarks, `omn
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import cos, exp, sin, sqrt
+from math import exp, sqrt
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from soccer_env.belief.particles import (
     weights_from_costs,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, out_of_frame, wrap
+from soccer_env.geometry import cosine_and_sine, into_frame, out_of_frame, wrap
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, SHARE, ranged_record
 from soccer_env.records.percepts import POSE_SENSED, POSE_TOLD
 
@@ -85,7 +85,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
             memory.fast = 1.0
             memory.slow = w.pose_fit
         return False
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     x, y = out_of_frame(forward, left, cosine, sine)
     own.x += x
     own.y += y
@@ -104,7 +104,7 @@ def particles_are_due(body, own, crowded, memory, particles, noise, k, s, w):
 @compiled
 def add_motion(memory, forward, left, turn, crowded):
     """Add a frame's odometry [m, m, rad], and the time with another player nearby [s], to the accumulated motion."""
-    cosine, sine = cos(memory.turn), sin(memory.turn)
+    cosine, sine = cosine_and_sine(memory.turn)
     ahead, aside = out_of_frame(forward, left, cosine, sine)
     memory.ahead += ahead
     memory.left += aside
@@ -124,12 +124,12 @@ def reset_motion(memory):
 
 @compiled
 def take_summed_motion(memory, k, w):
-    """Return the motion since the last particle update, as `move_particle` takes it, and reset it to zero.
+    """Return the motion since the last particle update, as `move_block` takes it, and reset it to zero.
 
     The motion's deviations grow with the distance (feet and wheels slip), with time, and most of all while another
     player is near: legs and wheels do not feel that the body is pushed, turned or held.
     """
-    cosine, sine = cos(memory.turn), sin(memory.turn)
+    cosine, sine = cosine_and_sine(memory.turn)
     ahead, left = into_frame(memory.ahead, memory.left, cosine, sine)
     turn, passed = memory.turn, sqrt(memory.frames * k.dt)
     spread = w.pose_slip * memory.path + w.pose_drift * passed + w.pose_push * memory.crowded

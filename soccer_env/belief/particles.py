@@ -2,23 +2,26 @@
 
 Monte-Carlo localisation [Fox, Burgard, Dellaert, Thrun 1999; Heinemann et al. 2006, 1, reference 2]:
 
-    move_particle -> weigh (landmarks.py, field_lines.py) -> estimate -> resample -> fresh particles from what is seen
+    move_block -> weigh (landmarks.py, field_lines.py) -> estimate -> resample -> fresh particles from what is seen
 
 Two rules locate a robot again that was carried away: the share of fresh particles grows when the particles fit worse
 than before [Gutmann, Fox 2002, augmented MCL], and fresh ones are drawn from what is seen [Lenser, Veloso 2000, sensor
 resetting]. Everything is in the team frame. A lateral draw is multiplied by `hand`, the handedness of the noise.
 
+Particles are moved and weighed in blocks, with a loop over the block for each step of the sum, so that the processor
+takes several particles at once.
+
 `w`: settings of the memory.
 """
 
-from math import atan2, cos, exp, pi, sin, sqrt
+from math import pi, sqrt
 
 import numpy as np
 
-from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, point_of_frame, wrap
+from soccer_env.compiled import compiled, scratch_records
+from soccer_env.geometry import atan2, clip, cosine_and_sine, length, point_of_frame, wrap, wrap_once
 from soccer_env.guards.ranges import AMOUNT, NUMBER, ranged_record
-from soccer_env.random_numbers import draw_uniform
+from soccer_env.random_numbers import GOLDEN, draw_uniform, mix_bits
 from soccer_env.types import RobotStream
 
 PARTICLES = int(RobotStream.PARTICLES)
@@ -26,6 +29,9 @@ TRIANGLE = sqrt(6.0)  # half base of the symmetric triangular distribution whose
 OUTLIER = 9.0  # [sd2] squared error at which a cost reaches half of what it can, assumed: three deviations
 REPLACED = 1.5  # [1] how much heavier another cluster must be before the own pose jumps there, assumed
 SETTLED = 0.3  # [1] share of all weight that it must have: a cloud is no place to jump to, assumed
+ROWS = 32  # of a block
+BYTE = np.uint64(255)
+BYTES_UNIT = sqrt(6.0 / 65535.0)  # one over the deviation of the sum of two bytes
 SHARE_MOST = 0.5  # [1] largest share of fresh particles, assumed: the old belief keeps a chance
 
 PARTICLE = ranged_record(
@@ -34,6 +40,20 @@ PARTICLE = ranged_record(
         ("y", "f4", NUMBER),  # [m]
         ("heading", "f4", NUMBER),  # [rad]
         ("weight", "f4", AMOUNT),  # [1]; while an update runs also the cost, then how often the particle is kept
+    ]
+)
+
+BLOCK = np.dtype(
+    [  # scratch: some particles while they are moved and weighed
+        ("x", "f8", (ROWS,)),  # [m] team frame
+        ("y", "f8", (ROWS,)),
+        ("heading", "f8", (ROWS,)),  # [rad]
+        ("cosine", "f8", (ROWS,)),
+        ("sine", "f8", (ROWS,)),
+        ("ahead", "f8", (ROWS,)),  # [m] of the motion
+        ("left", "f8", (ROWS,)),
+        ("cost", "f8", (ROWS,)),  # [1] of the measurements for this pose
+        ("cell", "i4", (ROWS,)),  # of a table of the field
     ]
 )
 
@@ -81,30 +101,59 @@ def scatter_particle(particle, half_length, half_width, noise, hand):
 
 
 @compiled
-def move_particle(particle, motion, half_length, half_width, noise, hand):
-    """Move a particle by the robot's motion with noise; return its x, y, and the cosine and sine of its heading.
+def move_block(block, particles, first, motion, half_length, half_width, noise, hand):
+    """Load the particles from row `first` on into a BLOCK, moved by the robot's motion with noise, and set costs to 0.
 
     motion: forward and left [m] in the axes at the end of the motion, turn [rad], the deviations of place [m] and
-    heading [rad], and the share of particles that stay behind, since a robot that is held walks on the spot.
+    heading [rad], and the share of particles that stay behind, since a robot that is held walks on the spot. One draw
+    a particle: two bytes for the share, two for each triangular error.
     """
     ahead, left, turn, spread, turn_spread, stuck = motion
-    if draw_uniform(noise, PARTICLES) < stuck:
-        ahead = left = turn = 0.0
-    ahead += spread * draw_triangular(noise)
-    left += hand * spread * draw_triangular(noise)
-    heading = wrap(np.float64(particle.heading) + turn + hand * turn_spread * draw_triangular(noise))
-    cosine, sine = cos(heading), sin(heading)
-    x, y = point_of_frame(np.float64(particle.x), np.float64(particle.y), ahead, left, cosine, sine)
-    x, y = clip(x, -half_length, half_length), clip(y, -half_width, half_width)
-    particle.x, particle.y, particle.heading = x, y, heading
-    return x, y, cosine, sine
+    count = min(particles.shape[0] - first, ROWS)
+    for j in range(count):
+        one = particles[first + j]
+        block.x[j], block.y[j], block.heading[j] = one.x, one.y, one.heading
+    state, held = noise[PARTICLES], int(stuck * 65536.0)
+    noise[PARTICLES] = state + GOLDEN * np.uint64(count)
+    spread, aside, turned = BYTES_UNIT * spread, hand * BYTES_UNIT * spread, hand * BYTES_UNIT * turn_spread
+    for j in range(ROWS):
+        bits = mix_bits(state + GOLDEN * np.uint64(j + 1))
+        goes = 0.0 if np.int32(bits >> np.uint64(48)) < held else 1.0
+        block.ahead[j] = goes * ahead + spread * sum_of_bytes(bits)
+        block.left[j] = goes * left + aside * sum_of_bytes(bits >> np.uint64(16))
+        block.heading[j] = wrap_once(block.heading[j] + goes * turn + turned * sum_of_bytes(bits >> np.uint64(32)))
+    for j in range(ROWS):
+        block.cosine[j], block.sine[j] = cosine_and_sine(block.heading[j])
+    for j in range(ROWS):
+        x, y = point_of_frame(block.x[j], block.y[j], block.ahead[j], block.left[j], block.cosine[j], block.sine[j])
+        block.x[j] = min(max(x, -half_length), half_length)
+        block.y[j] = min(max(y, -half_width), half_width)
+        block.cost[j] = 0.0
+    return count
+
+
+@compiled
+def sum_of_bytes(bits):
+    """Return the sum of the two lowest bytes less its mean, from -255 to 255."""
+    return np.float64(np.int32(bits & BYTE) + np.int32((bits >> np.uint64(8)) & BYTE)) - 255.0
+
+
+@compiled
+def store_block(block, particles, first, count):
+    """Store the poses of a BLOCK in its particles, and its costs in their weights."""
+    for j in range(count):
+        one = particles[first + j]
+        one.x, one.y, one.heading, one.weight = block.x[j], block.y[j], block.heading[j], block.cost[j]
 
 
 @compiled
 def move_particles(particles, motion, half_length, half_width, noise, hand):
-    """Move all particles by the robot's motion with noise, without weighing them."""
-    for i in range(particles.shape[0]):
-        move_particle(particles[i], motion, half_length, half_width, noise, hand)
+    """Move all particles by the robot's motion with noise, and set their weights to 1."""
+    block = scratch_records(1, BLOCK)[0]
+    for first in range(0, particles.shape[0], ROWS):
+        count = move_block(block, particles, first, motion, half_length, half_width, noise, hand)
+        block.cost[:] = 1.0
+        store_block(block, particles, first, count)
 
 
 @compiled
@@ -117,11 +166,23 @@ def weights_from_costs(particles):
         if particles[i].weight < particles[best].weight:
             best = i
     least = np.float64(particles[best].weight)
+    for i in range(particles.shape[0]):
+        particles[i].weight = decay(np.float64(particles[i].weight) - least)
     total = 0.0
     for i in range(particles.shape[0]):
-        particles[i].weight = exp(least - np.float64(particles[i].weight))
         total += np.float64(particles[i].weight)
     return total, summed / particles.shape[0], best
+
+
+@compiled
+def decay(cost):
+    """Return about exp(-cost), within 1 % up to a cost of 8: the 16th power of a series for a 16th of the cost."""
+    y = 0.0625 * cost
+    grown = 1.0 + y * (1.0 + y * (0.5 + y * (1.0 / 6.0 + y * (1.0 / 24.0))))
+    grown *= grown
+    grown *= grown
+    grown *= grown
+    return 1.0 / (grown * grown)
 
 
 @compiled
@@ -228,7 +289,7 @@ def draw_from_sighting(particle, sight, half_length, half_width, noise, hand):
         scale = far * max(1.0 + error * draw_triangular(noise), 0.1) / away
         at_x, at_y = x + scale * away_x, y + scale * away_y
     heading = wrap(atan2(-away_y, -away_x) - atan2(left, ahead))
-    cosine, sine = cos(heading), sin(heading)
+    cosine, sine = cosine_and_sine(heading)
     x, y = point_of_frame(at_x, at_y, -camera_x, -camera_y, cosine, sine)
     particle.x, particle.y = clip(x, -half_length, half_length), clip(y, -half_width, half_width)
     particle.heading = heading

@@ -3,11 +3,12 @@
 import numpy as np
 
 from soccer_env.belief.omni.believe import OMNI_MEMORY, believe_slice
+from soccer_env.belief.omni.lines import line_tables
 from soccer_env.belief.omni.radio import RADIO_MESSAGE
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues.robot_kind import CENTI, LINE_STEPS, POLAR, Group, NotedPercepts, PerceptSummary, RobotKind
 from soccer_env.observations.omni import entries, observe_slice
-from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
+from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, sense_slice
 from soccer_env.records.percepts import OMNI_PERCEPT
 
 MOST_PLAYERS = 9  # that a note keeps, nearest first

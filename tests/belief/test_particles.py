@@ -53,9 +53,12 @@ def test_particles_are_placed_as_widely_as_robots_and_move_as_the_odometry_says_
     assert abs(particles["heading"]).max() <= np.float32(np.pi)
     particle = set_of(1.0, 0.5, np.pi / 2, count=1)
     turned = np.pi / 2 + 0.2
-    moved = kernels.move_particle(particle[0], (0.1, 0.05, 0.2, 0.0, 0.0, 0.0), 9.0, 9.0, noise_of(), 1.0)
+    kernels.move_particles(particle, (0.1, 0.05, 0.2, 0.0, 0.0, 0.0), 9.0, 9.0, noise_of(), 1.0)
     x, y = 1.0 + 0.1 * np.cos(turned) - 0.05 * np.sin(turned), 0.5 + 0.1 * np.sin(turned) + 0.05 * np.cos(turned)
-    assert moved == pytest.approx((x, y, np.cos(turned), np.sin(turned)), abs=1e-6)
+    assert particle.tolist()[0] == pytest.approx((x, y, turned, 1.0), abs=1e-6)
+    kernels.move_particles(particles, (0.0, 0.0, 0.0, 0.04, 0.2, 0.0), 9.0, 9.0, noise_of(), 1.0)
+    assert particles["y"].std() == pytest.approx(np.hypot(0.03, 0.04), rel=0.05)
+    assert np.angle(np.exp(1j * (particles["heading"] - 3.1))).std() == pytest.approx(np.hypot(0.05, 0.2), rel=0.05)
 
 
 def test_a_share_of_the_particles_stays_behind_in_case_the_robot_is_held_and_none_leaves_the_field() -> None:

@@ -16,6 +16,7 @@ import numpy as np
 
 from soccer_env.belief.legged.landmarks import believe_pose_legged
 from soccer_env.belief.omni.field_lines import believe_pose_omni
+from soccer_env.belief.omni.lines import line_tables
 from soccer_env.belief.own_pose import POSE_MEMORY
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.compiled import compiled
@@ -23,7 +24,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics import head_camera as optics
 from soccer_env.perception.body import measure_odometry
-from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables
+from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE
 from soccer_env.perception.omni.sense import sense_slice as sense_omni
 from soccer_env.perception.sensing import SensorArrays, SensorNumbers
 from soccer_env.random_numbers import draw_normal, draw_uniform, start_streams

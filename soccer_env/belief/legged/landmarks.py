@@ -14,7 +14,7 @@ image's border or a robot cuts it: the visible part must lie between the posts, 
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import cos, sin, sqrt, tan
+from math import sqrt, tan
 
 import numpy as np
 
@@ -24,9 +24,17 @@ from soccer_env.belief.own_pose import (
     particles_are_due,
     take_summed_motion,
 )
-from soccer_env.belief.particles import OUTLIER, bounded_cost, draw_from_sighting, move_particle
+from soccer_env.belief.particles import (
+    BLOCK,
+    OUTLIER,
+    ROWS,
+    bounded_cost,
+    draw_from_sighting,
+    move_block,
+    store_block,
+)
 from soccer_env.compiled import compiled, scratch_records
-from soccer_env.geometry import into_frame, point_of_frame
+from soccer_env.geometry import cosine_and_sine, into_frame, point_of_frame
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, image_height, image_width
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.records.percepts import BLOBS, LANDMARKS
@@ -133,8 +141,7 @@ def measure_landmark(blob, sight, whole, pan, tilt, s):
     middle = 0.5 * (blob.left + blob.right)
     bearing, high = direction_of_pixel(middle, np.float64(blob.high), pan, tilt, s)
     _, low = direction_of_pixel(middle, np.float64(blob.low), pan, tilt, s)
-    sight.ahead = cos(bearing)
-    sight.left = sin(bearing)
+    sight.ahead, sight.left = cosine_and_sine(bearing)
     sight.far = 0.0
     rise = tan(high) - tan(low)
     if not whole or rise < 1e-6:
@@ -164,9 +171,9 @@ def read_goal(blobs, goal, side, edge, pan, tilt, s):
     goal.side = side
     goal.left_cut, goal.right_cut = left >= edge, right <= -edge
     bearing, _ = direction_of_pixel(np.float64(left), height, pan, tilt, s)
-    goal.left_ahead, goal.left_left = cos(bearing), sin(bearing)
+    goal.left_ahead, goal.left_left = cosine_and_sine(bearing)
     bearing, _ = direction_of_pixel(np.float64(right), height, pan, tilt, s)
-    goal.right_ahead, goal.right_left = cos(bearing), sin(bearing)
+    goal.right_ahead, goal.right_left = cosine_and_sine(bearing)
     return 2
 
 
@@ -174,17 +181,33 @@ def read_goal(blobs, goal, side, edge, pan, tilt, s):
 def weigh_particles_by_landmarks(particles, view, motion, noise, hand, k, w):
     """Move all particles, and store in each weight the cost of the measurements for the particle's pose.  MH08"""
     half_length, half_width = 0.5 * k.pitch_length, 0.5 * k.pitch_width
-    for i in range(particles.shape[0]):
-        particle = particles[i]
-        x, y, cosine, sine = move_particle(particle, motion, half_length, half_width, noise, hand)
-        x, y = point_of_frame(x, y, view.camera_x, view.camera_y, cosine, sine)
-        cost = 0.0
-        for j in range(view.count):
-            cost += landmark_cost(view.sights[j], x, y, cosine, sine, w)
-        for j in range(2):
-            if view.goals[j].seen == 1:
-                cost += goal_cost(view.goals[j], x, y, cosine, sine, hand, k, w)
-        particle.weight = cost
+    block = scratch_records(1, BLOCK)[0]
+    for first in range(0, particles.shape[0], ROWS):
+        count = move_block(block, particles, first, motion, half_length, half_width, noise, hand)
+        for i in range(view.count):
+            add_landmark_costs(block, view.sights[i], view.camera_x, view.camera_y, w)
+        for i in range(2):
+            if view.goals[i].seen == 1:
+                add_goal_costs(block, view.goals[i], view.camera_x, view.camera_y, hand, k, w)
+        store_block(block, particles, first, count)
+
+
+@compiled
+def add_landmark_costs(block, sight, camera_x, camera_y, w):
+    """Add for each pose of a BLOCK the cost of a landmark that the camera sees; camera: in the robot frame [m]."""
+    for j in range(ROWS):
+        cosine, sine = block.cosine[j], block.sine[j]
+        x, y = point_of_frame(block.x[j], block.y[j], camera_x, camera_y, cosine, sine)
+        block.cost[j] += landmark_cost(sight, x, y, cosine, sine, w)
+
+
+@compiled
+def add_goal_costs(block, goal, camera_x, camera_y, hand, k, w):
+    """Add for each pose of a BLOCK the cost of a goal that the camera sees; camera: in the robot frame [m]."""
+    for j in range(ROWS):
+        cosine, sine = block.cosine[j], block.sine[j]
+        x, y = point_of_frame(block.x[j], block.y[j], camera_x, camera_y, cosine, sine)
+        block.cost[j] += goal_cost(goal, x, y, cosine, sine, hand, k, w)
 
 
 @compiled

@@ -6,11 +6,13 @@ Each direction in which a line was seen gives a point on the ground; a pose fits
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import cos, pi, sin, sqrt
+from math import pi, sqrt
 
 import numpy as np
 
 from soccer_env.belief.odometry import move_point
+from soccer_env.belief.omni.lines import COLUMNS
+from soccer_env.belief.omni.lines import ROWS as LINE_ROWS
 from soccer_env.belief.own_pose import (
     estimate_and_resample,
     field_half_size,
@@ -18,9 +20,18 @@ from soccer_env.belief.own_pose import (
     particles_are_due,
     take_summed_motion,
 )
-from soccer_env.belief.particles import OUTLIER, bounded_cost, draw_from_sighting, move_particle, scatter_particle
+from soccer_env.belief.particles import (
+    BLOCK,
+    OUTLIER,
+    ROWS,
+    bounded_cost,
+    draw_from_sighting,
+    move_block,
+    scatter_particle,
+    store_block,
+)
 from soccer_env.compiled import compiled, scratch_records
-from soccer_env.geometry import into_frame, length, point_of_frame
+from soccer_env.geometry import from_polar, into_frame, length, point_of_frame
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.records.percepts import LINES
 from soccer_env.types import RobotStream
@@ -47,9 +58,10 @@ LINE_VIEW = np.dtype([("count", "i8"), ("points", LINE_POINT, (LINES,)), ("goals
 def believe_pose_omni(percept, own, crowded, memory, particles, noise, k, s, w, table):
     """Update the own pose of a middle-size robot from the percept, by particles, white lines and goals.  MH08
 
-    `table` is the record of `line_tables` in perception/omni/lines.py.
+    `table` is the record of `line_tables` in lines.py.
     """
-    if not particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w):
+    due = particles_are_due(percept.body, own, crowded, memory, particles, noise, k, s, w)
+    if not due or percept.searched == 0:
         return
     view = scratch_records(1, LINE_VIEW)[0]
     seen = measure_lines_and_goals(percept, own, view, k, s, w)
@@ -83,7 +95,7 @@ def measure_lines_and_goals(percept, own, view, k, s, w):
         if distance > 0.0:
             point = view.points[view.count]
             bearing = sector * direction
-            x, y = distance * cos(bearing), distance * sin(bearing)
+            x, y = from_polar(distance, bearing)
             point.ahead, point.left = move_point(x, y, forward, aside, turn)
             view.count += 1
     read_goal(percept.own_goal, view.goals[0], -0.5 * k.pitch_length, forward, aside, turn)
@@ -98,7 +110,7 @@ def read_goal(sighting, goal, x, forward, aside, turn):
     if goal.seen == 0:
         return
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
-    ahead, left = move_point(distance * cos(bearing), distance * sin(bearing), forward, aside, turn)
+    ahead, left = move_point(*from_polar(distance, bearing), forward, aside, turn)
     goal.far = max(length(ahead, left), 1e-3)
     goal.ahead, goal.left = ahead / goal.far, left / goal.far
 
@@ -106,25 +118,34 @@ def read_goal(sighting, goal, x, forward, aside, turn):
 @compiled
 def weigh_particles_by_lines(particles, view, motion, half_length, half_width, noise, hand, k, w, table):
     """Move all particles, and store in each weight the cost of the measurements for the particle's pose.  MH08"""
-    grid, per_metre = table.nearest_line, 1.0 / table.cell
-    columns, rows = grid.shape[0] // 2, grid.shape[1] // 2
-    sharp = 1.0 / (w.pose_line_noise * w.pose_line_noise)
-    for i in range(particles.shape[0]):
-        particle = particles[i]
-        x, y, cosine, sine = move_particle(particle, motion, half_length, half_width, noise, hand)
-        cost = 0.0
-        for j in range(view.count):
-            point = view.points[j]
-            at_x, at_y = point_of_frame(x, y, point.ahead, point.left, cosine, sine)
-            # lines are symmetric about both axes: a quarter of the grid is read, alike in a mirror
-            column = min(int(abs(at_x) * per_metre), columns - 1)
-            row = min(int(abs(at_y) * per_metre), rows - 1)
-            off = np.float64(grid[columns + column, rows + row])
-            cost += bounded_cost(off * off * sharp, OUTLIER)
-        for j in range(2):
-            if view.goals[j].seen == 1:
-                cost += goal_cost(view.goals[j], x, y, cosine, sine, k, w)
-        particle.weight = cost
+    block = scratch_records(1, BLOCK)[0]
+    for first in range(0, particles.shape[0], ROWS):
+        count = move_block(block, particles, first, motion, half_length, half_width, noise, hand)
+        for i in range(view.count):
+            add_line_costs(block, view.points[i].ahead, view.points[i].left, table)
+        for i in range(2):
+            if view.goals[i].seen == 1:
+                add_goal_costs(block, view.goals[i], k, w)
+        store_block(block, particles, first, count)
+
+
+@compiled
+def add_line_costs(block, ahead, left, table):
+    """Add for each pose of a BLOCK the cost of a line seen at a point of the robot frame [m]."""
+    costs, per_metre = table.line_cost, 1.0 / table.cell
+    for j in range(ROWS):  # no loop that reads a place it has just computed takes several at once
+        x, y = point_of_frame(block.x[j], block.y[j], ahead, left, block.cosine[j], block.sine[j])
+        column, row = min(abs(x) * per_metre, COLUMNS - 0.5), min(abs(y) * per_metre, LINE_ROWS - 0.5)
+        block.cell[j] = np.int32(column) * np.int32(LINE_ROWS) + np.int32(row)
+    for j in range(ROWS):
+        block.cost[j] += np.float64(costs[block.cell[j]])
+
+
+@compiled
+def add_goal_costs(block, goal, k, w):
+    """Add for each pose of a BLOCK the cost of a goal's measured bearing and range."""
+    for j in range(ROWS):
+        block.cost[j] += goal_cost(goal, block.x[j], block.y[j], block.cosine[j], block.sine[j], k, w)
 
 
 @compiled

@@ -7,10 +7,11 @@ import pytest
 
 from soccer_env.belief.omni import field_lines as kernels
 from soccer_env.belief.omni.field_lines import LINE_VIEW
+from soccer_env.belief.omni.lines import line_tables
 from soccer_env.belief.particles import PARTICLE
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, line_tables, sense_slice
+from soccer_env.perception.omni.sense import OMNI_SENSOR_STATE, sense_slice
 from soccer_env.perception.sensing import SensorArrays, SensorNumbers
 from soccer_env.random_numbers import start_streams
 from soccer_env.records.beliefs import OWN_POSE

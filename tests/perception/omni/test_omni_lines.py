@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from soccer_env.belief.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
+from soccer_env.belief.particles import OUTLIER, bounded_cost
 from soccer_env.leagues import find_league
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_parameters
-from soccer_env.perception.omni.lines import COLUMNS, ROWS, TABLES, line_tables, nearest_line
 from soccer_env.records.percepts import OTHERS
 from tests.perception.omni.staged_omni import NOW, SHARP, SURE, angle_difference, gather, look, watching_matches
 from tests.scenes.staging import MIDDLE, put
@@ -36,19 +37,19 @@ def test_the_lines_run_where_the_rules_of_2006_draw_them(x: float, y: float, dis
 
 
 @pytest.mark.parametrize("size", [(12.0, 8.0), (18.0, 12.0), (8.0, 5.0)])
-def test_the_table_of_lines_covers_any_pitch_and_a_metre_round_it(size: tuple[float, float]) -> None:
+def test_the_table_of_line_costs_covers_any_pitch_and_a_metre_round_it(size: tuple[float, float]) -> None:
     pitch = replace(PITCH, length=size[0], width=size[1])
     table = line_tables(replace(LEAGUE, pitch=pitch))
     assert table.dtype == TABLES and table is line_tables(replace(LEAGUE, pitch=pitch))
-    cell, first_x, first_y = (float(table[name][0]) for name in ("cell", "first_x", "first_y"))
-    assert first_x <= -0.5 * size[0] - 1.0 + 1e-9 and first_y <= -0.5 * size[1] - 1.0 + 1e-9
-    assert first_x + COLUMNS * cell == pytest.approx(-first_x) and first_y + ROWS * cell == pytest.approx(-first_y)
+    cell, costs = float(table["cell"][0]), table["line_cost"][0].reshape(COLUMNS, ROWS)
+    assert COLUMNS * cell >= 0.5 * size[0] + 1.0 - 1e-9 and ROWS * cell >= 0.5 * size[1] + 1.0 - 1e-9
     rng = np.random.default_rng(0)
-    x, y = rng.uniform(-0.5, 0.5, (2, 500)) * (np.array(size)[:, None] + 2.0)
-    i, j = np.floor((x - first_x) / cell).astype(int), np.floor((y - first_y) / cell).astype(int)
-    known = table["nearest_line"][0, i, j]
-    assert abs(known - nearest_line(pitch, x, y)).max() <= cell * np.sqrt(0.5) + 1e-6
-    assert np.array_equal(table["nearest_line"][0], table["nearest_line"][0, ::-1, ::-1])
+    x, y = rng.uniform(0.0, 0.5, (2, 500)) * (np.array(size)[:, None] + 2.0)
+    known = costs[(x / cell).astype(int), (y / cell).astype(int)]
+    for reach in (-1.0, 1.0):  # of the middle of a cell from the point
+        off = np.maximum(nearest_line(pitch, x, y) + reach * cell * np.sqrt(0.5), 0.0)
+        cost = bounded_cost((off / LEAGUE.memory.pose_line_noise) ** 2, OUTLIER)
+        assert (reach * (cost - known) >= -1e-6).all()
     assert size != (12.0, 8.0) or cell == 0.1
 
 
@@ -164,3 +165,19 @@ def test_a_goal_is_seen_over_robots_unless_they_are_near() -> None:
     put(match, 1, 0.8, 0.15)  # its left is hidden: the middle of the rest lies to the right
     goal = look(match)["opponent_goal"]
     assert (goal["bearing"][goal["seen"] == 1] < -0.03).all() and goal["seen"].any()
+
+
+def test_goals_and_lines_are_searched_every_few_frames_by_turns_and_kept_between() -> None:
+    match = watching_matches(home=2, sensors={**SURE, "search_every": 5}, robots={1: (1.0, 1.0)}, pose="particles")
+    searched = []
+    for step in range(20):
+        match.matches["step"] = step
+        match.batch.senses.sense(0, 1)
+        searched.append(match.percepts["searched"][0, :2].tolist())
+        assert step < 5 or (match.percepts["lines"][0, :2] > 0.0).any(axis=1).all()
+    assert [row[0] for row in searched] == [int(step % 5 == 0) for step in range(20)]
+    assert [row[1] for row in searched] == [int(step % 5 == 4) for step in range(20)]
+    match.robots["placed"] = 1  # a robot that is put somewhere looks at once
+    match.matches["step"] = 1
+    match.batch.senses.sense(0, 1)
+    assert match.percepts["searched"][0, :2].all()

@@ -1,4 +1,4 @@
-"""The white lines of a pitch: a robot's table of distances to the nearest line.
+"""The white lines of a pitch: a robot's table of what it costs to see a line at a place.  MH08
 
 +--------------+--------------+     border, halfway line, centre circle, and at both ends
 |---+          |          +---|     penalty area and goal area; their widths are not modelled: a line is
@@ -13,35 +13,31 @@ from functools import lru_cache
 
 import numpy as np
 
+from soccer_env.belief.particles import OUTLIER
 from soccer_env.leagues.league import League, Pitch
 
-COLUMNS, ROWS = 160, 120  # cells of the grid along x and along y
+COLUMNS, ROWS = 80, 60  # cells of the grid for a quarter of the pitch, along x and along y
 CELL = 0.10  # [m] side of a cell; more on a pitch that would not fit, so that tables of all pitches are of one type
 MARGIN = 1.0  # [m] round the pitch that the grid covers as well
 
 TABLES = np.dtype(
     [  # a middle-size robot's knowledge of its field. A point (x, y) of the team frame lies in the cell
-        # i = floor((x - first_x) / cell), j = floor((y - first_y) / cell), if 0 <= i < COLUMNS and 0 <= j < ROWS.
-        # The pitch looks the same after a half-turn: nearest_line[i, j] == nearest_line[-1 - i, -1 - j].
+        # i = floor(|x| / cell), j = floor(|y| / cell): the lines are symmetric about both axes.
         ("cell", "f8"),  # [m] side of a cell
-        ("first_x", "f8"),  # [m] team frame: lower edge of the cells i = 0
-        ("first_y", "f8"),  # [m] team frame: lower edge of the cells j = 0
-        ("nearest_line", "f4", (COLUMNS, ROWS)),  # [m] from the middle of a cell to the nearest white line
+        ("line_cost", "f4", (COLUMNS * ROWS,)),  # [1] of a line seen at the middle of cell i * ROWS + j
     ]
 )
 
 
 @lru_cache(maxsize=8)
 def line_tables(league: League) -> np.ndarray:
-    """Return the tables of distances to the nearest line for a league's pitch, a record TABLES (1,).  MH08"""
-    pitch, table = league.pitch, np.zeros(1, TABLES)
-    cell = max(CELL, (pitch.length + 2.0 * MARGIN) / COLUMNS, (pitch.width + 2.0 * MARGIN) / ROWS)
-    x = cell * (np.arange(COLUMNS) - 0.5 * (COLUMNS - 1))
-    y = cell * (np.arange(ROWS) - 0.5 * (ROWS - 1))
+    """Return the table of costs for a league's pitch and its robots' memory, a record TABLES (1,).  MH08"""
+    pitch, table, noise = league.pitch, np.zeros(1, TABLES), league.memory.pose_line_noise
+    cell = max(CELL, (0.5 * pitch.length + MARGIN) / COLUMNS, (0.5 * pitch.width + MARGIN) / ROWS)
+    x, y = cell * (np.arange(COLUMNS) + 0.5), cell * (np.arange(ROWS) + 0.5)
     table["cell"] = cell
-    table["first_x"] = -0.5 * cell * COLUMNS
-    table["first_y"] = -0.5 * cell * ROWS
-    table["nearest_line"] = nearest_line(pitch, x[:, None], y[None, :])
+    square = (nearest_line(pitch, x[:, None], y[None, :]) / noise) ** 2
+    table["line_cost"] = (0.5 * square * OUTLIER / (square + OUTLIER)).ravel()  # see `bounded_cost`
     return table
 
 
