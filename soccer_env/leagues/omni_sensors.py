@@ -4,12 +4,14 @@ Every number was written down before the first claim was measured with it. "assu
 """
 
 from dataclasses import dataclass
+from math import sqrt
 
 from soccer_env.leagues.options import GREATEST, Options
 from soccer_env.leagues.pose_memory import PoseMemory
 from soccer_env.records.percepts import LINES
 
 LEAST = 1e-3  # [m, s, 1] least divisor: of lengths, times and widths
+ROUNDING = 1.0 / 12.0  # [px2] variance of a whole pixel
 MOST_DELAY = 3  # [frames] by which a picture may be late
 PROBABILITIES = (
     *("ball_miss", "player_miss", "false_balls", "line_miss", "goal_miss", "barrier_miss", "radio_loss"),
@@ -28,11 +30,17 @@ class OmniSensors(Options):
     KIND = "omni"
     NAMES = {"colour_table": COLOUR_TABLES}
     BOUNDS = {
-        "image": (16, 4096), "lines": (1, LINES), "camera_delay": (0, MOST_DELAY), "hidden_radius": (0.0, 1e3),
+        "image": (16, 4096), "lines": (1, LINES), "search_every": (1, 1000), "camera_delay": (0, MOST_DELAY),
+        "hidden_radius": (0.0, 1e3),
         **dict.fromkeys(PROBABILITIES, (0.0, 1.0)), **dict.fromkeys(NOISES, (0.0, 100.0)),
         **dict.fromkeys(LENGTHS, (LEAST, GREATEST)), "mirror_edge": (LEAST, 1e3), "mirror_eccentricity": (1.0, 1e3),
     }  # fmt: skip
     ORDER = (("hidden_radius", "less than", "mirror_edge"),)
+    DERIVED = {
+        "mirror_scale": lambda s: s.mirror()[0],  # [px]
+        "mirror_bend": lambda s: s.mirror()[1],  # [1]
+        "reading_noise": lambda s: sqrt(s.pixel_noise * s.pixel_noise + ROUNDING),  # [px] sd of a thing's place
+    }
 
     image: int = 580  # [px] across, Heinemann et al. 2006, 2  MH02
     camera_height: float = 0.75  # [m] of the mirror's focus, the single viewpoint, assumed
@@ -55,6 +63,7 @@ class OmniSensors(Options):
     table_time: float = 2.0  # [s] in which new colours replace old ones in the adaptive table, assumed
     table_width: float = 0.25  # [1] difference of light at which a table misses half of the objects, assumed
     lines: int = 24  # directions of the search for white lines, assumed
+    search_every: int = 5  # [frames] between two pictures that are searched for goals and white lines, assumed
     line_range: float = 4.0  # [m] assumed
     line_miss: float = 0.2  # [1] assumed
     goal_miss: float = 0.1  # [1] assumed
@@ -69,6 +78,12 @@ class OmniSensors(Options):
     radio_period: float = 0.1  # [s] between two messages, assumed  MH05
     radio_delay: float = 0.06  # [s] assumed  MH05
     radio_loss: float = 0.05  # [1] share of messages that are lost, assumed  MH05
+
+    def mirror(self) -> tuple[float, float]:
+        """Return scale [px] and bend [1] of the mirror's curve, see optics/mirror_camera.py."""
+        bend = 2.0 * self.mirror_eccentricity / (1.0 + self.mirror_eccentricity * self.mirror_eccentricity)
+        edge, height = self.mirror_edge, self.camera_height
+        return 0.5 * self.image * (height + bend * sqrt(edge * edge + height * height)) / edge, bend
 
 
 @dataclass(frozen=True)

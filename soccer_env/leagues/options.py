@@ -2,7 +2,7 @@
 
 import inspect
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, ClassVar, TypeVar
 
@@ -24,6 +24,7 @@ class Options(CheckedFields):
     """
 
     NAMES: ClassVar[Mapping[str, Mapping[str, int]]] = {}  # the names that a field may take, and their codes
+    DERIVED: ClassVar[Mapping[str, Callable[[Any], float]]] = {}  # numbers that follow from the fields: f(settings)
     NUMBER = Range(0.0, GREATEST)
 
     @classmethod
@@ -57,11 +58,16 @@ class Options(CheckedFields):
             yield field.name, getattr(self, field.name), allowed, notes.get(field.name, "")
 
     def record(self) -> np.ndarray:
-        """Return the (1,) record for compiled code: f8 for numbers, i8 for whole numbers, switches and codes."""
+        """Return the (1,) record for compiled code: f8 for numbers, i8 for whole numbers, switches and codes.
+
+        The derived numbers follow, computed once.
+        """
         record = np.zeros(1, record_type(type(self)))
         for field in fields(self):  # type: ignore[arg-type]
             value = getattr(self, field.name)
             record[field.name] = self.NAMES[field.name][value] if field.name in self.NAMES else value
+        for name, follows in self.DERIVED.items():
+            record[name] = follows(self)
         return record
 
 
@@ -88,7 +94,7 @@ def record_type(kind: type[Options]) -> np.dtype:
     """Return the record dtype of a settings class; always the identical object, so that kernels are compiled once."""
     if kind not in RECORD_TYPES:
         columns = [(field.name, "f8" if field_type_name(field) == "float" else "i8") for field in fields(kind)]  # type: ignore[arg-type]
-        RECORD_TYPES[kind] = np.dtype(columns)
+        RECORD_TYPES[kind] = np.dtype(columns + [(name, "f8") for name in kind.DERIVED])
     return RECORD_TYPES[kind]
 
 

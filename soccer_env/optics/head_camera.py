@@ -7,12 +7,11 @@ of the robot, left positive) and an elevation above the horizontal, both in the 
 `s`: settings of the sensors, the record of a LeggedSensors.
 """
 
-from math import atan2, cos, sin, sqrt, tan
+from math import sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import out_of_frame
-
-SMALLEST_WIDTH, SMALLEST_HEIGHT = 44.0, 36.0  # [px] of the smallest layer; each step of resolution doubles them
+from soccer_env.geometry import atan2, cosine_and_sine, from_polar, out_of_frame
+from soccer_env.leagues.legged_sensors import SMALLEST_HEIGHT, SMALLEST_WIDTH
 
 
 @compiled
@@ -30,13 +29,13 @@ def image_height(s):
 @compiled
 def focal_x(s):
     """Return the horizontal focal length [px]."""
-    return 0.5 * image_width(s) / tan(0.5 * s.view_width)
+    return s.focal_x
 
 
 @compiled
 def focal_y(s):
     """Return the vertical focal length [px]."""
-    return 0.5 * image_height(s) / tan(0.5 * s.view_height)
+    return s.focal_y
 
 
 @compiled
@@ -64,15 +63,16 @@ def tilt_point(ahead, up, level, steep, pivot):
 @compiled
 def camera_place(pan, tilt, s):
     """Return the position of the camera: ahead, left, height [m], robot frame."""
-    forward, height = tilt_point(s.camera_ahead, s.camera_up, cos(tilt), sin(tilt), s.neck_height)
-    return s.neck_ahead + forward * cos(pan), forward * sin(pan), height
+    forward, height = tilt_point(s.camera_ahead, s.camera_up, *cosine_and_sine(tilt), s.neck_height)
+    ahead, left = from_polar(forward, pan)
+    return s.neck_ahead + ahead, left, height
 
 
 @compiled
 def direction_of_pixel(u, v, pan, tilt, s):
     """Return bearing and elevation [rad], robot frame, of the pixel (u, v) of the picture [px]."""
     left, up = u / focal_x(s), v / focal_y(s)
-    ahead = cos(tilt) - up * sin(tilt)
-    high = sin(tilt) + up * cos(tilt)
-    x, y = out_of_frame(ahead, left, cos(pan), sin(pan))
+    cosine, sine = cosine_and_sine(tilt)
+    ahead, high = cosine - up * sine, sine + up * cosine
+    x, y = out_of_frame(ahead, left, *cosine_and_sine(pan))
     return atan2(y, x), atan2(high, sqrt(x * x + y * y))

@@ -27,9 +27,7 @@ HORIZON = 0.98  # [1] of the radius of the ground's horizon; readings are limite
 @compiled
 def mirror_parameters(s: Any) -> Any:
     """Return scale [px], bend [1] and height of the viewpoint [m] of the mirror in the settings."""
-    bend = 2.0 * s.mirror_eccentricity / (1.0 + s.mirror_eccentricity * s.mirror_eccentricity)
-    edge, height = s.mirror_edge, s.camera_height
-    return 0.5 * s.image * (height + bend * sqrt(edge * edge + height * height)) / edge, bend, height
+    return s.mirror_scale, s.mirror_bend, s.camera_height
 
 
 @compiled

@@ -6,12 +6,12 @@ learns which side it plays on. Every robot is told how the match stands, with se
 `k`: the league's constants.
 """
 
-from math import atan2, cos, inf, pi, sin
+from math import inf, pi
 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import attack_direction, into_frame, length, wrap
+from soccer_env.geometry import atan2, attack_direction, cosine_and_sine, into_frame, length, wrap
 from soccer_env.records.ball_words import word_for_distance
 from soccer_env.records.beliefs import clear_slots
 from soccer_env.records.world import World
@@ -48,7 +48,7 @@ def tell_match_state(world, beliefs, asleep, rows, first, last):
 def believe_truth(match, ball, robots, beliefs, tracks, k, r, rows, squares):
     """Fill robot r's belief and its (slots,) tracks with the truth; `rows` and `squares` are scratch for sorting."""
     robot, belief = robots[r], beliefs[r]
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     fill_own_pose(match, robot, belief.own, cosine, sine)
     fill_ball(robot, ball, belief.ball, cosine, sine)
     fill_match_state(match, robots, belief.situation, r)

@@ -91,6 +91,7 @@ OMNI_PERCEPT = ranged_record(
         ("body", BODY_PERCEPT),
         ("age", "f4", AMOUNT),  # [s] since the exposure of this picture
         ("ball", SIGHTING),
+        ("searched", "i1", FLAG),  # 1: this picture was searched for goals and lines; else they are of an earlier one
         ("own_goal", SIGHTING),  # middle of the part that is seen
         ("opponent_goal", SIGHTING),
         ("players", SIGHTING, (OTHERS,)),  # nearest first

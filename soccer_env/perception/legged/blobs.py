@@ -8,21 +8,15 @@ teams. Only pieces in the picture cost a draw.
 
 from math import floor
 
-import numpy as np
-
 from soccer_env.compiled import compiled
 from soccer_env.perception.legged.occlusion import PIECES
 from soccer_env.perception.legged.sketch import BALL, OPPONENT_GOAL, OPPONENTS, OWN_GOAL, PATCHES, TEAMMATES
-from soccer_env.random_numbers import GOLDEN, draw_normal, draw_uniform, mix_bits
+from soccer_env.random_numbers import draw_normal, draw_uniform
 from soccer_env.records.percepts import BLOBS, LANDMARKS
 from soccer_env.types import RobotStream
 
 CAMERA_NOISE = int(RobotStream.CAMERA)
 FALSE_BLOBS = int(RobotStream.FALSE_BLOBS)
-BYTES = np.uint64(0x00FF00FF00FF00FF)  # every other byte
-ONES = np.uint64(0x0001000100010001)  # a multiplication by it puts the sum of all four into the top 16 bits
-MIDDLE = 8.0 * 127.5  # mean of the sum of eight bytes
-UNIT = (12.0 / (8.0 * 65535.0)) ** 0.5  # one over the deviation of that sum
 SCALE_LEAST = 0.1  # [1] least scale of sizes, however large its error
 SPOT = 0.5  # [1] width and height of an orange spot, as shares of its sticker's, assumed
 EDGE = 1e-6  # [px] from the border at which a piece counts as cut off by it
@@ -210,10 +204,10 @@ def measure_blob(camera, piece, blob, scale, noise, s):
     Size and place vary at random by s.dither [px]; a piece that is cut off at an edge of the picture stays at the edge.
     """
     width, height = piece.left - piece.right, piece.high - piece.low
-    columns = round_to_pixels(width * scale + s.dither * draw_bell_curve(noise), 2.0 * camera.half_width)
-    rows = round_to_pixels(height * scale + s.dither * draw_bell_curve(noise), 2.0 * camera.half_height)
-    u = 0.5 * (piece.left + piece.right) + s.dither * draw_bell_curve(noise)
-    v = 0.5 * (piece.high + piece.low) + s.dither * draw_bell_curve(noise)
+    columns = round_to_pixels(width * scale + s.dither * draw_normal(noise, CAMERA_NOISE), 2.0 * camera.half_width)
+    rows = round_to_pixels(height * scale + s.dither * draw_normal(noise, CAMERA_NOISE), 2.0 * camera.half_height)
+    u = 0.5 * (piece.left + piece.right) + s.dither * draw_normal(noise, CAMERA_NOISE)
+    v = 0.5 * (piece.high + piece.low) + s.dither * draw_normal(noise, CAMERA_NOISE)
     left = blob_edge(u, columns, piece.left, piece.right, camera.half_width)
     high = blob_edge(v, rows, piece.high, piece.low, camera.half_height)
     blob.high, blob.low = int(high), int(high - rows)
@@ -238,18 +232,6 @@ def blob_edge(middle, count, high, low, border):
     if low <= EDGE - border:
         return count - border
     return max(min(floor(middle + 0.5 * count + 0.5), border), count - border)
-
-
-@compiled
-def draw_bell_curve(noise):
-    """Draw an approximately normal number of mean 0 and deviation 1: the sum of the eight bytes of one random draw.
-
-    Ten times cheaper than `draw_normal`, and close to the normal distribution; no value lies beyond 4.9.
-    """
-    noise[CAMERA_NOISE] = noise[CAMERA_NOISE] + GOLDEN
-    bits = mix_bits(noise[CAMERA_NOISE])
-    pairs = (bits & BYTES) + ((bits >> np.uint64(8)) & BYTES)  # four sums of two, each in 16 bits
-    return (np.float64((pairs * ONES) >> np.uint64(48)) - MIDDLE) * UNIT
 
 
 @compiled

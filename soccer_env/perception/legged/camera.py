@@ -10,12 +10,12 @@ match makes the same picture bit for bit, and only the blobs made from it are mi
 `s`: settings of the sensors.
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, out_of_frame
+from soccer_env.geometry import cosine_and_sine, into_frame, out_of_frame
 from soccer_env.optics.head_camera import focal_x, focal_y, image_height, image_width, tilt_point
 
 POSE = np.dtype(
@@ -60,8 +60,8 @@ def open_camera(camera, s):
     camera.focal_x, camera.focal_y = focal_x(s), focal_y(s)
     camera.half_width, camera.half_height = 0.5 * image_width(s), 0.5 * image_height(s)
     camera.least_area = 0.25 * s.least_area * (1 << (2 * s.resolution))  # the setting is given at 88x72
-    camera.side_cosine, camera.side_sine = cos(0.5 * s.view_width), sin(0.5 * s.view_width)
-    camera.top_cosine, camera.top_sine = cos(0.5 * s.view_height), sin(0.5 * s.view_height)
+    camera.side_cosine, camera.side_sine = cosine_and_sine(0.5 * s.view_width)
+    camera.top_cosine, camera.top_sine = cosine_and_sine(0.5 * s.view_height)
 
 
 @compiled
@@ -79,10 +79,10 @@ def update_pose_angles(pose, robot, handedness):
     if pose.heading == heading and pose.pan == pan and pose.tilt == robot.tilt:
         return
     pose.heading, pose.pan, pose.tilt = heading, pan, robot.tilt
-    pose.cosine, pose.sine = cos(heading), sin(heading)
-    across, along = sin(pan), cos(pan)
+    pose.cosine, pose.sine = cosine_and_sine(heading)
+    along, across = cosine_and_sine(pan)
     pose.gaze_cosine, pose.gaze_sine = out_of_frame(along, across, pose.cosine, pose.sine)
-    pose.level, pose.steep = cos(pose.tilt), sin(pose.tilt)
+    pose.level, pose.steep = cosine_and_sine(pose.tilt)
 
 
 @compiled

@@ -7,10 +7,10 @@ is never in the way.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from math import cos, inf, sin, sqrt
+from math import inf, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, out_of_frame, point_of_frame
+from soccer_env.geometry import cosine_and_sine, into_frame, out_of_frame, point_of_frame
 from soccer_env.optics.head_camera import camera_place, tilt_point
 from soccer_env.perception.legged.solids import (
     distance_to_boards,
@@ -61,7 +61,7 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
     robot = robots[r]
     x, y, z = camera_place(robot.pan, robot.tilt, s)
     dx, dy, dz = beam_direction(robot.pan, robot.tilt, lateral, vertical)
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     x, y = point_of_frame(robot.x, robot.y, x, y, cosine, sine)
     dx, dy = out_of_frame(dx, dy, cosine, sine)
     nearest = min(distance_to_carpet(z, dz), distance_to_boards(x, y, z, dx, dy, dz, k, s))
@@ -84,9 +84,10 @@ def trace_beam(ball, robots, k, s, r, lateral, vertical):
 @compiled
 def beam_direction(pan, tilt, lateral, vertical):
     """Return the beam's unit vector, robot frame: the optical axis turned left and up by small angles [rad]."""
-    ahead, up = cos(tilt) - vertical * sin(tilt), sin(tilt) + vertical * cos(tilt)
+    cosine, sine = cosine_and_sine(tilt)
+    ahead, up = cosine - vertical * sine, sine + vertical * cosine
     scale = 1.0 / sqrt(1.0 + lateral * lateral + vertical * vertical)
-    x, y = out_of_frame(ahead, lateral, cos(pan), sin(pan))
+    x, y = out_of_frame(ahead, lateral, *cosine_and_sine(pan))
     return scale * x, scale * y, scale * up
 
 
@@ -99,7 +100,7 @@ def robot_extent(k, s):
 @compiled
 def distance_to_robot(x, y, z, dx, dy, dz, other, k, s):
     """Return the distance [m] along a ray to another robot; the ray starts at x, y from that robot, field axes."""
-    cosine, sine = cos(other.heading), sin(other.heading)
+    cosine, sine = cosine_and_sine(other.heading)
     x, y = into_frame(x, y, cosine, sine)
     dx, dy = into_frame(dx, dy, cosine, sine)
     back, front, half_width = hull_edges(k)
@@ -117,8 +118,8 @@ def distance_to_head(x, y, z, dx, dy, dz, other, s):
     the pan, moves with the tilt and has the camera in the middle of its face.
     """
     half = 0.5 * s.head_size
-    ahead, height = tilt_point(s.camera_ahead - half, s.camera_up, cos(other.tilt), sin(other.tilt), s.neck_height)
-    cosine, sine = cos(other.pan), sin(other.pan)
+    ahead, height = tilt_point(s.camera_ahead - half, s.camera_up, *cosine_and_sine(other.tilt), s.neck_height)
+    cosine, sine = cosine_and_sine(other.pan)
     x, y = into_frame(x - s.neck_ahead, y, cosine, sine)
     dx, dy = into_frame(dx, dy, cosine, sine)
     return distance_to_box(x - ahead, y, z - height, dx, dy, dz, half, half, half)

@@ -14,10 +14,8 @@ into each other, so that a collision presses nothing: hence the paper uses the b
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame
+from soccer_env.geometry import cosine_and_sine, from_polar, into_frame
 from soccer_env.optics.head_camera import tilt_point
 
 LEGS = 4
@@ -51,9 +49,10 @@ def chin_touches_ball(ball, robot, k, s):
     if robot.fallen > 0.0 or x * x + y * y > near * near:
         return False
     below = s.camera_up - 0.5 * s.head_size
-    forward, height = tilt_point(s.camera_ahead, below, cos(robot.tilt), sin(robot.tilt), s.neck_height)
-    x, y = into_frame(x, y, cos(robot.heading), sin(robot.heading))
-    x -= s.neck_ahead + forward * cos(robot.pan)
-    y -= forward * sin(robot.pan)
+    forward, height = tilt_point(s.camera_ahead, below, *cosine_and_sine(robot.tilt), s.neck_height)
+    x, y = into_frame(x, y, *cosine_and_sine(robot.heading))
+    ahead, left = from_polar(forward, robot.pan)
+    x -= s.neck_ahead + ahead
+    y -= left
     up = k.ball_radius - height
     return x * x + y * y + up * up <= reach * reach

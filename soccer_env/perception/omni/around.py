@@ -6,12 +6,12 @@ within the angle that its round body fills.
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from math import asin, atan2, cos, sin
+from math import sqrt
 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length, wrap
+from soccer_env.geometry import atan2, cosine_and_sine, into_frame, length, wrap
 
 AROUND = np.dtype(
     [  # another robot, in the axes of the robot that looks
@@ -21,7 +21,6 @@ AROUND = np.dtype(
         ("teammate", "i8"),
     ]
 )
-NEAREST = 1e-9  # [m] below which a distance is not divided by
 
 
 @compiled
@@ -31,7 +30,7 @@ def find_bodies_around(robots, r, k, around):
     Team-mates come first, then opponents, each by number: the same order on both sides of the field.
     """
     me, radius = robots[r], body_radius(k)
-    cosine, sine = cos(me.heading), sin(me.heading)
+    cosine, sine = cosine_and_sine(me.heading)
     count = 0
     for teammate in (1, 0):
         for other in range(robots.shape[0]):
@@ -58,7 +57,7 @@ def body_radius(k):
 @compiled
 def half_angle(radius, distance):
     """Return half of the angle [rad] that a disc fills in the view at a distance; pi / 2 from inside the disc."""
-    return asin(min(radius / max(distance, NEAREST), 1.0))
+    return atan2(radius, sqrt(max(distance * distance - radius * radius, 0.0)))
 
 
 @compiled

@@ -10,7 +10,7 @@ from math import ceil, cos, floor, inf, pi, sin, sqrt
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import out_of_frame
+from soccer_env.geometry import cosine_and_sine, out_of_frame
 from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.perception.omni.around import body_radius
 from soccer_env.perception.omni.sightings import CAMERA, to_pixel
@@ -62,7 +62,7 @@ def draw_map(map, k, s):
 
 @compiled
 def find_lines(robot, lines, around, count, map, mirror, k, s, noise, handedness, colour):
-    """Measure the distance of the first white line in each direction, 0 for none; return the number of lines seen.
+    """Measure the distance of the first white line in each direction, 0 for none.
 
     MH02, MH07, MH08. Steps run over all directions, one after the other, so that the processor takes several at once.
     """
@@ -72,18 +72,24 @@ def find_lines(robot, lines, around, count, map, mirror, k, s, noise, handedness
     for i in range(s.lines):
         map.radius[i] = image_radius(mirror, map.first[i])
     chance = (1.0 - s.line_miss) * colour
-    seen = 0
     for step in range(s.lines):  # to the left or, in a mirrored match, to the right, for the same draws
         i = step if handedness > 0.0 else (s.lines - step) % s.lines
         # the line is seen if the draw is below `chance`; within that range the draw is even and gives the noise
         draw = draw_uniform(noise, CAMERA) if map.first[i] < map.free[i] else chance
         if draw < chance:
             map.radius[i] = max(to_pixel(map.radius[i] + s.pixel_noise * SPAN * (draw / chance - 0.5)), 0.0)
-            seen += 1
         else:
             map.radius[i] = 0.0
     for i in range(s.lines):
         lines[i] = ground_distance(mirror, map.radius[i])
+
+
+@compiled
+def count_lines(lines, s):
+    """Return the number of directions in which a line was seen."""
+    seen = 0
+    for i in range(s.lines):
+        seen += 1 if lines[i] > 0.0 else 0
     return seen
 
 
@@ -105,7 +111,7 @@ def fill_view_lengths(free, around, count, k, s):
 @compiled
 def turn_directions(robot, map, circle, lines):
     """Compute for each direction, turned with the robot, what the search for lines needs to know of the ray."""
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     x, y = robot.x, robot.y
     for i in range(lines):
         dx, dy = out_of_frame(map.cosine[i], map.sine[i], cosine, sine)

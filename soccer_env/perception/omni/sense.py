@@ -20,14 +20,11 @@ from soccer_env.perception.omni.lighting import (
     recognised_share,
     train_colour_table,
 )
-from soccer_env.perception.omni.line_picture import LINE_MAP, draw_map, find_lines
-from soccer_env.perception.omni.lines import TABLES, line_tables
+from soccer_env.perception.omni.line_picture import LINE_MAP, count_lines, draw_map, find_lines
 from soccer_env.perception.omni.sightings import clear_sighting, find_ball, find_goals, find_players
 from soccer_env.perception.sensing import make_sensor_kernel
 from soccer_env.records.percepts import NO_POSE, POSE_TOLD
 from soccer_env.types import MAX_TEAM
-
-__all__ = ["OMNI_SENSOR_STATE", "TABLES", "line_tables", "sense_slice"]
 
 OMNI_SENSOR_STATE = ranged_record(
     [  # state of the sensors that they do not deliver
@@ -88,15 +85,27 @@ def take_picture(match, ball, robots, r, picture, state, pose, light, scratch, k
     count = find_bodies_around(robots, r, k, around)
     find_ball(ball, robot, picture, around, count, mirror, k, s, robot.noise, handedness, colour)
     find_players(picture, around, count, mirror, k, s, robot.noise, handedness, colour)
-    find_goals(match, robot, picture, around, count, mirror, k, s, robot.noise, handedness, colour)
-    lines = find_lines(robot, picture.lines, around, count, maps[0], mirror, k, s, robot.noise, handedness, colour)
-    placed = pose != NO_POSE or lines >= LEAST_LINES
+    picture.searched = is_searched(match, robot, s)
+    if picture.searched == 1:
+        find_goals(match, robot, picture, around, count, mirror, k, s, robot.noise, handedness, colour)
+        find_lines(robot, picture.lines, around, count, maps[0], mirror, k, s, robot.noise, handedness, colour)
+    placed = pose != NO_POSE or count_lines(picture.lines, s) >= LEAST_LINES
     state.table = train_colour_table(state.table, picture.light, s, k.dt, placed)
+
+
+@compiled
+def is_searched(match, robot, s):
+    """Tell whether a robot searches this picture for goals and lines: every few frames, and when it was just placed.
+
+    Only the own pose is read from them. Robots take turns, by number.
+    """
+    return 1 if robot.placed == 1 or (match.step + robot.number) % s.search_every == 0 else 0
 
 
 @compiled
 def clear_picture(picture):
     """Remove everything from a picture, for a robot that is sent off and sees nothing."""
+    picture.searched = 1
     clear_sighting(picture.ball)
     clear_sighting(picture.own_goal)
     clear_sighting(picture.opponent_goal)
@@ -109,13 +118,15 @@ def clear_picture(picture):
 def copy_picture(picture, percept):
     """Copy a picture into the percept."""
     copy_sighting(picture.ball, percept.ball)
-    copy_sighting(picture.own_goal, percept.own_goal)
-    copy_sighting(picture.opponent_goal, percept.opponent_goal)
+    percept.searched = picture.searched
+    if picture.searched == 1:
+        copy_sighting(picture.own_goal, percept.own_goal)
+        copy_sighting(picture.opponent_goal, percept.opponent_goal)
+        percept.lines[:] = picture.lines
     for i in range(picture.players.shape[0]):
         if picture.players[i].seen == 0 and percept.players[i].seen == 0:
             break
         copy_sighting(picture.players[i], percept.players[i])
-    percept.lines[:] = picture.lines
     percept.light = picture.light
 
 

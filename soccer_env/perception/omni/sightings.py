@@ -9,13 +9,13 @@ slower, and lines and goals give the own place to centimetres.
 `k`: the league's constants; `s`: settings of the sensors; `mirror`: the result of `mirror_parameters`.
 """
 
-from math import atan2, cos, exp, floor, inf, log, pi, sin, sqrt
+from math import exp, floor, inf, pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import attack_direction, clip, into_frame, length, wrap
+from soccer_env.geometry import atan2, attack_direction, clip, cosine_and_sine, into_frame, length, wrap
 from soccer_env.optics.mirror_camera import ground_distance, image_radius
 from soccer_env.perception.omni.around import body_radius, half_angle, visible_part
-from soccer_env.random_numbers import draw_uniform
+from soccer_env.random_numbers import draw_normal, draw_uniform
 from soccer_env.types import RobotStream
 
 CAMERA = int(RobotStream.CAMERA)
@@ -44,11 +44,10 @@ def clear_sighting(sighting):
 def measure_sighting(sighting, distance, bearing, farthest, mirror, s, noise, handedness):
     """Measure an object at a noisy whole pixel of the picture; return whether it is within `farthest` [px].  MH02"""
     radius = image_radius(mirror, distance)
-    error = s.pixel_noise * sqrt(-2.0 * log(1.0 - draw_uniform(noise, CAMERA)))  # Box-Muller: two normal draws from two
-    turn = 2.0 * pi * draw_uniform(noise, CAMERA)
-    ahead = to_pixel(radius * cos(bearing) + error * cos(turn))
+    cosine, sine = cosine_and_sine(bearing)
+    ahead = to_pixel(radius * cosine + s.pixel_noise * draw_normal(noise, CAMERA))
     # Straight behind is half a turn to either side: to the left, or in a mirrored match to the right.
-    left = handedness * to_pixel(handedness * radius * sin(bearing) + error * sin(turn))
+    left = handedness * to_pixel(handedness * radius * sine + s.pixel_noise * draw_normal(noise, CAMERA))
     radius = length(ahead, left)
     if radius > farthest:
         return False
@@ -72,7 +71,7 @@ def find_ball(ball, robot, percept, around, count, mirror, k, s, noise, handedne
     """
     sighting = percept.ball
     clear_sighting(sighting)
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
     distance, bearing = length(x, y), atan2(left, ahead)

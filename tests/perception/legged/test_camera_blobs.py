@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from soccer_env.perception.legged.blobs import draw_bell_curve
 from soccer_env.perception.legged.sketch import BALL, OPPONENTS, PATCHES
 from tests.perception.legged.staged_picture import Scene
 
@@ -80,11 +79,6 @@ def test_dither_flickers_by_its_deviation_and_not_on_average_by_a_bell_curve_tha
     middles, middle = 0.5 * (frames["left"] + frames["right"]), 0.5 * (piece["left"] + piece["right"])
     assert middles.mean() == pytest.approx(middle, abs=0.03)
     assert abs(np.corrcoef(width, height)[0, 1]) < 0.06
-    noise = np.arange(16).astype(np.uint64)
-    draws = np.array([draw_bell_curve(noise) for _ in range(100_000)])
-    assert (draws.mean(), draws.std()) == pytest.approx((0.0, 1.0), abs=0.01)
-    for limit, share in ((1.0, 0.3173), (2.0, 0.0455), (3.0, 0.0027)):
-        assert (abs(draws) > limit).mean() == pytest.approx(share, rel=0.05, abs=0.0012)
 
 
 def test_the_scale_of_sizes_is_drawn_once_for_each_robot() -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from soccer_env import Match
 from tests.scenes.staging import MIDDLE, stage
 
-NOW = {"camera_delay": 0}
+NOW = {"camera_delay": 0, "search_every": 1}
 SHARP = {"pixel_noise": 0.0, **NOW}  # nothing but whole pixels
 SURE = {  # what can be seen is seen
     **dict.fromkeys(("ball_miss", "player_miss", "goal_miss", "line_miss", "false_balls"), 0.0),
