@@ -3,11 +3,11 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import acos, atan2, sqrt
+from math import acos, sqrt
 
 from soccer_env.baselines.chaser.boards import free_ball_from_corner, is_ball_cornered, sweep_along_board
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, wrap
+from soccer_env.geometry import atan2, clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_OMNI
 from soccer_env.skills.carrying import SLOW, is_opposed, line_speed, turn_to_goal
 from soccer_env.skills.kicking import (

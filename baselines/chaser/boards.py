@@ -8,10 +8,10 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import cos, pi, sin
+from math import pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import clip, cosine_and_sine, length, wrap
 from soccer_env.skills.moves import LARGE_TURN, go, leave_boards
 from soccer_env.skills.sight import ball_room, side_of
 
@@ -72,7 +72,7 @@ def free_ball_from_corner(command, sight, memory, k, play):
 def approach_cornered_ball(command, sight, memory, k, play):
     """Approach a ball in a corner: go to the approach line, then along it; begin the sweep on contact."""
     way, out = sweep_directions(sight.ball_x, sight.ball_y, k)
-    ux, uy = cos(way), sin(way)
+    ux, uy = cosine_and_sine(way)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
     off = wrap(way - sight.heading)
     touching = sight.distance < sight.touch + TOUCHING

@@ -8,10 +8,10 @@ it. A ball farther away is kept in the lower part of the picture, the horizon in
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, cos, pi, sin
+from math import pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, point_of_frame
+from soccer_env.geometry import atan2, clip, cosine_and_sine, point_of_frame
 from soccer_env.skills.searching import point_head, sweep_head
 from soccer_env.skills.sight import side_of
 
@@ -58,7 +58,7 @@ def time_phantom(belief, memory, k, play):
     if play.beyond <= 0.0 or belief.ball.age > 0.0 or belief.ball.confidence <= 0.0:
         return
     own, ball = belief.own, belief.ball
-    x, y = point_of_frame(own.x, own.y, ball.x, ball.y, cos(own.heading), sin(own.heading))
+    x, y = point_of_frame(own.x, own.y, ball.x, ball.y, *cosine_and_sine(own.heading))
     off = abs(x) > 0.5 * k.pitch_length + play.beyond or abs(y) > 0.5 * k.pitch_width + play.beyond
     memory.phantom = memory.phantom + k.dt if off else 0.0
 

@@ -5,12 +5,12 @@ With a kicker it kicks the ball clear; without one, in the middle-size league, i
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, pi
+from math import pi
 
 from soccer_env.baselines.chaser.attacking import approach
 from soccer_env.baselines.chaser.boards import is_ball_cornered
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length
+from soccer_env.geometry import atan2, clip, into_frame, length
 from soccer_env.skills.carrying import turn_to_goal
 from soccer_env.skills.keeping_rules import is_in_own_area
 from soccer_env.skills.kicking import BLOCKED, is_blocked, is_foiled, kick_aside

@@ -3,10 +3,8 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import atan2, clip, length
 from soccer_env.skills.keeping_rules import ROOM as AREA_ROOM
 from soccer_env.skills.keeping_rules import out_of_own_area
 from soccer_env.skills.moves import go

@@ -16,8 +16,6 @@ random but the patience with a stuck ball, so that mirrored beliefs give mirrore
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 import numpy as np
 
 from soccer_env.baselines.chaser.attacking import attack
@@ -25,7 +23,7 @@ from soccer_env.baselines.chaser.glancing import PHANTOM, look_up
 from soccer_env.baselines.chaser.goalkeeping import keep_goal
 from soccer_env.baselines.chaser.supporting import support
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, wrap
+from soccer_env.geometry import atan2, length, wrap
 from soccer_env.guards.checking import check_finite_number, check_names
 from soccer_env.guards.ranges import NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League

@@ -3,7 +3,7 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, inf
+from math import inf
 
 from soccer_env.baselines.chaser.attacking import (
     DEFENDED,
@@ -19,7 +19,7 @@ from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.passing import choose_pass, pass_strength
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import atan2, clip, length
 from soccer_env.skills.carrying import is_pressed
 from soccer_env.skills.kicking import is_at_kicker
 from soccer_env.skills.moves import rotate_vector, shot_room

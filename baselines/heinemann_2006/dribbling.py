@@ -11,12 +11,10 @@ its own centre.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 from soccer_env.baselines.heinemann_2006.driving import note_crowd, plan_to
 from soccer_env.baselines.weigel_2001.planner.measuring import place_along_path
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import atan2, clip, length, wrap
 from soccer_env.skills.carrying import pushing_speed
 
 LEAST = 0.15  # [m/s] ahead while it turns, so that the ball stays at the kicker, assumed

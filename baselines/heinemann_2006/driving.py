@@ -13,14 +13,14 @@ camera and from its team-mates' reports by radio. The goals, with posts and nets
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, sqrt
+from math import sqrt
 
 from soccer_env.baselines.heinemann_2006.settings import PLANNERS
 from soccer_env.baselines.weigel_2001.planner.measuring import place_along_path
 from soccer_env.baselines.weigel_2001.planner.planning import plan_way
 from soccer_env.baselines.weigel_2001.planner.records import MOST_OBSTACLES
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, wrap
+from soccer_env.geometry import atan2, clip, into_frame, length, wrap
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
 from soccer_env.skills.moves import (
     FOUGHT_FOR,

@@ -6,8 +6,6 @@ ball: a path may end at a ring of robots, or a player may wait for an opponent t
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 from soccer_env.baselines.chaser.attacking import ball_comes_to_me, receive_ball
 from soccer_env.baselines.chaser.supporting import support_point
 from soccer_env.baselines.chaser.team import time_stuck_ball
@@ -18,7 +16,7 @@ from soccer_env.baselines.heinemann_2006.memory import KEEPER
 from soccer_env.baselines.heinemann_2006.passing import open_place, own_team_is_nearer
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import atan2, clip, length
 from soccer_env.skills.deciding import PLAY, required_ball_distance
 from soccer_env.skills.searching import LOST, end_search, search_for_ball
 from soccer_env.skills.set_pieces import (

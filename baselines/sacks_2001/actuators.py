@@ -5,10 +5,10 @@ Each function writes a command. A walk command takes effect when the gait's pres
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, cos, pi, sin
+from math import pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length
+from soccer_env.geometry import atan2, clip, from_polar, into_frame, length
 from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.skills.moves import avoid_others, push, turn_by
 from soccer_env.skills.sight import predict_ball, side_of
@@ -78,7 +78,7 @@ def turn_with_ball(command, sight, k, play, angle):
 @compiled
 def step_with_ball(command, sight, k, play, off, speed, turn):
     """Push the ball at a speed [m/s] in a direction `off` [rad] from straight ahead, turning by `turn` [rad].  MS45"""
-    ahead, left = speed * cos(off), speed * sin(off)
+    ahead, left = from_polar(speed, off)
     command.forward = sight.pace * min(ahead / (k.drive_forward if ahead > 0.0 else k.drive_backward), 1.0)
     command.left = sight.pace * clip(left / max(k.drive_sideways, 1e-6), -1.0, 1.0)
     command.turn = sight.pace * clip(turn / (play.settle * k.drive_turn), -play.dribble_turn, play.dribble_turn)

@@ -3,11 +3,9 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import cos, sin
-
 from soccer_env.baselines.sacks_2001.memory import PASS, SHOOT
 from soccer_env.compiled import compiled
-from soccer_env.geometry import point_of_frame
+from soccer_env.geometry import cosine_and_sine, point_of_frame
 
 NEVER = 1e9  # [s]
 JUST_NOW, JUST_SEEN = 0.01, 0.15  # [s]
@@ -38,7 +36,7 @@ def is_ball_outside(belief, k, play):
     own, ball = belief.own, belief.ball
     if own.confidence < play.unsure:
         return False
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     x, y = point_of_frame(own.x, own.y, ball.x, ball.y, cosine, sine)
     room = OUTSIDE + OUTSIDE_SHARE * ball.distance
     return abs(x) > 0.5 * k.pitch_length + room or abs(y) > 0.5 * k.pitch_width + room

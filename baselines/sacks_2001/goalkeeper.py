@@ -7,10 +7,8 @@ goalkeeper does with a ball that it has: kicking it clear is ours.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import atan2, clip, length
 from soccer_env.skills.moves import clearing_direction, faces, go, turn_by
 
 FAST = 0.6  # [m/s] a ball that comes nearer faster is met without delay; speed of a ball of unknown speed, assumed

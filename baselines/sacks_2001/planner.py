@@ -13,8 +13,6 @@ commands legs and head.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 from soccer_env.baselines.sacks_2001.actuators import (
     glance,
     look_ahead,
@@ -58,7 +56,7 @@ from soccer_env.baselines.sacks_2001.stuck import (
     watch_approach,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import wrap
+from soccer_env.geometry import atan2, wrap
 from soccer_env.skills.deciding import required_ball_distance
 from soccer_env.skills.keeping_rules import is_in_own_area, leave_area, may_not_enter, wait_at_area
 from soccer_env.skills.kicking import aim_kick, choose_kick_side, is_blocked_ahead

@@ -6,10 +6,10 @@ believes itself nearer than the others say attacks; the others support.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, inf
+from math import inf
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import atan2, clip, length
 from soccer_env.skills.keeping_rules import ROOM, may_not_enter, out_of_own_area
 from soccer_env.skills.moves import go
 from soccer_env.skills.sight import side_of

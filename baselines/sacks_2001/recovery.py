@@ -3,12 +3,10 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import cos, sin
-
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE, SIDESTEP
 from soccer_env.baselines.sacks_2001.stuck import reset_approach_counters
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length
+from soccer_env.geometry import cosine_and_sine, into_frame, length
 from soccer_env.skills.sight import side_of
 
 FACING = 0.15  # [rad] to the ball: within it a robot faces the ball, assumed
@@ -59,7 +57,7 @@ def side_to_step(belief, tracks, k, play):
         crowd = surplus_on_left(tracks, play)
         if crowd != 0:
             return -1.0 if crowd > 0 else 1.0
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     to_x, to_y = 0.5 * k.pitch_length - own.x, -own.y
     ahead, left = into_frame(to_x, to_y, cosine, sine)
     ahead, left = ahead - ball.x, left - ball.y  # from ball to goal

@@ -8,11 +8,9 @@ dribbler's shots; `choose_shots` is ours.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2
-
 from soccer_env.baselines.sacks_2001.steering import direction_to_goal, force_of_players
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, wrap
+from soccer_env.geometry import atan2, length, wrap
 from soccer_env.skills.moves import choose_shot, lane_room, rotate_vector, shot_room
 
 NEAREST_PASS, FARTHEST_PASS = 0.4, 1.4  # [m] a soft kick rolls about a metre, assumed

@@ -6,11 +6,11 @@ off straight ahead (MS48)  ->  a step of 3.5 cm (MS45)
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, cos, sin
+from math import cos
 
 from soccer_env.baselines.sacks_2001.forces import as_sensed, goal_force, player_force, repulsion, wall_force
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, out_of_frame, wrap
+from soccer_env.geometry import atan2, clip, cosine_and_sine, from_polar, length, out_of_frame, wrap
 from soccer_env.skills.sight import side_of
 
 SAME = 0.6  # [rad] within which the ranger's obstacle is taken to be one of the players, assumed  MS49
@@ -42,7 +42,7 @@ def choose_dribble_direction(belief, tracks, memory, k, play):
 @compiled
 def force_of_players(belief, tracks, goal_x, goal_y, k, play):
     """Return the summed force of other players, team frame; the ranger's obstacle replaces its player.  MS49"""
-    cosine, sine = cos(belief.own.heading), sin(belief.own.heading)
+    cosine, sine = cosine_and_sine(belief.own.heading)
     replaced = player_of_obstacle(belief.obstacle, tracks, k, play)
     push_x = push_y = 0.0
     for slot in range(tracks.shape[0]):
@@ -63,7 +63,7 @@ def force_of_players(belief, tracks, goal_x, goal_y, k, play):
 @compiled
 def obstacle_as_sensed(obstacle, k, play):
     """Return the vector [m], robot frame, to the ranger's obstacle, as long as the ranger's reading.  MS42, MS49"""
-    x, y = obstacle.distance * cos(obstacle.bearing), obstacle.distance * sin(obstacle.bearing)
+    x, y = from_polar(obstacle.distance, obstacle.bearing)
     return as_sensed(x, y, k, play)
 
 

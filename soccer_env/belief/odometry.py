@@ -1,11 +1,9 @@
 """Correction of remembered positions for the robot's own motion.  [Sacks 2001, 3.1.1, 4.1.2]  MS15, MS36"""
 
-from math import cos, sin
-
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame
+from soccer_env.geometry import cosine_and_sine, into_frame
 
 
 @compiled
@@ -24,4 +22,4 @@ def move_point(x, y, forward, left, turn):
     x, y: the point in the old frame [m]; forward, left: the displacement [m] in the old axes; turn [rad], left
     positive. Exact for any motion: only the first and the last pose of a rigid body count, not the path between.
     """
-    return into_frame(x - forward, y - left, cos(turn), sin(turn))
+    return into_frame(x - forward, y - left, *cosine_and_sine(turn))

@@ -6,12 +6,12 @@ so are the referee's clocks.
 `k`: the league's constants.
 """
 
-from math import cos, inf, sin, sqrt
+from math import inf, sqrt
 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame
+from soccer_env.geometry import clip, cosine_and_sine, from_polar, into_frame
 from soccer_env.leagues.constants import has_ranger
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import write_command, write_joints, write_status_flags
@@ -115,7 +115,7 @@ def write_body(robot, belief, row, k):
     own = belief.own
     row.own_x = clip(own.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = clip(own.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
-    row.own_cos, row.own_sin = cos(own.heading), sin(own.heading)
+    row.own_cos, row.own_sin = cosine_and_sine(own.heading)
     row.own_forward = clip(own.forward / k.drive_forward, -1.0, 1.0)
     row.own_left = clip(own.left / k.drive_forward, -1.0, 1.0)
     row.own_turn = clip(own.turn / k.drive_turn, -1.0, 1.0)
@@ -137,8 +137,8 @@ def write_ball(ball, row, k, diagonal):
     row.ball_cos, row.ball_sin = clip(ball.x / away, -1.0, 1.0), clip(ball.y / away, -1.0, 1.0)
     row.ball_near = near / (distance + near)
     row.ball_vx, row.ball_vy = soft_scale(ball.vx, slow), soft_scale(ball.vy, slow)
-    row.ball_raw_x = soft_scale(ball.distance * cos(ball.bearing), near)
-    row.ball_raw_y = soft_scale(ball.distance * sin(ball.bearing), near)
+    x, y = from_polar(ball.distance, ball.bearing)
+    row.ball_raw_x, row.ball_raw_y = soft_scale(x, near), soft_scale(y, near)
     row.ball_radial, row.ball_angular = soft_scale(ball.radial, slow), soft_scale(ball.angular, 1.0)
     row.ball_confidence, row.ball_age = ball.confidence / SURE, soft_age(ball.age)
 
@@ -146,7 +146,7 @@ def write_ball(ball, row, k, diagonal):
 @compiled
 def write_goals(own, row, k, diagonal):
     """Write the positions of the two goals, relative to the believed pose, into an observation."""
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     goal = 0.5 * k.pitch_length
     ahead, left = into_frame(goal - own.x, -own.y, cosine, sine)
     row.goal_x, row.goal_y = clip(ahead / diagonal, -1.0, 1.0), clip(left / diagonal, -1.0, 1.0)
@@ -180,7 +180,7 @@ def write_obstacle(obstacle, row, diagonal):
     near, bearing = NEAR * diagonal, np.float64(obstacle.bearing)
     there = 1.0 if obstacle.distance > 0.0 else 0.0
     row.obstacle_near = there * near / (obstacle.distance + near)
-    row.obstacle_cos, row.obstacle_sin = there * cos(bearing), there * sin(bearing)
+    row.obstacle_cos, row.obstacle_sin = from_polar(there, bearing)
 
 
 @compiled
@@ -191,7 +191,7 @@ def write_player(track, row, k, diagonal):
     row.present = used
     row.x, row.y = used * clip(track.x / diagonal, -1.0, 1.0), used * clip(track.y / diagonal, -1.0, 1.0)
     row.vx, row.vy = used * clip(track.vx * speed, -1.0, 1.0), used * clip(track.vy * speed, -1.0, 1.0)
-    row.cos, row.sin = used * cos(track.heading), used * sin(track.heading)
+    row.cos, row.sin = from_polar(used, track.heading)
     row.confidence, row.age = used * track.confidence / SURE, used * soft_age(track.age)
 
 

@@ -3,9 +3,10 @@
 `k`: the league's constants.
 """
 
-from math import cos, pi, sin
+from math import pi
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import cosine_and_sine
 from soccer_env.observations.entry import NONE, OWN_COMMAND, ROBOT, TURN, Entry, X, Y, copy_to_group
 
 JOINTS = copy_to_group(
@@ -35,7 +36,7 @@ COMMAND = copy_to_group(
 def write_joints(robot, row, k):
     """Write the entries `JOINTS` of an observation: gait phase, pan and tilt of the head, state of the kicker."""
     phase = 2.0 * pi * robot.gait_phase / k.gait_steps
-    row.gait_cos, row.gait_sin = (cos(phase), sin(phase)) if k.gait_steps > 1 else (0.0, 0.0)
+    row.gait_cos, row.gait_sin = cosine_and_sine(phase) if k.gait_steps > 1 else (0.0, 0.0)
     row.pan, row.tilt = robot.pan / pi, robot.tilt / (0.5 * pi)
     row.kick_ready = 1.0 if robot.kick_clock == 0.0 else (0.0 if robot.kick_clock > 0.0 else -1.0)
 

@@ -3,10 +3,8 @@
 `k`: the league's constants; `s`: settings of the sensors.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip
+from soccer_env.geometry import clip, from_polar
 from soccer_env.leagues.league import League
 from soccer_env.observations.belief import write_game
 from soccer_env.observations.entry import NONE, ROBOT, SIDE, Entry, X, Y, entries_dtype, object_entries
@@ -64,6 +62,6 @@ def write_sighting(sighting, observation, at):
     """Write a camera sighting into the observation, starting at index `at`; return the next index."""
     row, seen = record_view(observation, at, SIGHTING_ROW), 1.0 if sighting.seen == 1 else 0.0
     row.seen = seen
-    row.cos, row.sin = seen * cos(sighting.bearing), seen * sin(sighting.bearing)
+    row.cos, row.sin = from_polar(seen, sighting.bearing)
     row.near = seen * HALF / (sighting.distance + HALF)
     return at + SIGHTING_SIZE

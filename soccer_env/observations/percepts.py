@@ -6,10 +6,8 @@ The robot's own pose is included only while the noisy pose is a percept (`pose="
 `k`: the league's constants.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip
+from soccer_env.geometry import clip, from_polar
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_joints, write_status_flags
 from soccer_env.observations.entry import NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group, entries_dtype
 
@@ -46,7 +44,7 @@ def write_body(body, robot, row, k):
     row.pose_known = known
     row.own_x = known * clip(body.x / (0.5 * k.pitch_length + k.pitch_goal_depth), -1.0, 1.0)
     row.own_y = known * clip(body.y / (0.5 * k.pitch_width + k.pitch_band_side), -1.0, 1.0)
-    row.own_cos, row.own_sin = known * cos(body.heading), known * sin(body.heading)
+    row.own_cos, row.own_sin = from_polar(known, body.heading)
     row.odometry_forward = clip(body.forward / (k.drive_forward * k.dt), -1.0, 1.0)
     row.odometry_left = clip(body.left / (k.drive_forward * k.dt), -1.0, 1.0)
     row.odometry_turn = clip(body.turn / (k.drive_turn * k.dt), -1.0, 1.0)

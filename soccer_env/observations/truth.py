@@ -6,12 +6,12 @@ names every number, and the compiled writers below write each by its name.
 `k`: the league's constants.
 """
 
-from math import cos, inf, sin, sqrt
+from math import inf, sqrt
 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import attack_direction, clip, into_frame
+from soccer_env.geometry import attack_direction, clip, cosine_and_sine, into_frame
 from soccer_env.leagues.league import League
 from soccer_env.observations.body import COMMAND, DUTY, JOINTS, write_command, write_joints, write_status_flags
 from soccer_env.observations.entry import (
@@ -113,7 +113,7 @@ def observe_truth(match, ball, robots, observations, k, axes, rows, squares):
     Scratch arrays: `axes` (R, 2) for cosine and sine of the headings, `rows` and `squares` to sort players.
     """
     for r in range(robots.shape[0]):
-        axes[r, 0], axes[r, 1] = cos(robots[r].heading), sin(robots[r].heading)
+        axes[r, 0], axes[r, 1] = cosine_and_sine(robots[r].heading)
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
     for r in range(robots.shape[0]):
         observation, at = observations[r], FIXED_SIZE

@@ -7,10 +7,8 @@ Chipmunk's own list of contacts is not used: its order differs between processes
 
 from __future__ import annotations
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, point_of_frame
+from soccer_env.geometry import clip, cosine_and_sine, into_frame, length, point_of_frame
 from soccer_env.physics.block import (
     foreleg_spread,
     forelegs_gap,
@@ -36,7 +34,7 @@ def paws_gap(robot, k, ball_x, ball_y, handedness):
     """Return the distance [m] between the ball and a robot's outline, its legs where they are in the stroke.  MS51"""
     if k.legs == 0:
         return ball_gap(robot, k, ball_x, ball_y)
-    ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
+    ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, *cosine_and_sine(robot.heading))
     gap = trunk_gap(k, ahead, left)
     blocks = is_blocking(robot, k)
     if blocks:
@@ -51,7 +49,7 @@ def paws_gap(robot, k, ball_x, ball_y, handedness):
 @compiled
 def outline_gap(robot, k, x, y):
     """Return the distance [m] of a point of the field from a robot's outline, its legs in mid-stroke."""
-    return outline_gap_of(robot, k, x, y, cos(robot.heading), sin(robot.heading))
+    return outline_gap_of(robot, k, x, y, *cosine_and_sine(robot.heading))
 
 
 @compiled
@@ -154,8 +152,8 @@ def robots_touch(robot, other, k):
 
     Legs are taken in mid-stroke, where they hold other robots (see `solver/posts.py`).
     """
-    cosine, sine = cos(robot.heading), sin(robot.heading)
-    its_cosine, its_sine = cos(other.heading), sin(other.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
+    its_cosine, its_sine = cosine_and_sine(other.heading)
     return points_touch(robot, other, k, cosine, sine, its_cosine, its_sine) or points_touch(
         other, robot, k, its_cosine, its_sine, cosine, sine
     )

@@ -9,10 +9,10 @@ Paws swing with the gait (MS51) and spread for a block (MS53).
 
 from __future__ import annotations
 
-from math import atan2, cos, sin, sqrt
+from math import sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, out_of_frame, step_toward
+from soccer_env.geometry import atan2, clip, cosine_and_sine, into_frame, length, out_of_frame, step_toward
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL, WHEELS_OMNI
 from soccer_env.optics.head_camera import tilt_at
 from soccer_env.physics.block import foreleg_spread, paw_shift
@@ -103,7 +103,7 @@ def set_wanted_velocity(robot, k, stance):
     applies the force in every substep.
     """
     forward, left = robot.walk.forward * robot.slip.forward, robot.walk.left * robot.slip.left
-    stance.vx, stance.vy = out_of_frame(forward, left, cos(robot.heading), sin(robot.heading))
+    stance.vx, stance.vy = out_of_frame(forward, left, *cosine_and_sine(robot.heading))
     stance.active = robot.active
     stance.omega = robot.walk.turn * robot.slip.turn
     stance.caught_by, stance.caught_leg, stance.caught_gap = robot.caught_by, robot.caught_leg, robot.caught_gap
@@ -159,7 +159,7 @@ def move_head(robot, k, ball):
 @compiled
 def gaze_at(robot, k, ball):
     """Return the pan and tilt [rad] at which the camera looks at the ball."""
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     x, y = ball.x - robot.x, ball.y - robot.y
     ahead, left = into_frame(x, y, cosine, sine)
     down = k.head_camera_height - k.ball_radius

@@ -13,10 +13,8 @@ not turn it: wheels and paws bear the torque.
 
 from __future__ import annotations
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, point_of_frame
+from soccer_env.geometry import clip, cosine_and_sine, into_frame, length, point_of_frame
 from soccer_env.physics.block import begin_block, is_blocking, may_block, most_reach_walking
 from soccer_env.physics.contacts import TOUCH_GAP, paws_gap
 from soccer_env.random_numbers import draw_normal, draw_uniform
@@ -89,7 +87,7 @@ def finish_kick(robots, r, events, k, ball, handedness):
         left = luck > 1.0 - 0.5 * k.kicker_squirt * (1.0 - k.kicker_miss)
         events.squirt = int(handedness) if left else -int(handedness)
     direction = robot.heading + robot.kick_side * k.kicker_aside + (1.0 + badness) * stray
-    ahead, aside = cos(direction), sin(direction)
+    ahead, aside = cosine_and_sine(direction)
     speed = pace * kick_speed(k, robot.kick_strength)
     ball.vx += speed * ahead
     ball.vy += speed * aside
@@ -142,7 +140,7 @@ def squirt_ball(ball, robots, robot_events, k, handedness):
     for r in range(robots.shape[0]):
         if robot_events[r].squirt == 0:
             continue
-        cosine, sine = cos(robots[r].heading), sin(robots[r].heading)
+        cosine, sine = cosine_and_sine(robots[r].heading)
         ahead, _ = into_frame(ball.x - robots[r].x, ball.y - robots[r].y, cosine, sine)
         for turn in range(2):
             side = float(robot_events[r].squirt) * (1.0 - 2.0 * turn)
@@ -185,7 +183,7 @@ def holds_ball(robot, k, ball_x, ball_y):
 @compiled
 def place_at_kicker(robot, k, ball_x, ball_y):
     """Return the distance of the ball's near side ahead of the front, and of its centre to the left [m, m]."""
-    ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, cos(robot.heading), sin(robot.heading))
+    ahead, left = into_frame(ball_x - robot.x, ball_y - robot.y, *cosine_and_sine(robot.heading))
     return ahead - k.body_front - k.ball_radius, left
 
 

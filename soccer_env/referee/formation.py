@@ -3,10 +3,10 @@
 `k`: the league's constants.
 """
 
-from math import atan2, pi
+from math import pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import attack_direction, clip, length, wrap
+from soccer_env.geometry import atan2, attack_direction, clip, length, wrap
 from soccer_env.random_numbers import draw_uniform
 from soccer_env.referee.set_pieces import defender_place, has_to_pass, move_out_of_area, receiver_place, way_to_receiver
 from soccer_env.types import NO_TEAM, Phase, RobotStream

@@ -7,12 +7,12 @@ favoured; the handedness of the match decides which side of the straight path is
 `k`: the league's constants.
 """
 
-from math import atan2, cos, pi, sin, sqrt
+from math import cos, pi, sin, sqrt
 
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import attack_direction, clip, length
+from soccer_env.geometry import atan2, attack_direction, clip, cosine_and_sine, length
 from soccer_env.types import Phase
 
 PLAY, KICK_OFF, DROP_BALL = int(Phase.PLAY), int(Phase.KICK_OFF), int(Phase.DROP_BALL)
@@ -184,7 +184,7 @@ def capsule(k):
 @compiled
 def spine_gap(x, y, other_x, other_y, heading, half):
     """Return the distance [m] of a point from the spine of a robot."""
-    ahead_x, ahead_y = cos(heading), sin(heading)
+    ahead_x, ahead_y = cosine_and_sine(heading)
     along = clip((x - other_x) * ahead_x + (y - other_y) * ahead_y, -half, half)
     return length(x - other_x - along * ahead_x, y - other_y - along * ahead_y)
 

@@ -9,10 +9,8 @@ All other robots stand in the rows of `formation`. Assumed: teams line up like t
 `k`: the league's constants.
 """
 
-from math import atan2
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import atan2, length
 from soccer_env.types import Phase
 
 KICK_OFF, PENALTY_KICK = int(Phase.KICK_OFF), int(Phase.PENALTY_KICK)

@@ -6,10 +6,10 @@ place lies inside, drives to the ring behind its place, turns, and steps up to t
 `k`: the league's constants.
 """
 
-from math import asin, atan2, cos, sin, sqrt
+from math import asin, cos, sin, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, out_of_frame, wrap
+from soccer_env.geometry import atan2, clip, cosine_and_sine, into_frame, length, out_of_frame, wrap
 from soccer_env.physics.contacts import paws_gap
 from soccer_env.physics.gait import most_swing
 
@@ -44,7 +44,7 @@ def steer_to_place(match, robot, k):
         to_x, to_y = paced_velocity(k, to_x, to_y)
         to_x, to_y = avoid_ring(k, x, y, to_x, to_y, ring)
         turn = turn if may_turn else 0.0
-    ahead, left = into_frame(to_x, to_y, cos(robot.heading), sin(robot.heading))
+    ahead, left = into_frame(to_x, to_y, *cosine_and_sine(robot.heading))
     if k.drive_sideways <= 0.0:  # a differential base cannot step aside: it turns towards the place first
         ahead, left, turn = steer_without_sidestep(ahead, left, turn, length(place_x - x, place_y - y), may_turn)
     robot.command.forward = clip(ahead, -1.0, 1.0)
@@ -97,7 +97,7 @@ def path_round_ring(x, y, to_x, to_y, ring, handedness):
     away = length(x, y)
     side = handedness if across == 0.0 else (1.0 if across > 0.0 else -1.0)
     angle = -side * asin(min(ring / max(away, 1e-6), 1.0))
-    ahead, left = out_of_frame(-x, -y, cos(angle), sin(angle))
+    ahead, left = out_of_frame(-x, -y, *cosine_and_sine(angle))
     share = distance / max(away, 1e-6)
     return share * ahead, share * left
 

@@ -3,10 +3,10 @@
 `k`: the league's constants.
 """
 
-from math import asin, atan2, inf, pi, sqrt
+from math import asin, inf, pi, sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import attack_direction, clip, length
+from soccer_env.geometry import atan2, attack_direction, clip, length
 from soccer_env.statistics.flights import ON_TARGET, predict_aim
 from soccer_env.types import NO_TEAM
 

@@ -3,10 +3,10 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, sqrt
+from math import sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, step_toward, wrap
+from soccer_env.geometry import atan2, clip, length, step_toward, wrap
 from soccer_env.skills.moves import free_roll_distance, goal_room
 from soccer_env.skills.sight import is_opponent_near
 

@@ -7,10 +7,10 @@ nearest to the ball may push opponents on its way to the ball, but never a goalk
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, inf
+from math import inf
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length, out_of_frame
+from soccer_env.geometry import atan2, into_frame, length, out_of_frame
 from soccer_env.skills.moves import go, push
 from soccer_env.skills.sight import side_of
 

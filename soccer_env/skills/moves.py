@@ -6,10 +6,10 @@ Lengths are in metres of the team frame unless a name says otherwise.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, cos, sin, sqrt
+from math import sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, out_of_frame, wrap
+from soccer_env.geometry import atan2, clip, cosine_and_sine, into_frame, length, out_of_frame, wrap
 from soccer_env.leagues.robot import GAIT, WHEELS_DIFFERENTIAL, WHEELS_OMNI
 from soccer_env.skills.sight import side_of
 
@@ -27,7 +27,7 @@ KEPT_OFF = 0.05  # [m] kept between robots off the ball, assumed
 GOAL_SPOTS = 4  # pairs of spots between the posts that a shot can be aimed at, beside the middle
 FAN = 5  # directions to either side of the goal's that are looked at when no shot is open
 FAN_STEP = 0.35  # [rad] between them, assumed
-FAN_COSINE, FAN_SINE = cos(FAN_STEP), sin(FAN_STEP)
+FAN_COSINE, FAN_SINE = cosine_and_sine(FAN_STEP)
 FAN_COST = 0.1  # [1] room that a way may lose for each radian nearer to the goal, assumed
 OUT_COST = 0.5  # [1] the same for the share of a way that lies out of the pitch, assumed
 WIDE_ENOUGH = 0.12  # [rad] more room than this beside a shot is worth nothing, assumed
@@ -295,4 +295,4 @@ def free_roll_distance(sight, k, ux, uy):
 @compiled
 def rotate_vector(ux, uy, angle):
     """Return a vector turned by an angle [rad]."""
-    return out_of_frame(ux, uy, cos(angle), sin(angle))
+    return out_of_frame(ux, uy, *cosine_and_sine(angle))

@@ -5,10 +5,10 @@ A head that can turn sweeps over the pitch meanwhile. A goalkeeper looks up the 
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, pi
+from math import pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import atan2, clip, length, wrap
 from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.skills.moves import go, leave_boards, step_to
 from soccer_env.skills.sight import side_of

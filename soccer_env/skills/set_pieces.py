@@ -6,10 +6,10 @@ touched it, and the taker's nearest mate goes for the ball.
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from math import atan2, sqrt
+from math import sqrt
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length, wrap
+from soccer_env.geometry import atan2, clip, length, wrap
 from soccer_env.skills.deciding import PLAY
 from soccer_env.skills.moves import go, turn_by
 from soccer_env.skills.sight import side_of

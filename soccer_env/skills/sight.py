@@ -7,12 +7,10 @@ even, sine terms odd.
 `k`: the league's constants.
 """
 
-from math import atan2, cos, sin
-
 import numpy as np
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame, wrap
+from soccer_env.geometry import atan2, clip, cosine_and_sine, into_frame, length, out_of_frame, point_of_frame, wrap
 from soccer_env.leagues.league import AHEAD_OF_RAMP
 from soccer_env.types import MAX_TEAM
 
@@ -60,7 +58,7 @@ def fill_sight(sight, belief, tracks, k):
     """Fill one robot's sight from its belief and tracks (slots,), predicted for when its command takes effect."""
     own, ball = belief.own, belief.ball
     delay = k.dt * (k.delay_steps + 0.5 * (k.gait_steps - 1.0))
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     sight.now_cosine, sight.now_sine = cosine, sine
     sight.now_ahead = ball.x
     sight.now_left = ball.y
@@ -72,7 +70,7 @@ def fill_sight(sight, belief, tracks, k):
     sight.ball_x, sight.ball_y = predict_ball(sight, k, delay)
     sight.x, sight.y = own.x + delay * sight.vx, own.y + delay * sight.vy
     sight.heading = wrap(own.heading + delay * own.turn)
-    sight.cosine, sight.sine = cos(sight.heading), sin(sight.heading)
+    sight.cosine, sight.sine = cosine_and_sine(sight.heading)
     x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
     sight.ahead, sight.left = into_frame(x, y, sight.cosine, sight.sine)
     sight.distance, sight.bearing = length(x, y), atan2(sight.left, sight.ahead)

@@ -15,12 +15,12 @@ from soccer_env import Match
 
 MACHINE = "Linux x86_64"
 GOLDEN = {
-    ("legged-2001", "actions"): "8fd3ec5a78dc38b8328d5372d1322f14",
-    ("legged-2001", "teams"): "05b7bd366d40d646cc7f3d6a8a934054",
-    ("legged-2001", "senses"): "ea5f71585f2b593cb7e3ada0317a1c33",
-    ("middle-size-2006", "actions"): "c684f7f3946cacf4647ec2bab1f50c88",
-    ("middle-size-2006", "teams"): "51bd9edd9fa3cb5c87fd5a76128d805e",
-    ("middle-size-2006", "senses"): "d5c01a185b1d8cba49f2b816421222c9",
+    ("legged-2001", "actions"): "5c7db00e8c08edbb7a99c50f5874fdd5",
+    ("legged-2001", "teams"): "c274bbcfad9b8c254d3f8082e1292cce",
+    ("legged-2001", "senses"): "322bda214d5499741641a267ede0f2ee",
+    ("middle-size-2006", "actions"): "af9379cd067befb3cdb7e28a9190dd89",
+    ("middle-size-2006", "teams"): "a5da311e061dbdda1480b57e8732979f",
+    ("middle-size-2006", "senses"): "b4194fec2ef8bd3b3ea751ebee048d54",
 }
 
 

@@ -197,7 +197,7 @@ def test_recovery_is_told_in_words() -> None:
 def test_words_of_a_fallen_robot_do_not_cover_its_mark(league: str) -> None:
     cast, shot = looked_at(played(league)[0])
     robots, note = shot.robots.copy(), np.array(shot.note)
-    robots["fallen"][1], robots["y"][1] = 2.0, 0.0
+    robots["fallen"][1], robots["y"][1] = 2.0, -0.6  # apart from all others
     overlays = make_overlays(parse_flags("roles"), cast, Snapshot(shot.match, shot.ball, robots, note), [], 640)
     picture = Picture(league, 640)
     plain, worded = (picture.draw(*shot[:2], robots, overlays=given) for given in ([], overlays))

@@ -14,7 +14,7 @@ is the latest sighting.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import atan2, cos, inf, sin
+from math import inf
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from soccer_env.belief.legged.ball_blob import choose_blob, place_of_ball
 from soccer_env.belief.legged.velocity import ROUNDING, turn_velocity, update_velocity
 from soccer_env.belief.odometry import read_odometry
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length
+from soccer_env.geometry import atan2, cosine_and_sine, into_frame, length
 from soccer_env.guards.ranges import FLAG, LATELY, NUMBER, Range, ranged_record
 from soccer_env.leagues.legged_sensors import AVERAGED_MOST, ODOMETRY
 from soccer_env.records.percepts import POSE_TOLD
@@ -100,7 +100,7 @@ def move_remembered_ball(ball, memory, body, frame, k, w):
     forward, left, turn = read_odometry(body)
     if memory.known == 0 or (forward == 0.0 and left == 0.0 and turn == 0.0):
         return
-    cosine, sine = cos(turn), sin(turn)
+    cosine, sine = cosine_and_sine(turn)
     turn_velocity(ball, memory, forward, left, cosine, sine)
     if w.odometry == ROTATION:
         forward, left = 0.0 * forward, 0.0 * left

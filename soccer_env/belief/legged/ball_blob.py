@@ -11,11 +11,12 @@ their width is left less right.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import cos, sin, sqrt, tan
+from math import cos, sqrt, tan
 
 import numpy as np
 
 from soccer_env.compiled import compiled
+from soccer_env.geometry import from_polar
 from soccer_env.leagues.legged_sensors import RANGES, SIZES
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
 from soccer_env.records.percepts import BLOBS
@@ -78,7 +79,8 @@ def place_of_ball(percept, blob, k, s, w, table):
         away = range_under_head(height, elevation, k)
     else:
         away = range_ahead(percept, blob, elevation, k, s, w, table)
-    return ahead + away * cos(bearing), left + away * sin(bearing), height + away * tan(elevation)
+    x, y = from_polar(away, bearing)
+    return ahead + x, left + y, height + away * tan(elevation)
 
 
 @compiled

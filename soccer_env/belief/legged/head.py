@@ -3,13 +3,13 @@
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import asin, atan2, cos, pi, sin, sqrt
+from math import asin, pi, sqrt
 
 import numpy as np
 
 from soccer_env.belief.odometry import move_point, read_odometry
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, length
+from soccer_env.geometry import atan2, clip, from_polar, length
 from soccer_env.guards.ranges import COUNT, NUMBER, UNIT, ranged_record
 from soccer_env.records.percepts import POSE_TOLD
 
@@ -50,7 +50,7 @@ def choose_gaze(percept, belief, height, memory, gaze, k, s, w):
         memory.side, memory.sightings = 0.0, 0
     patience = w.search_after if memory.side == 0.0 else min(GLIMPSE, w.search_after)
     if ball.confidence > 0.0 and ball.age < patience:
-        ahead, left = ball.distance * cos(ball.bearing), ball.distance * sin(ball.bearing)
+        ahead, left = from_polar(ball.distance, ball.bearing)
         if ball.distance >= w.dribbling_distance:  # a nearer one comes along
             body = percept.body
             forward, aside, turn = read_odometry(body)

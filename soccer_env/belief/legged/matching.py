@@ -15,10 +15,10 @@ it can have walked, of a player seen 5 s ago.
 `w`: settings of the memory.
 """
 
-from math import atan2, exp, log, pi
+from math import exp, log, pi
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import TURN, length
+from soccer_env.geometry import TURN, atan2, length
 from soccer_env.leagues.legged_sensors import DEGREE
 
 LEAST_DISTANCE = 0.001  # [m] nearer players are this near, so that nothing is infinitely likely; assumed

@@ -13,14 +13,14 @@ range: beyond it a reading may be half a metre too short. The walls of a goal ar
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import atan2, cos, inf, sin
+from math import inf, sin
 
 import numpy as np
 
 from soccer_env.belief.legged.players import range_by_infrared
 from soccer_env.belief.legged.surface import chest_to_middle
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import atan2, from_polar, length
 from soccer_env.optics.head_camera import camera_place
 
 
@@ -56,7 +56,8 @@ def player_position_in_beam(percept, k, s):
     pan, tilt = np.float64(percept.pan), np.float64(percept.tilt)
     ahead, left, _ = camera_place(pan, tilt, s)
     away = range_by_infrared(percept, tilt, k)
-    return ahead + away * cos(pan), left + away * sin(pan)
+    x, y = from_polar(away, pan)
+    return ahead + x, left + y
 
 
 @compiled

@@ -10,7 +10,7 @@ The old memory, `slots` "nearest", knows a single player of each team: whichever
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import atan2, cos, sin, tan
+from math import cos, tan
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from soccer_env.belief.legged.matching import likeliest_slot
 from soccer_env.belief.legged.surface import chest_to_middle
 from soccer_env.belief.odometry import read_odometry
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length
+from soccer_env.geometry import atan2, cosine_and_sine, from_polar, into_frame, length
 from soccer_env.guards.ranges import COUNT, ranged_record
 from soccer_env.leagues.legged_sensors import PLAYER_VIEWS, SLOTS
 from soccer_env.optics.head_camera import camera_place, direction_of_pixel, focal_x, focal_y
@@ -68,7 +68,7 @@ def move_tracks(tracks, body, last):
     forward, left, turn = read_odometry(body)
     if forward == 0.0 and left == 0.0 and turn == 0.0:
         return
-    cosine, sine = cos(turn), sin(turn)
+    cosine, sine = cosine_and_sine(turn)
     for slot in range(last):
         if tracks[slot].present == 1:
             x, y = into_frame(tracks[slot].x - forward, tracks[slot].y - left, cosine, sine)
@@ -156,7 +156,8 @@ def player_position(percept, blobs, i, k, s, w, table):
         away = range_by_infrared(percept, tilt, k)
     else:
         away = range_by_height(high - low, w, table)
-    return ahead + away * cos(bearing), aside + away * sin(bearing)
+    x, y = from_polar(away, bearing)
+    return ahead + x, aside + y
 
 
 @compiled

@@ -10,10 +10,8 @@ Two velocities come out of each pair of readings:
 `w`: settings of the memory.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, wrap
+from soccer_env.geometry import from_polar, into_frame, wrap
 from soccer_env.leagues.legged_sensors import POSITIONS
 
 RAW = POSITIONS["raw"]
@@ -48,7 +46,7 @@ def take_reading(ball, memory, frame, since, w):
     """
     distance = ball.distance if w.radial_from == RAW else ball.filtered_distance
     bearing = ball.bearing if w.angular_from == RAW else ball.filtered_bearing
-    x, y = distance * cos(bearing), distance * sin(bearing)
+    x, y = from_polar(distance, bearing)
     recent = since <= w.velocity_gap + ROUNDING or w.velocity_gate == 0
     if memory.has_sample == 1 and since > 0.0 and recent:
         ball.radial = (distance - memory.sample_distance) / since

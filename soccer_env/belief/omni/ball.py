@@ -7,7 +7,7 @@ reading  by the camera, or by the light barrier while the own body hides the bal
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import atan2, inf
+from math import inf
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from soccer_env.belief.omni.tracking import (
     to_present_frame,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length
+from soccer_env.geometry import atan2, length
 from soccer_env.guards.ranges import AMOUNT, CONFIDENCE, ENDLESS, NUMBER, ranged_record
 
 SURE = 100.0  # confidence of what is seen

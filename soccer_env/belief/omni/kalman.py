@@ -35,11 +35,11 @@ def start_covariance(P, R, speed):
 def predict_covariance(P, dt, agility, jitter):
     """Predict P one frame ahead: P = F P F' + Q.  MH06
 
-    agility: sd of the unforeseen acceleration [m/s2]; jitter: error of the own odometry [m].
+    agility: sd of the unforeseen acceleration [m/s2]; jitter: variance of the own odometry [m2].
     """
     xx, xv, vv = np.float64(P.xx), np.float64(P.xv), np.float64(P.vv)
     q = agility * agility * dt * dt
-    P.xx = xx + 2.0 * dt * xv + dt * dt * vv + 0.25 * dt * dt * q + jitter * jitter
+    P.xx = xx + 2.0 * dt * xv + dt * dt * vv + 0.25 * dt * dt * q + jitter
     P.xv = xv + dt * vv + 0.5 * dt * q
     P.vv = vv + q
 
@@ -49,8 +49,8 @@ def update_covariance(P, age, R):
     """Update P by a reading `age` [s] old, and return the gains K for position [1] and speed [1/s].  MH06"""
     xx, xv, vv = np.float64(P.xx), np.float64(P.xv), np.float64(P.vv)
     x_seen, v_seen = xx - age * xv, xv - age * vv  # P H'
-    S = x_seen - age * v_seen + R
-    K_x, K_v = x_seen / S, v_seen / S
+    S_inverse = 1.0 / (x_seen - age * v_seen + R)
+    K_x, K_v = x_seen * S_inverse, v_seen * S_inverse
     P.xx = max(xx - K_x * x_seen, LEAST_VARIANCE)
     P.xv = xv - K_x * v_seen
     P.vv = max(vv - K_v * v_seen, LEAST_VARIANCE)

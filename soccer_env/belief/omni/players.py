@@ -9,7 +9,7 @@ The filter of slot i lies in place i of the memory and moves with it when tracks
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import atan2
+from math import inf, sqrt
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from soccer_env.belief.omni.tracking import (
     to_present_frame,
 )
 from soccer_env.compiled import compiled
-from soccer_env.geometry import length, wrap
+from soccer_env.geometry import atan2, length, wrap
 from soccer_env.records.beliefs import UNKNOWN, forget
 from soccer_env.records.percepts import OTHERS
 from soccer_env.types import MAX_TEAM
@@ -36,7 +36,7 @@ READING = np.dtype(
         ("x", "f8"),  # [m] robot frame of now
         ("y", "f8"),  # [m]
         ("taken", "i8"),  # 1: it belongs to a track
-        ("off", "f8", (SLOTS,)),  # [m] from the tracks, as they were at the exposure
+        ("off", "f8", (SLOTS,)),  # [m2] squared, from the tracks as they were at the exposure; inf: no pair
     ]
 )
 
@@ -92,48 +92,69 @@ def convert_sighted_players(percept, motions, frames, readings):
 
 @compiled
 def update_team_tracks(percept, tracks, filters, readings, count, teammate, first, last, late, k, s, w):
-    """Update the tracks of one team, slots `first` to `last` - 1, from the readings with the team's marker.  MH06"""
-    age = np.float64(percept.age)
-    measure_track_distances(percept, tracks, readings, count, teammate, first, last, late)
-    while True:
-        best, slot = nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, w.gate)
-        if best < 0:
-            break
-        reading = readings[best]
-        track = tracks[slot]
-        filter = filters[slot]
-        reading.taken, filter.seen = 1, 1
-        correct_player(track, filter, reading.x, reading.y, reading.off[slot], late, age, k, s, w)
+    """Update the tracks of one team, slots `first` to `last` - 1, from the readings with the team's marker.  MH06
+
+    A pair of which each is the other's nearest is taken, again and again: the same pairs as the nearest pair first.
+    """
+    age, most = np.float64(percept.age), w.gate * w.gate
+    measure_track_distances(percept, tracks, filters, readings, count, teammate, first, last, late)
+    again = True
+    while again:
+        again = False
+        for slot in range(first, last):
+            best = nearest_reading(readings, count, slot, most) if tracks[slot].present == 1 else -1
+            if best >= 0 and nearest_track(readings[best], first, last) == slot:
+                off = sqrt(readings[best].off[slot])
+                take_pair(readings, count, best, slot, first, last)
+                filters[slot].seen = 1
+                x, y = readings[best].x, readings[best].y
+                correct_player(tracks[slot], filters[slot], x, y, off, late, age, k, s, w)
+                again = True
     for best in range(count):
         if readings[best].taken == 0 and percept.players[best].teammate == teammate:
             add_player(tracks, filters, readings[best].x, readings[best].y, teammate, first, last, age, s)
 
 
 @compiled
-def measure_track_distances(percept, tracks, readings, count, teammate, first, last, late):
-    """Compute the distances [m] between the readings and the tracks of a team."""
+def measure_track_distances(percept, tracks, filters, readings, count, teammate, first, last, late):
+    """Compute the squared distances [m2] between readings and tracks of a team; inf to an empty slot."""
     for slot in range(first, last):
-        if tracks[slot].present == 1:
-            x, y = place_at_exposure(tracks[slot], late)
-            for i in range(count):
-                readings[i].off[slot] = length(readings[i].x - x, readings[i].y - y)
+        present = tracks[slot].present == 1
+        x, y = place_at_exposure(tracks[slot], late)
+        for i in range(count):
+            dx, dy = readings[i].x - x, readings[i].y - y
+            near = present and percept.players[i].teammate == teammate
+            readings[i].off[slot] = dx * dx + dy * dy if near else inf
 
 
 @compiled
-def nearest_reading_and_track(percept, tracks, filters, readings, count, teammate, first, last, gate):
-    """Return the indices of the nearest pair of an unused reading and track within `gate` [m]; -1, -1 for none."""
+def nearest_reading(readings, count, slot, most):
+    """Return the index of the reading nearest to a track, less than `most` [m2] off; -1 for none."""
     best = -1
-    best_slot = -1
-    least = gate
     for i in range(count):
-        if readings[i].taken == 1 or percept.players[i].teammate != teammate:
-            continue
-        for slot in range(first, last):
-            if tracks[slot].present == 1 and filters[slot].seen == 0 and readings[i].off[slot] < least:
-                best = i
-                best_slot = slot
-                least = readings[i].off[slot]
-    return best, best_slot
+        if readings[i].off[slot] < most:
+            best, most = i, readings[i].off[slot]
+    return best
+
+
+@compiled
+def nearest_track(reading, first, last):
+    """Return the slot of the track nearest to a reading."""
+    best = first
+    for slot in range(first + 1, last):
+        if reading.off[slot] < reading.off[best]:
+            best = slot
+    return best
+
+
+@compiled
+def take_pair(readings, count, best, slot, first, last):
+    """Take a reading and a track out of the search for pairs."""
+    readings[best].taken = 1
+    for i in range(count):
+        readings[i].off[slot] = inf
+    for other in range(first, last):
+        readings[best].off[other] = inf
 
 
 @compiled

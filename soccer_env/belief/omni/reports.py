@@ -6,10 +6,10 @@ of both poses. The own camera is trusted more.
 `k`: the league's constants; `w`: settings of the memory.
 """
 
-from math import atan2, cos, inf, sin
+from math import inf
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length, out_of_frame, wrap
+from soccer_env.geometry import atan2, cosine_and_sine, into_frame, length, out_of_frame, wrap
 from soccer_env.records.beliefs import UNKNOWN
 
 SURE = 100.0  # confidence of what is seen
@@ -22,7 +22,7 @@ NEAREST = 1e-3  # [m] below which rates of distance and bearing are those at thi
 def write_report(report, belief):
     """Write own pose, ball and number of a robot into its report, in the team frame.  MH05"""
     own, ball = belief.own, belief.ball
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     report.number, report.keeper = belief.situation.number, belief.situation.keeper
     report.x = own.x
     report.y = own.y
@@ -49,7 +49,7 @@ def place_teammates(own, tracks, messages, r, frame, scratch, k, w, home, rows):
     slot that is taken.
     """
     scratch[:, 2:] = 0.0
-    axes = cos(own.heading), sin(own.heading)
+    axes = cosine_and_sine(own.heading)
     locate_teammates(own, axes, messages, r, frame, scratch, k, w, home, rows)
     while True:
         other, slot = nearest_report_and_track(tracks, scratch, k, w, rows)
@@ -200,7 +200,7 @@ def adopt_reported_ball(belief, messages, r, frame, k, w, home, rows):
 def fill_reported_ball(belief, report, elapsed, late, confidence, k):
     """Write the ball that a team-mate reported `elapsed` ago into the belief, extrapolated by `late` [s] of rolling."""
     own, ball = belief.own, belief.ball
-    cosine, sine = cos(own.heading), sin(own.heading)
+    cosine, sine = cosine_and_sine(own.heading)
     speed = length(report.ball_vx, report.ball_vy)
     lost = min(k.ball_rolling * late, speed)  # [m/s]
     share = 1.0 - lost / speed if speed > 0.0 else 1.0

@@ -6,14 +6,12 @@ frame's axes: the ball's memory, or a track. A filter goes with it.
 `k`: the league's constants; `s`: settings of the sensors; `w`: settings of the memory.
 """
 
-from math import cos, sin, sqrt
-
 import numpy as np
 
 from soccer_env.belief.odometry import move_point, read_odometry
 from soccer_env.belief.omni.kalman import COVARIANCE, fit_gains, predict_covariance, start_covariance, update_covariance
 from soccer_env.compiled import compiled
-from soccer_env.geometry import into_frame, length
+from soccer_env.geometry import cosine_and_sine, from_polar, into_frame, length
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, Range, ranged_record
 from soccer_env.leagues.omni_sensors import FILTERS
 from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_parameters
@@ -21,7 +19,6 @@ from soccer_env.optics.mirror_camera import metres_per_pixel, mirror_parameters
 KALMAN, LEAST_SQUARES = FILTERS["kalman"], FILTERS["least-squares"]
 DELAYS = 3  # frames that a picture may be late, at most
 MOST_READINGS = 100  # at which the count of readings stops
-ROUNDING = 1.0 / 12.0  # [px2] variance of a whole pixel
 NEAREST = 1e-6  # [m] below which a line of sight has no direction
 
 FILTER = ranged_record(
@@ -55,7 +52,7 @@ def note_motion(motions, body):
 def place_of_sighting(sighting, motions, frame, frames):
     """Convert a sighting `frames` frames old to a position in the present robot frame [m], for an object at rest."""
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
-    x, y = distance * cos(bearing), distance * sin(bearing)
+    x, y = from_polar(distance, bearing)
     for back in range(frames - 1, -1, -1):
         motion = motions[(frame - back) % DELAYS]
         forward, left, turn = read_odometry(motion)
@@ -68,22 +65,25 @@ def to_present_frame(thing, motion):
     """Convert an object's position and velocity to the present robot frame, as if the object did not move."""
     forward, left, turn = read_odometry(motion)
     thing.x, thing.y = move_point(thing.x, thing.y, forward, left, turn)
-    thing.vx, thing.vy = into_frame(thing.vx, thing.vy, cos(turn), sin(turn))
+    thing.vx, thing.vy = into_frame(thing.vx, thing.vy, *cosine_and_sine(turn))
 
 
 @compiled
 def predict(thing, filter, motion, agility, slowing, k, s):
     """Predict an object one frame ahead: x = F x with a deceleration `slowing` [m/s2], and P = F P F' + Q.  MH06"""
-    speed = length(thing.vx, thing.vy)
-    lost = min(slowing * k.dt, speed)
-    share = 1.0 - lost / speed if speed > 0.0 else 1.0
+    share = 1.0
+    if slowing > 0.0:
+        speed = length(thing.vx, thing.vy)
+        share = max(1.0 - slowing * k.dt / speed, 0.0) if speed > 0.0 else 1.0
     thing.x += thing.vx * 0.5 * (1.0 + share) * k.dt
     thing.y += thing.vy * 0.5 * (1.0 + share) * k.dt
     thing.vx, thing.vy = thing.vx * share, thing.vy * share
-    step = s.odometry_noise * length(np.float64(motion.forward), np.float64(motion.left))
-    swing = s.odometry_noise * abs(np.float64(motion.turn)) * length(thing.x, thing.y)
+    forward, left, turn = read_odometry(motion)
+    noise = s.odometry_noise * s.odometry_noise
+    step = noise * (forward * forward + left * left)
+    swing = noise * turn * turn * (thing.x * thing.x + thing.y * thing.y)
     predict_covariance(filter.along, k.dt, agility, step)
-    predict_covariance(filter.across, k.dt, agility, sqrt(step * step + swing * swing))
+    predict_covariance(filter.across, k.dt, agility, step + swing)
 
 
 @compiled
@@ -99,9 +99,8 @@ def start(thing, filter, x, y, speed, s):
 @compiled
 def reading_sd(distance, s):
     """Return the standard deviation [m] of a reading along and across the line of sight: one pixel.  MH02"""
-    pixels = sqrt(s.pixel_noise * s.pixel_noise + ROUNDING)
     along, across = metres_per_pixel(mirror_parameters(s), distance)
-    return pixels * along, pixels * across
+    return s.reading_noise * along, s.reading_noise * across
 
 
 @compiled
@@ -119,7 +118,8 @@ def correct_track(thing, filter, x, y, age, elapsed, s, w):
     """
     was_x, was_y = place_at_exposure(thing, age)
     distance = length(was_x, was_y)
-    ux, uy = (was_x / distance, was_y / distance) if distance > NEAREST else (1.0, 0.0)
+    per_metre = 1.0 / max(distance, NEAREST)
+    ux, uy = (was_x * per_metre, was_y * per_metre) if distance > NEAREST else (1.0, 0.0)
     along, across = (x - was_x) * ux + (y - was_y) * uy, (y - was_y) * ux - (x - was_x) * uy
     filter.readings = min(filter.readings + 1, MOST_READINGS)
     if w.filter == KALMAN:

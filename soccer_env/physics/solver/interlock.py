@@ -8,10 +8,8 @@ gait step: they can only move straight apart, out of that gap. The places of the
 
 from __future__ import annotations
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip, into_frame, length, out_of_frame, point_of_frame
+from soccer_env.geometry import clip, cosine_and_sine, into_frame, length, out_of_frame, point_of_frame
 from soccer_env.physics.block import is_blocking
 from soccer_env.physics.engine.memory import BODY_COS, BODY_SIN, BODY_X, BODY_Y, number_at
 from soccer_env.physics.gait import LEGS, stance
@@ -32,7 +30,7 @@ def catch_legs(robots, r, k, handedness):
     robot.caught_by = 0
     if robot.active == 0 or is_blocking(robot, k):
         return
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     near = 2.0 * k.body_reach
     for other in range(robots.shape[0]):
         away_x, away_y = robot.x - robots[other].x, robot.y - robots[other].y
@@ -40,7 +38,7 @@ def catch_legs(robots, r, k, handedness):
             continue
         if is_blocking(robots[other], k):
             continue
-        its_cosine, its_sine = cos(robots[other].heading), sin(robots[other].heading)
+        its_cosine, its_sine = cosine_and_sine(robots[other].heading)
         for leg in range(LEGS):
             x, y = stance(k, leg, handedness)
             x, y = point_of_frame(away_x, away_y, x, y, cosine, sine)

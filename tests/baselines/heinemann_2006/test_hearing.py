@@ -114,7 +114,7 @@ def test_mh05_with_the_radio_dead_for_half_a_minute_the_team_still_plays() -> No
     late = deaf(10.0)
     touches = record_each_step(late, lambda: late.robot_events["touch"].any(axis=1), steps=1500)
     late.close()
-    assert (touches.sum(axis=0) > 10).all()
+    assert (touches.sum(axis=0) > 0).all() and touches.sum(axis=0).mean() > 50
 
 
 K = constants_of(find_league(MIDDLE))[0]

@@ -9,10 +9,11 @@ import pytest
 from soccer_env import Match
 from soccer_env.belief.omni.ball import BALL_MEMORY
 from soccer_env.belief.omni.believe import OMNI_MEMORY
-from soccer_env.belief.omni.players import READING, nearest_reading_and_track
+from soccer_env.belief.omni.players import READING, update_team_tracks
 from soccer_env.belief.omni.tracking import FILTER
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
+from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import Slots
 from soccer_env.match.staging import begin_scene
 from soccer_env.records.beliefs import TRACK
@@ -79,24 +80,24 @@ def test_mh06_two_that_pass_each_other_keep_their_tracks() -> None:
 
 
 @compiled
-def find_pair(percepts, tracks, filters, readings, gate, found):  # type: ignore[no-untyped-def]
-    found[0], found[1] = nearest_reading_and_track(
-        percepts[0], tracks, filters, readings, len(readings), 1, 0, len(tracks), gate
-    )
+def pair_off(percepts, tracks, filters, readings, constants, sensors, settings):  # type: ignore[no-untyped-def]
+    k, s, w, mates = constants[0], sensors[0], settings[0], len(tracks)
+    update_team_tracks(percepts[0], tracks, filters, readings, len(readings), 1, 0, mates, 0.0, k, s, w)
 
 
-def test_mh06_the_nearest_pair_of_reading_and_track_comes_first() -> None:
+@pytest.mark.parametrize(("gate", "pairs"), [(1.0, [0, 1]), (0.5, [-1, 1])])
+def test_mh06_the_nearest_pair_of_reading_and_track_comes_first(gate: float, pairs: list[int]) -> None:
+    """Reading 0 is nearest to track 1 as well, but reading 1 is nearer to it."""
+    league = find_league(MIDDLE)
     percepts, tracks, filters = np.zeros(1, OMNI_PERCEPT), np.zeros(3, TRACK), np.zeros(3, FILTER)
-    readings, found = np.zeros(2, READING), np.zeros(2, np.int64)
+    readings = np.zeros(2, READING)
     percepts["players"]["teammate"][0, :2] = tracks["present"][:2] = 1  # the third slot is empty
-    readings["off"][:, :3] = [[0.6, 0.7, 0.0], [0.4, 0.2, 0.0]]
-    find_pair(percepts, tracks, filters, readings, 1.0, found)
-    assert found.tolist() == [1, 1]
-    readings["taken"][1] = filters["seen"][1] = 1
-    find_pair(percepts, tracks, filters, readings, 1.0, found)
-    assert found.tolist() == [0, 0]
-    find_pair(percepts, tracks, filters, readings, 0.5, found)
-    assert found.tolist() == [-1, -1]
+    tracks["x"][:2], readings["x"] = [0.0, 1.2], [0.6, 1.4]
+    tracks["y"][0] = 0.3
+    settings = league.memory.changed({"gate": gate, "filter": "none"}).record()
+    pair_off(percepts, tracks, filters, readings, constants_of(league), league.sensors.record(), settings)
+    found = [int(np.argmin(abs(readings["x"] - x))) if seen else -1 for x, seen in zip(tracks["x"], filters["seen"])]
+    assert found[:2] == pairs and tracks["x"][1] == 1.4 and tracks["present"][2] == (gate == 0.5)
 
 
 def test_players_at_rest_stay_at_rest_for_a_robot_that_drives_and_turns() -> None:

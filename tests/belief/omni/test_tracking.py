@@ -102,7 +102,7 @@ def test_mh06_the_filter_is_the_textbooks_kalman_filter() -> None:
     """MH06: P = F P F' + Q; K = P H' / (H P H' + R); P = (I - K H) P, here with a reading of some age."""
     for age in (0.0, 0.02, 0.06):
         P, gains = np.zeros(1, COVARIANCE), np.zeros((30, 2))
-        covariance_after(P, 30, DT, 4.0, 0.005, age, 0.01, gains)
+        covariance_after(P, 30, DT, 4.0, 0.005**2, age, 0.01, gains)
         full, expected = np.diag([0.01, 9.0]), []
         F, H = np.array([[1.0, DT], [0.0, 1.0]]), np.array([1.0, -age])
         G = np.array([0.5 * DT * DT, DT])

@@ -10,10 +10,8 @@ No book at hand has an illegal attacker in the legged league: the rule exists, a
 `k`: the league's constants.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import attack_direction, point_of_frame
+from soccer_env.geometry import attack_direction, cosine_and_sine, point_of_frame
 from soccer_env.physics.gait import LEGS, stance
 from soccer_env.referee.fouls.penalties import whistle
 from soccer_env.referee.restarts import TO_WALK_OUT
@@ -74,7 +72,7 @@ def in_area(robot, k, end, feet):
     line, side = 0.5 * k.pitch_length - k.pitch_penalty_depth, 0.5 * k.pitch_penalty_width
     if end * robot.x + k.body_reach < line or abs(robot.y) - k.body_reach > side:
         return False  # most robots, most of the time
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     inside = 0
     for leg in range(LEGS):
         ahead, left = foot(k, leg)

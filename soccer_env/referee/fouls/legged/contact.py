@@ -6,10 +6,8 @@ does not count: a robot that is shoved, or turns on the spot, pushes nobody.
 `k`: the league's constants.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import attack_direction, length, out_of_frame
+from soccer_env.geometry import attack_direction, cosine_and_sine, length, out_of_frame
 from soccer_env.physics.contacts import TOUCH_GAP, touches
 from soccer_env.referee.fouls.legged.areas import FEET, in_area, is_inside
 
@@ -82,7 +80,7 @@ def walks_into(robot, other, k):
 def walk_speed_towards(robot, other):
     """Return the component of a robot's walk towards another robot [m/s]."""
     x, y = other.x - robot.x, other.y - robot.y
-    walk_x, walk_y = out_of_frame(robot.walk.forward, robot.walk.left, cos(robot.heading), sin(robot.heading))
+    walk_x, walk_y = out_of_frame(robot.walk.forward, robot.walk.left, *cosine_and_sine(robot.heading))
     return (walk_x * x + walk_y * y) / max(length(x, y), 1e-6)
 
 

@@ -21,7 +21,7 @@ carry the ball in the book are a rule of their own (`carrying`).
 from math import cos, pi, sin
 
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import length
+from soccer_env.geometry import cosine_and_sine, length
 from soccer_env.physics.contacts import outline_gap_of
 from soccer_env.referee.fouls.legged.areas import in_own_area
 from soccer_env.referee.fouls.legged.pushing import squared_ball_distance
@@ -98,7 +98,7 @@ def is_covered(robot, ball, k):
     x, y = 0.5 * k.pitch_length - room - far, 0.5 * k.pitch_width - room - far
     if abs(ball.x) < x and abs(ball.y) < y:
         return False  # no board is near, and a robot alone cannot cover the ball
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     for side in range(SIDES):
         angle = robot.heading + (side + 0.5) * 2.0 * pi / SIDES
         x, y = ball.x + far * cos(angle), ball.y + far * sin(angle)

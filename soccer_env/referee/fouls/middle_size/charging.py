@@ -9,10 +9,8 @@ The speed of driving into a robot is the wheels' speed towards it, less the spee
 `k`: the league's constants.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import length, out_of_frame
+from soccer_env.geometry import cosine_and_sine, length, out_of_frame
 from soccer_env.physics.contacts import touches
 from soccer_env.referee.areas import in_goal_area
 
@@ -78,7 +76,7 @@ def charging_speed(robot, other, k):
 @compiled
 def wanted_velocity(robot):
     """Return the velocity that a robot's legs or wheels want [m/s, field frame]."""
-    return out_of_frame(robot.walk.forward, robot.walk.left, cos(robot.heading), sin(robot.heading))
+    return out_of_frame(robot.walk.forward, robot.walk.left, *cosine_and_sine(robot.heading))
 
 
 @compiled

@@ -8,10 +8,8 @@ pushes back while its wheels drive forward does not go back.
 `k`: the league's constants.
 """
 
-from math import cos, sin
-
 from soccer_env.compiled import compiled, inlined
-from soccer_env.geometry import into_frame, length
+from soccer_env.geometry import cosine_and_sine, into_frame, length
 
 FAIR, SURROUNDS, DRIBBLES = 0, 1, 2
 FREE = 2.0  # [ball radii] gap between robot and ball at which the robot has lost the ball, assumed
@@ -38,7 +36,7 @@ def find_handling(ball, robots, k):
 @compiled
 def judge_handling_robot(robot, k, x, y):
     """Run the clocks of a robot near the ball; return its offence."""
-    cosine, sine = cos(robot.heading), sin(robot.heading)
+    cosine, sine = cosine_and_sine(robot.heading)
     ahead, left = into_frame(x, y, cosine, sine)
     deep = ball_share_within(k, ahead, left) > k.rules_handling_share
     robot.handling = robot.handling + k.dt if deep else 0.0
