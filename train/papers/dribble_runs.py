@@ -12,14 +12,13 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.match.arguments import Senses
 from soccer_env.match.staging import memory_of
 from soccer_env.scenes import Scene, find_scene, judging
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, begin_scene, make_matches, put, put_ball, stage, wrap_angle
+from soccer_env.train.papers.staging import LEGGED, begin_scene, make_matches, put, put_ball, wrap_angle
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import HOME
 
@@ -47,15 +46,6 @@ class DribbleRecord:
     def step(self) -> np.ndarray:
         """Return the distance [m] that the robot moves in each control step."""
         return np.hypot(np.diff(self.x, axis=0, prepend=self.x[:1]), np.diff(self.y, axis=0, prepend=self.y[:1]))
-
-
-def set_up_dribblers(
-    batch: Batch, league: League, matches: int, others: int, settings: dict[str, Any], **more: Any
-) -> Match:
-    """Set up matches in which sacks-2001 with `settings` plays robot 0, and `others` opponents stand still."""
-    team = make_team("sacks-2001", **settings)
-    sides = {"home": team, "away": more.pop("away_team", "still")}
-    return stage(batch, league, matches=matches, away=others, controllers=sides, keeper=0, **more)
 
 
 def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0.0) -> None:

@@ -4,15 +4,14 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
-from soccer_env.leagues import find_league
 from soccer_env.match.staging import memory_of, set_mass
 from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
-from soccer_env.train.papers.claims.dribble import classes, dribbling, past
+from soccer_env.train.papers.claims.dribble import dribbling, past
 from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
 from soccer_env.train.papers.dribble_runs import contacts_of, play_drill
-from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
+from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage, stage_team
 
 BATCH = Batch("test", 0, 0)
 
@@ -38,7 +37,7 @@ def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
 
 
 def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
-    match = dribble_runs.set_up_dribblers(BATCH, find_league(LEGGED), 8, 1, dribble_runs.NO_SHOTS)
+    match = stage_team(BATCH, "sacks-2001", dribble_runs.NO_SHOTS, matches=8, keeper=0)
     dribble_runs.place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
     begin_scene(match, placed=True)
     dribble_runs.start_dribbling(match)
@@ -101,7 +100,7 @@ def test_runs_of_a_drill_end_past_lost_or_open() -> None:
 
 @pytest.mark.slow
 def test_the_scene_of_the_still_player_behind_is_one_that_can_be_played() -> None:
-    found = play_drill(BATCH, classes.STILL_BEHIND, {}, 24)
+    found = play_drill(BATCH, past.STILL_BEHIND, {}, 24)
     assert (found["seconds"] > 2.0).all()
 
 

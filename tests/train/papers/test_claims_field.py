@@ -10,7 +10,6 @@ from soccer_env.train.papers.claim import Batch, as_plain
 from soccer_env.train.papers.claims.field import constants as field_constants
 from soccer_env.train.papers.claims.field import forces as field_forces
 from soccer_env.train.papers.claims.field import minima as field_minima
-from soccer_env.train.papers.claims.field import movers as field_movers
 from soccer_env.train.papers.claims.field import numbers as field_numbers
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
@@ -31,10 +30,10 @@ def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
 
 def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
     rng = np.random.default_rng(1)
-    makers = (field_movers.approaching_player, field_movers.players_on_both_sides, field_movers.crossing_player)
+    makers = (points.approaching_player, points.players_on_both_sides, points.crossing_player)
     comes, both, crosses = (make(rng) for make in makers)
     speed = np.hypot(comes["vx"], comes["vy"])
-    assert speed.min() >= field_movers.SPEEDS[0] and speed.max() <= field_movers.SPEEDS[1]
+    assert speed.min() >= points.SPEEDS[0] and speed.max() <= points.SPEEDS[1]
     assert (comes["vx"] < 0.0).all()
     assert (both["vx"][:, 0] == 0.0).all() and (both["y"][:, 0] * both["y"][:, 1] < 0.0).all()
     when = -crosses["y"] / crosses["vy"]

@@ -11,7 +11,7 @@ from soccer_env.train.papers.claims.players import grouping as players_grouping
 from soccer_env.train.papers.claims.players import jersey as players_jersey
 from soccer_env.train.papers.claims.players import moving as players_moving
 from soccer_env.train.papers.claims.players import views
-from soccer_env.train.papers.claims.players.seen import (
+from soccer_env.train.papers.claims.players.watching import (
     blob_directions,
     blob_owners,
     distances_from_camera,

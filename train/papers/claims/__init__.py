@@ -2,8 +2,9 @@
 
 To add a claim:
 
-1. Write a module in the folder of its theme (or extend one) with `S99 = Claim(...)`; other modules hold helpers of
-   their folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
+1. Write a module in the folder of its theme (or extend one) with `S99 = claim("S99", section, statement, method,
+   *criteria, measure=...)`; other modules hold helpers of their folder. `statement` is one sentence of at most 17
+   words: it is a row of the team's page.
 2. `rules` names the rule sets of its matches: STAGED (`stage`, `drill`; the default), PLAYED (`kick_off`), both, or
    NO_MATCH; a match under other rules is refused. Measurements skip robots that are sent off (`active`).
 3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Ablation, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.staging import MIDDLE, distance_to_point, play, put, put_ball, stacked, stage
+from soccer_env.train.papers.claim import Ablation, Batch, Curve, Figure, claim
+from soccer_env.train.papers.staging import MIDDLE, distance_to_point, play, put, put_ball, record, stage
 from soccer_env.train.papers.values import middles_of, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -38,17 +38,19 @@ def watch_in_light(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarra
     put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
     match.rebuild()  # without `begin`: the table has adapted to the light before
     true, _ = distance_to_point(match, 0, match.balls["x"], match.balls["y"])
-    frames: dict[str, list[np.ndarray]] = {"light": [], "found": [], "error": []}
-    for step in play(match, SECONDS):
-        if step < match.league.sensors.camera_delay + 1:
-            continue
+
+    def read() -> Samples:
         percept = match.percepts[:, 0]
-        error, ball = percept["ball"]["distance"] - true, percept["ball"]["seen"] == 1
+        ball = percept["ball"]["seen"] == 1
         others = [percept["players"]["seen"][:, 0], percept["own_goal"]["seen"], percept["opponent_goal"]["seen"]]
-        frames["light"].append(percept["light"].astype(float))
-        frames["found"].append(ball + sum((seen == 1).astype(int) for seen in others))
-        frames["error"].append(np.where(ball, error, np.nan))
-    return stacked(match, frames)
+        return {
+            "light": percept["light"].astype(float),
+            "found": ball + sum((seen == 1).astype(int) for seen in others),
+            "error": np.where(ball, percept["ball"]["distance"] - true, np.nan),
+        }
+
+    late = match.league.sensors.camera_delay + 1  # frames until the first picture is delivered
+    return record(match, (step for step in play(match, SECONDS) if step >= late), read)
 
 
 def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
@@ -109,29 +111,26 @@ def light_figures(samples: Samples) -> Sequence[Figure]:
     )
 
 
-H26 = Claim(
-    id="H26", section="abstract, 1",
-    statement="A static colour table needs nearly constant light; the adapting one copes with changes.",
-    method=f"{MATCHES} robots a batch look at a ball and a player {NEAR:g} to {FAR:g} m away and at both goals for "
+H26 = claim(
+    "H26", "abstract, 1", "A static colour table needs nearly constant light; the adapting one copes with changes.",
+    f"{MATCHES} robots a batch look at a ball and a player {NEAR:g} to {FAR:g} m away and at both goals for "
     f"{SECONDS:g} s, while the light swings between dark and glaring (amplitude 1, period 120 s); share of these four "
     "that a picture shows and range error of the ball in bins of the light's change, against the same frames under "
     "constant light.",
-    criteria=(
-        measured("adapting table: share seen in the worst light, of constant light",
-                 lambda s: 100 * float(np.nanmin(relative_to_constant_light(s, "adaptive", seen_shares_by_light))),
-                 unit="%", at_least=90.0),
-        measured("adapting table: range error in the worst light, of constant light",
-                 lambda s: 100 * float(np.nanmax(relative_to_constant_light(s, "adaptive", range_errors_by_light))),
-                 unit="%", at_most=110.0),
-        measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
-                 lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
-        reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-                 lambda s: 100 * float(relative_to_constant_light(s, "fixed", seen_shares_by_light)[1]), unit="%"),
-        reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-                 lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]), unit="%"),
-        reported("range error under constant light",
-                 lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
-    ),
+    measured("adapting table: share seen in the worst light, of constant light",
+             lambda s: 100 * float(np.nanmin(relative_to_constant_light(s, "adaptive", seen_shares_by_light))),
+             unit="%", at_least=90.0),
+    measured("adapting table: range error in the worst light, of constant light",
+             lambda s: 100 * float(np.nanmax(relative_to_constant_light(s, "adaptive", range_errors_by_light))),
+             unit="%", at_most=110.0),
+    measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
+             lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
+    reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+             lambda s: 100 * float(relative_to_constant_light(s, "fixed", seen_shares_by_light)[1]), unit="%"),
+    reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
+             lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]), unit="%"),
+    reported("range error under constant light",
+             lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
     measure=compare_tables, figures=light_figures, pose="particles",
     without=Ablation("the own pose, by which the table knows what a pixel must show: here no white line tells it",
                      lambda batch: compare_tables(batch, line_miss=1.0)),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, put_ball, stage, still_actions, wrap_angle
 from soccer_env.train.papers.values import median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -130,20 +130,17 @@ def pose_figures(samples: Samples) -> Sequence[Figure]:
     )  # fmt: skip
 
 
-H27 = Claim(
-    id="H27", section="1",
-    statement="Self-localisation with the omnidirectional camera is efficient and reliable.",
-    method=f"{MATCHES} robots a batch drive about among {OTHERS} others at {SPEED:g} m/s; begun untold anywhere; error "
+H27 = claim(
+    "H27", "1", "Self-localisation with the omnidirectional camera is efficient and reliable.",
+    f"{MATCHES} robots a batch drive about among {OTHERS} others at {SPEED:g} m/s; begun untold anywhere; error "
     f"of the own pose from {SETTLE:g} s on for {SECONDS:g} s. Then each is carried {CARRIED:g} m or more and told "
     f"nothing: recovered if within {LONGEST:g} s it is right to {LOST:g} m and 20 degrees for {HELD:g} s.",
-    criteria=(
-        measured("median error of the place", "place", of=median, unit="cm", below=100 * COUNTED_ON),
-        measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
-                 unit="cm", below=100 * NEAR),
-        counted("recovered after being carried", "recovered", "one", at_least=95.0),
-        reported("median error of the heading", "heading", of=median, unit="deg"),
-        reported("median time to recover", "time", of=median, unit="s"),
-    ),
+    measured("median error of the place", "place", of=median, unit="cm", below=100 * COUNTED_ON),
+    measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
+             unit="cm", below=100 * NEAR),
+    counted("recovered after being carried", "recovered", "one", at_least=95.0),
+    reported("median error of the heading", "heading", of=median, unit="deg"),
+    reported("median time to recover", "time", of=median, unit="s"),
     measure=drive_and_carry, figures=pose_figures, pose="particles", batches=12, seconds=2.7,
     ingredients=("memory.particles = 96", "sensors.lines, line_range, goal_miss", "memory.pose_fresh"),
 )  # fmt: skip

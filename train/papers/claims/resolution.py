@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
-from soccer_env.train.papers.claims.players.seen import stage_watchers
+from soccer_env.train.papers.claim import Ablation, Batch, claim
+from soccer_env.train.papers.claims.players.watching import stage_watchers
 from soccer_env.train.papers.plots import plot_bins, plots
-from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball
+from soccer_env.train.papers.staging import LEGGED, begin_scene, distance_to_ball, point_ahead, put_ball, record
 from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -31,14 +31,14 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
     put_ball(match, *point_ahead(match, 0, rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)))
     begin_scene(match)
     true, _ = distance_to_ball(match)
-    frames = []
-    for _ in stare_for(match, SETTLE, SECONDS):
+
+    def read() -> Samples:
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
-        frames.append([np.where(seen, value, np.nan) for value in (ball["distance"], ball["radial"])])
-    match.close()
-    distance, radial = (np.stack(values, axis=1) for values in zip(*frames, strict=True))
-    return {"true": true, "range": subtract_row_mean(distance), "velocity": radial}
+        return {name: np.where(seen, ball[name], np.nan) for name in ("distance", "radial")}
+
+    found = record(match, stare_for(match, SETTLE, SECONDS), read)
+    return {"true": true, "range": subtract_row_mean(found["distance"]), "velocity": found["radial"]}
 
 
 def compare_layers(batch: Batch, **fine: Any) -> Samples:
@@ -51,28 +51,25 @@ def compare_layers(batch: Batch, **fine: Any) -> Samples:
     return samples | {"true": runs["true"]}
 
 
-S66 = Claim(
-    id="S66", section="5",
-    statement="The high resolution camera would steady the ball's distance, and so its velocity.",
-    method=f"{MATCHES} robots a batch stare at a still ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm away for "
+S66 = claim(
+    "S66", "5", "The high resolution camera would steady the ball's distance, and so its velocity.",
+    f"{MATCHES} robots a batch stare at a still ball {100 * NEAR:.0f} to {100 * FAR:.0f} cm away for "
     f"{SECONDS:g} s with each layer of the camera; deviation of the latest range from each run's mean, and of the "
     "radial velocity from zero, frames that show the ball, same seeds; ranges by size, the ranger's rule off, because "
     "no camera mends what the ranger does. About half: 0.4 to 0.6.",
-    criteria=(
-        measured("deviation of the range at 176x144 over that at 88x72", ratio, "range 176x144", "range 88x72", rms,
-                 at_least=0.4, at_most=0.6),
-        measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms, at_least=0.4,
-                 at_most=0.6),
-        reported("range, ranger included", ratio, "range 176x144 rules", "range 88x72 rules", rms),
-        reported("velocity, ranger included", ratio, "velocity 176x144 rules", "velocity 88x72 rules", rms),
-        reported("range at 88x72", "range 88x72", of=rms, unit="cm"),
-        reported("range at 176x144", "range 176x144", of=rms, unit="cm"),
-        reported("velocity at 88x72", "velocity 88x72", of=rms, unit="cm/s"),
-        reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
-    ),
+    measured("deviation of the range at 176x144 over that at 88x72", ratio, "range 176x144", "range 88x72", rms,
+             at_least=0.4, at_most=0.6),
+    measured("deviation of the velocity, the same", ratio, "velocity 176x144", "velocity 88x72", rms, at_least=0.4,
+             at_most=0.6),
+    reported("range, ranger included", ratio, "range 176x144 rules", "range 88x72 rules", rms),
+    reported("velocity, ranger included", ratio, "velocity 176x144 rules", "velocity 88x72 rules", rms),
+    reported("range at 88x72", "range 88x72", of=rms, unit="cm"),
+    reported("range at 176x144", "range 176x144", of=rms, unit="cm"),
+    reported("velocity at 88x72", "velocity 88x72", of=rms, unit="cm/s"),
+    reported("velocity at 176x144", "velocity 176x144", of=rms, unit="cm/s"),
     measure=compare_layers,
     figures=plots(*(plot_bins(f"Scatter of a still ball's {name}", "distance [cm]", f"deviation [{unit}]",
-                              {f"{name} {layer}": layer for layer in LAYERS}, "true", np.linspace(NEAR, FAR, 8), rms)
+                              {layer: f"{name} {layer}" for layer in LAYERS}, "true", np.linspace(NEAR, FAR, 8), rms)
                     for name, unit in (("range", "cm"), ("velocity", "cm/s")))),
     batches=32, seconds=1.5,
     without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED, distance_to_ball, play, put_ball, stage_ball, wrap_angle
@@ -31,8 +31,7 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
 
     hold: number of consecutive frames with equal camera noise; radius: ball radius [m], None for the league's radius.
     """
-    rng = batch.rng()
-    league = find_league(LEGGED)
+    rng, league = batch.rng(), find_league(LEGGED)
     if radius is not None:
         league = replace(league, ball=replace(league.ball, radius=radius))
     pose = rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES)
@@ -69,52 +68,40 @@ def averaging_time(batch: Batch) -> float:
     return (still.index(True) + 1) * match.league.dt if True in still else float("nan")
 
 
-def radial_over_tangential(samples: Samples) -> list[float]:
-    """Return the rms deviation along the line of sight divided by that across it, for each range bin of BINS."""
+def radial_over_tangential(samples: Samples) -> float:
+    """Return the rms deviation along the line of sight divided by that across it, the least of the bins of BINS."""
     inside = bin_masks(samples["range"], BINS)
-    return [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
+    ratios = [rms(samples["raw"][here]) / max(rms(samples["aside"][here]), 1e-12) for here in inside]
+    return float(np.min(ratios))
 
 
 filter_figure = plot_bins(
-    "Scatter of a still ball's estimate",
-    RANGE_LABEL,
-    "deviation [cm]",
-    {"raw": "raw", "filtered": "mean of four", "aside": "across the line of sight"},
-    "range",
-    np.linspace(NEAR, FAR, 9),
-    rms,
-)
-
-
+    "Scatter of a still ball's estimate", RANGE_LABEL, "deviation [cm]",
+    {"raw": "raw", "mean of four": "filtered", "across the line of sight": "aside"}, "range",
+    np.linspace(NEAR, FAR, 9), rms,
+)  # fmt: skip
 HOW = (
     f"{MATCHES} standing robots a batch look at still balls {100 * NEAR:.0f} to {100 * FAR:.0f} cm from the "
     f"camera for {SECONDS:g} s; scatter of each robot's estimates about its own mean."
 )
 
-S16 = Claim(
-    id="S16", section="3.1.1",
-    statement="The average of four estimates, over about 1/4 s, steadies the ball's position.",
-    method=f"{HOW} The span is the time in which a ball that is moved at once has left the average.",
-    criteria=(
-        measured("deviation of the filtered range over the raw one's", ratio, "filtered", "raw", rms, at_least=0.45,
-                 at_most=0.6),
-        exact("span of the average", "span", unit="s", at_least=0.2, at_most=0.3),
-    ),
+S16 = claim(
+    "S16", "3.1.1", "The average of four estimates, over about 1/4 s, steadies the ball's position.",
+    f"{HOW} The span is the time in which a ball that is moved at once has left the average.",
+    measured("deviation of the filtered range over the raw one's", ratio, "filtered", "raw", rms, at_least=0.45,
+             at_most=0.6),
+    exact("span of the average", "span", unit="s", at_least=0.2, at_most=0.3),
     measure=look_at_still_balls, figures=filter_figure, batches=32, seconds=0.5,
     without=Ablation(f"flicker that is drawn anew in each frame: here every {SLOW} frames, a gait step of half a "
                      "second", lambda batch: look_at_still_balls(batch, hold=SLOW)),
     ingredients=("memory.averaged = 4", "16 frames a second", "sensors.dither, drawn anew in each frame"),
 )  # fmt: skip
 
-S17 = Claim(
-    id="S17", section="footnote 4",
-    statement="Angles to the ball are more stable over time than distances.",
-    method=f"{HOW} Raw estimates, along the line of sight and across it, in bins of "
+S17 = claim(
+    "S17", "footnote 4", "Angles to the ball are more stable over time than distances.",
+    f"{HOW} Raw estimates, along the line of sight and across it, in bins of "
     f"{', '.join(f'{100 * edge:.0f}' for edge in BINS)} cm; the bin where they differ least counts.",
-    criteria=(
-        measured("deviation of the range over that across, from 60 cm on",
-                 lambda samples: float(np.min(radial_over_tangential(samples))), at_least=3.0),
-    ),
+    measured("deviation of the range over that across, from 60 cm on", radial_over_tangential, at_least=3.0),
     measure=look_at_still_balls, figures=filter_figure, batches=32, seconds=0.5,
     without=Ablation("a ball of 84 mm: distance over diameter is the ratio that a pinhole gives; here one of 220 mm",
                      lambda batch: look_at_still_balls(batch, radius=LARGE)),

@@ -2,6 +2,5 @@
 
 dribbling.py     Keeping the ball between the paws: step length, angle off straight ahead, a robot in the way.
 or_shoot.py      Dribbling round blockers against the team's former play: orbit and shoot.
-past.py          Dribbling past standing players, and past a walking one; how often a dribbler has to decide.
-classes.py       A mover among standing players, by class of situation.
+past.py          Dribbling past players who stand or walk, by class, and how often to decide.
 """

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match.staging import send_off
-from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED, Batch, Curve, Figure, claim
 from soccer_env.train.papers.dribble_runs import start_drill
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
@@ -81,26 +81,22 @@ def goal_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Goals of one robot with the ball", "time [s]", "runs with a goal [%]", curves),)
 
 
-S31 = Claim(
-    id="S31", section="4, 4.3.4",
-    statement="Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
-    method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, who "
+S31 = claim(
+    "S31", "4, 4.3.4", "Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
+    f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, who "
     f"go for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by "
     "sacks-2001, which dribbles round who is in its way and shoots where nobody is, against orbit and shoot "
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
-    criteria=(
-        measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
-                 unit="%", above=0.0),
-        *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in (*STRATEGIES, *MORE)),
-        reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
-        reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still",
-                 unit="%"),
-        reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
-                 " still", unit="cm"),
-        reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
-                 unit="%"),
-    ),
+    measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
+             unit="%", above=0.0),
+    *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
+    *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in (*STRATEGIES, *MORE)),
+    reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
+    reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still", unit="%"),
+    reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
+             " still", unit="cm"),
+    reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
+             unit="%"),
     rules=PLAYED, measure=compare_strategies, figures=goal_figure, batches=14, seconds=4.2,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "

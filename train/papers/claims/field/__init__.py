@@ -5,8 +5,7 @@ from camera to surface, as the sensors gave them (MS42), and for comparison from
 
 constants.py     The constants of the potential field, and the transfer of constants from points to robots.
 forces.py        The forces of the potential field: exponents, the goal's pull, the cosine, walls.
-minima.py        Local minima and remaining indecision, in the point simulator and in the full one.
-movers.py        A stronger preference for the present side, with moving players.
+minima.py        Local minima, remaining indecision, and a stronger preference for the present side.
 numbers.py       The numbers of the potential field: zero forces, unit forces, players and walls; computing time.
 paths.py         Paths through the potential field: steadiness, retreat, indecision.
 point_world.py   The point-mass simulator that the author tried first, with the team's own forces and steering.

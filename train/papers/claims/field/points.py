@@ -25,6 +25,7 @@ TOUCH = 0.23  # [m] between two middles at which bodies touch: 16 cm to the paws
 UNIT = 1.0 / (1.0 / 0.8 + 1.0 / 1.0)  # [m] where a player's force is 1 with the paper's constants
 WALL_UNIT = 1.0 / (1.0 / 0.2 + 1.0 / 0.35)  # [m] where a wall's force is 1
 NO_CUT_OFF = {"cut_off": False, "player_gain": UNIT, "wall_gain": WALL_UNIT}  # k2/x is 1 where the paper's forces are
+SPEEDS = (0.03, 0.12)  # [m/s] of movers, up to a robot's top speed
 NOISE = 0.08  # [1] of the range: the bound of S35
 BLOBS = 0.2  # [1] share of decisions that see a player who is not there, assumed
 
@@ -55,6 +56,37 @@ def gap_ahead(rng: np.random.Generator, narrowest: float, widest: float, askew: 
     return players(np.stack(sides, axis=1))
 
 
+def approaching_player(rng: np.random.Generator) -> np.ndarray:
+    """Return a player (M, 1) that comes from ahead, straight for the dribbler's start."""
+    place = np.stack([rng.uniform(-0.2, 1.0, SCENES), rng.uniform(-0.3, 0.3, SCENES)], axis=-1)
+    goal = np.stack([np.full(SCENES, START), rng.uniform(-0.15, 0.15, SCENES)], axis=-1)
+    return players(place[:, None], velocities_towards(place, goal, rng)[:, None])
+
+
+def players_on_both_sides(rng: np.random.Generator) -> np.ndarray:
+    """Return two players (M, 2): one stands on one side of the path, the other comes from the other side."""
+    side = rng.choice([-1.0, 1.0], SCENES)
+    stands = np.stack([rng.uniform(-0.4, 0.2, SCENES), side * rng.uniform(0.05, 0.3, SCENES)], axis=-1)
+    comes = np.stack([rng.uniform(-0.2, 0.8, SCENES), -side * rng.uniform(0.2, 0.7, SCENES)], axis=-1)
+    velocity = velocities_towards(comes, np.stack([rng.uniform(-0.9, -0.3, SCENES), np.zeros(SCENES)], axis=-1), rng)
+    return players(np.stack([stands, comes], axis=1), np.stack([0.0 * velocity, velocity], axis=1))
+
+
+def crossing_player(rng: np.random.Generator) -> np.ndarray:
+    """Return a player (M, 1) that crosses the straight path within 3 s of the dribbler's arrival at the crossing."""
+    x, side = rng.uniform(-0.5, 0.2, SCENES), rng.choice([-1.0, 1.0], SCENES)
+    when = (x - START) / 0.07 + rng.uniform(-3.0, 3.0, SCENES)
+    velocity = velocities_towards(np.zeros((SCENES, 2)), np.stack([rng.uniform(-0.6, 0.0, SCENES), side], axis=-1), rng)
+    place = np.stack([x, np.zeros(SCENES)], axis=-1) - when[:, None] * velocity
+    return players(place[:, None], velocity[:, None])
+
+
+def velocities_towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """Return velocities (M, 2) from places towards goals, with random speeds within SPEEDS."""
+    way = goal - place
+    return np.asarray(way / np.linalg.norm(way, axis=-1, keepdims=True) * rng.uniform(*SPEEDS, (SCENES, 1)))
+
+
 def collided(runs: PointRuns) -> np.ndarray:
     """Tell in which runs the bodies would have touched (M,)."""
     return runs.clearance < TOUCH
@@ -65,10 +97,16 @@ def is_clean(runs: PointRuns) -> np.ndarray:
     return np.asarray(runs.arrived & ~collided(runs))
 
 
-def draw_field(title: str, crowd: np.ndarray, paths: dict[str, np.ndarray], **play: Any) -> Figure:
-    """Return a picture of the forces over the field round players (1, P) at rest, and of paths (T, 2) through it."""
-    ways = {name: path[np.isfinite(path[:, 0])] for name, path in paths.items()}
-    curves = [Curve(name, list(way[:, 0]), list(way[:, 1])) for name, way in ways.items()]
+def draw_field(title: str, places: Any, plays: dict[str, dict[str, Any]], y: float = 0.0, **play: Any) -> Figure:
+    """Return a picture of the forces over the field round players at rest at places (P, 2) [m], and of paths there.
+
+    `plays`: the team's settings for each path, which begins at START, y [m]; `play`: its settings for the forces.
+    """
+    crowd, curves = players(places), []
+    for name, settings in plays.items():
+        path = run_points(np.random.default_rng(0), np.array([[START, y]]), crowd, **settings).path[:, 0]
+        way = path[np.isfinite(path[:, 0])]
+        curves.append(Curve(name, list(way[:, 0]), list(way[:, 1])))
     for i, one in enumerate(crowd[0]):
         curves.append(Curve("player" if i == 0 else f"player {i + 1}", [one["x"]], [one["y"]]))
     arrows = force_arrows(crowd, SacksSettings(**play))

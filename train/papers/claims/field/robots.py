@@ -7,12 +7,11 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.match.staging import memory_of
-from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.field.point_world import SIDE
+from soccer_env.train.papers.claims.field.point_world import count_flips
 from soccer_env.train.papers.claims.field.points import SCENES
 from soccer_env.train.papers.dribble_runs import NO_SHOTS, DribbleRecord, place_with_ball, record_dribble
-from soccer_env.train.papers.staging import put, stage, still_actions, wrap_angle
+from soccer_env.train.papers.staging import put, stage_team, still_actions, wrap_angle
 
 ROBOTS = 24  # runs of a batch
 SECONDS = 40.0  # [s] of a run: 1.5 m at 7 cm/s take 21
@@ -50,12 +49,7 @@ class RobotRuns:
     @property
     def flips(self) -> np.ndarray:
         """Count the changes between left and right of the goal while dribbling (M,)."""
-        count, last = np.zeros(self.off.shape[1], int), np.zeros(self.off.shape[1])
-        for off, passed in zip(self.off, self.passed, strict=True):
-            now = np.where(~passed & (np.abs(off) > SIDE), np.sign(off), 0.0)
-            count += now * last < 0.0
-            last = np.where(now != 0.0, now, last)
-        return count
+        return count_flips(np.where(self.passed, 0.0, self.off))
 
     @property
     def deviation(self) -> np.ndarray:
@@ -80,11 +74,18 @@ def pad_with_nan(values: np.ndarray) -> np.ndarray:
     return padded
 
 
-def run_robots(batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", **play: Any) -> RobotRuns:
-    """Let a robot of sacks-2001 with settings `play` dribble from start (M, 2) past a still or moving crowd (M, P)."""
+def run_robots(
+    batch: Batch, start: np.ndarray, crowd: np.ndarray, senses: str = "sensors", count: int = ROBOTS, **play: Any
+) -> RobotRuns:
+    """Let a robot of sacks-2001 with settings `play` dribble from start (M, 2) past a still or moving crowd (M, P).
+
+    Only the first `count` scenes are played.
+    """
+    start, crowd = start[:count], crowd[:count]
     count, others = crowd.shape
-    team = make_team("sacks-2001", **{**NO_SHOTS, **play})
-    match = stage(batch, matches=count, away=others, controllers={"home": team}, keeper=0, senses=senses)
+    match = stage_team(
+        batch, "sacks-2001", NO_SHOTS | play, opponents=None, matches=count, away=others, keeper=0, senses=senses
+    )
     place_with_ball(match, start[:, 0], start[:, 1], np.arctan2(-start[:, 1], GOAL_X - start[:, 0]))
     actions = still_actions(match)
     for i in range(others):

@@ -10,10 +10,9 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.planning.runs import BODY, CROSSERS, LATE
-from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage_team
 from soccer_env.train.papers.verdicts import Samples
 
 KINDS = {"crossing": (1, 0.25, 0.75), "oncoming": (1, 0.83, 1.0), "traffic": (3, 0.25, 1.0)}  # others, courses [pi rad]
@@ -74,8 +73,7 @@ def move_obstacles(match: Match, drives: dict[str, np.ndarray], now: float) -> N
 def drive(batch: Batch, kind: str, settings: dict[str, Any]) -> Samples:
     """Let the team with `settings` drive; return smallest gaps [m], times [s], turns [degrees], cycles away (M,)."""
     drives, count = draw_drives(batch, kind), KINDS[kind][0]
-    sides = {"home": make_team("heinemann-2006", **settings)}
-    match = stage(batch, MIDDLE, matches=DRIVES, home=2, away=count, controllers=sides)
+    match = stage_team(batch, "heinemann-2006", settings, MIDDLE, opponents=None, matches=DRIVES, home=2, away=count)
     facing = np.where(drives["sign"] > 0.0, 0.0, np.pi)
     start = -0.5 * FAR * drives["sign"], drives["y"], facing
     put(match, 1, *start)

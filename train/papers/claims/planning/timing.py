@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, claim
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
 from soccer_env.train.papers.claims.planning.runs import CANONICAL, PLANNED, plan, plans_of
 from soccer_env.train.papers.values import mean, median
@@ -26,33 +26,27 @@ def measure_plan_times(batch: Batch, slower: float = 1.0) -> Samples:
     return samples
 
 
-H12 = Claim(
-    id="H12", section="3",
-    statement="The straight line's time at full speed always underestimates the path's time.",
-    method=f"{PLANNED}; time of the path over the time of the straight line.",
-    criteria=(
-        exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
-        reported("mean ratio", "smooth ratio"),
-    ),
+H12 = claim(
+    "H12", "3", "The straight line's time at full speed always underestimates the path's time.",
+    f"{PLANNED}; time of the path over the time of the straight line.",
+    exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
+    reported("mean ratio", "smooth ratio"),
     rules=NO_MATCH, measure=measure_plan_times, batches=2, seconds=0.8,
     without=Ablation("one speed for both: here the straight line is timed at 0.9 of it",
                      partial(measure_plan_times, slower=1 / 0.9)),
     note="No path is shorter than the straight line, and both are timed at the same speed.",
 )  # fmt: skip
 
-H13 = Claim(
-    id="H13", section="3",
-    statement="The iterative planning needs very few iterations to converge to a reasonable path.",
-    method=f"{PLANNED}; passes over the grid until the times agree to 0.1 s, at most eight.",
-    criteria=(
-        measured("passes (median)", "smooth passes", of=median, at_most=2.0),
-        measured("plans that do not converge", "smooth open", unit="%", at_most=10.0),
-        reported("plans that run into the obstacle", "smooth into", unit="%"),
-        reported("they alone: plans that do so", "literal into", unit="%"),
-        reported("plans of one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
-        reported("the paper's words alone: passes (median)", "literal passes", of=median),
-        reported("they alone: plans that do not converge", "literal open", unit="%"),
-    ),
+H13 = claim(
+    "H13", "3", "The iterative planning needs very few iterations to converge to a reasonable path.",
+    f"{PLANNED}; passes over the grid until the times agree to 0.1 s, at most eight.",
+    measured("passes (median)", "smooth passes", of=median, at_most=2.0),
+    measured("plans that do not converge", "smooth open", unit="%", at_most=10.0),
+    reported("plans that run into the obstacle", "smooth into", unit="%"),
+    reported("they alone: plans that do so", "literal into", unit="%"),
+    reported("plans of one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
+    reported("the paper's words alone: passes (median)", "literal passes", of=median),
+    reported("they alone: plans that do not converge", "literal open", unit="%"),
     rules=NO_MATCH, measure=measure_plan_times, condition="with damping and smoothing, not as written", batches=4,
     seconds=0.8,
     ingredients=("T of the smoothed path, damped by half: the paper speaks of neither",),
@@ -70,15 +64,12 @@ def first_plans(batch: Batch, chosen: bool = True) -> Samples:
     }
 
 
-H14 = Claim(
-    id="H14", section="3, figure 2",
-    statement="For the figure's path one iteration estimated the time to less than 100 ms.",
-    method=f"The first plans of both canonical crossings, equal for every seed. Without their choice: {PLANNED}.",
-    criteria=(
-        exact("most passes", "passes", of=np.max, at_most=1.0),
-        exact("greatest error of T after the first", "error", of=np.max, unit="s", below=0.1),
-        reported("planned in one pass", lambda s: 100 * mean(s["passes"] == 1), unit="%"),
-    ),
+H14 = claim(
+    "H14", "3, figure 2", "For the figure's path one iteration estimated the time to less than 100 ms.",
+    f"The first plans of both canonical crossings, equal for every seed. Without their choice: {PLANNED}.",
+    exact("most passes", "passes", of=np.max, at_most=1.0),
+    exact("greatest error of T after the first", "error", of=np.max, unit="s", below=0.1),
+    reported("planned in one pass", lambda s: 100 * mean(s["passes"] == 1), unit="%"),
     rules=NO_MATCH, measure=first_plans, batches=1, seconds=0.1,
     without=Ablation("the choice of both scenes, by a sketch of the planner: here random ones",
                      partial(first_plans, chosen=False)),

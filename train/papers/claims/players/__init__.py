@@ -8,7 +8,7 @@ jersey.py        A jersey of stickers, seen from all sides and from afar.
 memory.py        One opponent that fills the whole memory of opponents, and the rules of matching.
 moving.py        The movement of a player between an early sighting and the encounter.
 range.py         The accuracy of another player's range: against the ball's, and by infrared.
-seen.py          Stage robots that look at other players; compare their beliefs with the truth.
+watching.py      Stage robots that look at other players; compare their beliefs with the truth.
 tracked.py       The number and accuracy of tracked players: the old system and the new one.
 views.py         The angles from which players see each other in play.
 """

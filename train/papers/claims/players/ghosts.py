@@ -4,15 +4,22 @@ Both errors are the paper's own: for one frame every blob counts as a player (gh
 one player (the farther one is missed). The comparison has the same frames without an error.
 """
 
-from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
-from soccer_env.train.papers.claims.players.seen import gaps_to, matched_distances, put_facing, slots_of, stage_watchers
+from soccer_env.train.papers.claims.players.watching import (
+    gaps_to,
+    matched_distances,
+    put_facing,
+    slots_of,
+    stage_watchers,
+)
+from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean
@@ -26,6 +33,7 @@ ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearing of the third opponent, out of 
 NEAR, FAR = 0.5, 1.0  # [m] of the third opponent
 KNOWN = 1.0  # [m] beyond which a slot stands for nobody: obstacles exert no force from there, 4.3.2
 FOES = [1, 2, 3]
+RATE, EVERY = 16, 4  # [Hz] of control steps, and of them between two points of the figure
 EVENTS: dict[str, float | None] = {"none": None, "ghost": 0.0, "miss": 1e6}  # grouping factor for one frame
 
 
@@ -82,33 +90,28 @@ def compare_errors(batch: Batch) -> Samples:
     return samples
 
 
-def ghost_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the added error of the memory against the time since the event."""
-    steps = samples["course ghost"].shape[1]
-    times = np.linspace(0.0, AFTER, steps)[::4]
-    curves = [
-        Curve(f"a {event}", list(times), [100 * mean(samples[f"course {event}"][:, i]) for i in range(0, steps, 4)])
-        for event in ("ghost", "miss")
-    ]
-    return (Figure("What one frame's error does to the memory", "time since [s]", "added error [cm]", tuple(curves)),)
+def course_of(samples: Samples, event: str) -> np.ndarray:
+    """Return the error that an event adds (M, T) [m], every few frames."""
+    return samples[f"course {event}"][:, ::EVERY]
 
 
-S34 = Claim(
-    id="S34", section="4.1.1",
-    statement="A ghost, which may displace a real player, is worse than a miss.",
-    method=f"{MATCHES} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
+S34 = claim(
+    "S34", "4.1.1", "A ghost, which may displace a real player, is worse than a miss.",
+    f"{MATCHES} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
     "every blob counts as a player (ghosts), or all blobs as one (a miss); mean distance of the opponents from the "
     f"slots that stand for them (at most {100 * KNOWN:.0f} cm), less that without the event, over the {AFTER:g} s "
     "after it, for each ghost and for each miss.",
-    criteria=(
-        measured("added error for a ghost less that for a miss",
-                 lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])), unit="cm", above=0.0),
-        reported("added error for a ghost", "ghost", unit="cm"),
-        reported("added error for a miss", "miss", unit="cm"),
-        reported("error without either", "plain", unit="cm"),
-        reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
-        reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
-    ),
-    measure=compare_errors, figures=ghost_figure, seconds=5.0,
+    measured("added error for a ghost less that for a miss",
+             lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])), unit="cm", above=0.0),
+    reported("added error for a ghost", "ghost", unit="cm"),
+    reported("added error for a miss", "miss", unit="cm"),
+    reported("error without either", "plain", unit="cm"),
+    reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
+    reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
+    measure=compare_errors,
+    figures=plot("What one frame's error does to the memory", "time since [s]", "added error [cm]",
+                 np.linspace(0.0, AFTER, round(AFTER * RATE) + 1)[::EVERY],
+                 {f"a {event}": columns(partial(course_of, event=event)) for event in ("ghost", "miss")}),
+    seconds=5.0,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
 )  # fmt: skip

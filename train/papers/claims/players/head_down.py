@@ -5,10 +5,10 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
-from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare
+from soccer_env.train.papers.claim import Ablation, Batch, claim
+from soccer_env.train.papers.claims.players.watching import distance_to_robot, nearest_seen, stage_player, stare
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import begin_scene, still_actions
+from soccer_env.train.papers.staging import still_actions
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -48,14 +48,16 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
     player or obstacle; and the true distance.
     """
     rng = batch.rng()
-    match = stage_watchers(batch, MATCHES, sensors=sensors, memory={"player_infrared": False, "obstacle": obstacle})
     distance, view = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-FRONTAL, FRONTAL, MATCHES)
-    put_facing(match, 1, distance, rng.uniform(-0.3, 0.3, MATCHES), view)
-    begin_scene(match)
+    memory = {"player_infrared": False, "obstacle": obstacle}
+    match = stage_player(
+        batch, MATCHES, distance, rng.uniform(-0.3, 0.3, MATCHES), view, sensors=sensors, memory=memory
+    )
     actions = still_actions(match)
     turn_head(match, actions, 1, 0.0, tilt)
     rows = []
-    for true in stare(match, actions, SETTLE, SECONDS):
+    for _ in stare(match, actions, SETTLE, SECONDS):
+        true = distance_to_robot(match)
         rows.append([nearest_seen(match)[0] - true, infrared_distance(match) - true, nearest_known(match), true])
     match.close()
     return tuple(np.moveaxis(np.array(rows), 1, 0))
@@ -98,30 +100,27 @@ def detected_share(samples: Samples) -> float:
     return 100.0 - 100.0 * left / all_ if all_ > 0.0 else np.nan
 
 
-S61 = Claim(
-    id="S61", section="4.3.3",
-    statement="A near robot with its head down seems much farther; the infrared reading repairs that.",
-    method=f"{MATCHES} robots a batch stare at a player {100 * NEAR:.0f} to {100 * FAR:.0f} cm away that faces them "
+S61 = claim(
+    "S61", "4.3.3", "A near robot with its head down seems much farther; the infrared reading repairs that.",
+    f"{MATCHES} robots a batch stare at a player {100 * NEAR:.0f} to {100 * FAR:.0f} cm away that faces them "
     f"(within {np.degrees(FRONTAL):.0f} degrees), its head level or {np.degrees(-DOWN):.0f} degrees down; mean range "
     "error of each run by the size of its jersey, and with the infrared reading in its place, same seeds; and how "
     "often the player is overlooked, with the obstacle that a reading makes (MS49) and, its head down, without. The "
     "paper: it \"saw this robot as being much farther than it actually was\", and infrared is \"to allow the robots to "
     "detect this situation\".",
-    criteria=(
-        measured("head down: farther than it is, by size", lambda s: 100 * mean(s["down"] / s["distance"]), unit="%",
-                 at_least=MUCH),
-        measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
-        measured("head down: overlooked frames that the obstacle detects", detected_share, unit="%", above=50.0),
-        reported("head down: bias by size", "down", unit="cm"),
-        reported("head down: bias by infrared, of that difference by size", remaining_error_share, unit="%"),
-        *(reported(f"bias, head {name}", name, unit="cm") for name in ("up", "up by infrared", "down by infrared")),
-        *(reported(f"frames that show it, head {name}", f"seen {name}", unit="%") for name in TILTS),
-        *(reported(f"frames in which it is {name}", name, unit="%")
-          for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")),
-    ),
+    measured("head down: farther than it is, by size", lambda s: 100 * mean(s["down"] / s["distance"]), unit="%",
+             at_least=MUCH),
+    measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
+    measured("head down: overlooked frames that the obstacle detects", detected_share, unit="%", above=50.0),
+    reported("head down: bias by size", "down", unit="cm"),
+    reported("head down: bias by infrared, of that difference by size", remaining_error_share, unit="%"),
+    *(reported(f"bias, head {name}", name, unit="cm") for name in ("up", "up by infrared", "down by infrared")),
+    *(reported(f"frames that show it, head {name}", f"seen {name}", unit="%") for name in TILTS),
+    *(reported(f"frames in which it is {name}", name, unit="%")
+      for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")),
     measure=compare_head_tilts,
     figures=plot_bins("Range bias of a near player by its head", "distance [cm]", "bias [cm]",
-                      {name: f"head {name}" for name in (*TILTS, "down by infrared")}, "distance",
+                      {f"head {name}": name for name in (*TILTS, "down by infrared")}, "distance",
                       np.linspace(NEAR, FAR, 6), mean),
     seconds=1.5,
     without=Ablation("sensors.head_down, the angle from which a head hides stickers",

@@ -3,14 +3,14 @@
 The rates of missed stickers and missed players are guesses, so S35 is judged over both; the worst case counts.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.players.grouping import TILT
-from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, slots_of, stage_watchers
+from soccer_env.train.papers.claims.players.watching import is_fresh, put_facing, slots_of, stage_watchers
+from soccer_env.train.papers.plots import Drawing, columns, plot
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
@@ -30,7 +30,7 @@ POWERS = {  # of distance and angle in the likelihood
 }
 STEADY = 0.08  # [1] greatest scatter of the range of a "steady" run
 ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
-EVERY = 8  # frames between two points of the figure
+EVERY, POINTS = 8, 60  # frames between two points of the figure, and their number
 FIRST, FINAL = "U/d", "U/(d^3 a)"  # the first and the final likelihood of the paper
 MISSES: dict[str, dict[str, float]] = {  # things that frames miss
     "nothing": {"sticker_miss": 0.0, "player_miss": 0.0},
@@ -114,14 +114,11 @@ def by_case(samples: Samples, name: str) -> list[float]:
     return [100 * mean(samples[f"{name}, {missed}"]) for missed in MISSES]
 
 
-def slot_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of runs in which one opponent holds two slots against the time."""
-    names = [name for name in POWERS if f"course {name}" in samples]
-    steps = samples[f"course {FINAL}"].shape[-1]
-    times = [float(i * SECONDS / steps) for i in range(steps)]
-    courses = [samples[f"course {name}"].reshape(-1, steps) for name in names]
-    curves = [Curve(name, times, list(100 * course.mean(axis=0))) for name, course in zip(names, courses, strict=True)]
-    return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "runs [%]", tuple(curves)),)
+def plot_slots(*names: str) -> Drawing:
+    """Return a drawing of the share of runs in which one opponent holds two slots against the time, by likelihood."""
+    lines = {name: columns(f"course {name}") for name in names}
+    title = "One opponent in view: runs in which it holds two slots"
+    return plot(title, "time [s]", "runs [%]", [i * SECONDS / POINTS for i in range(POINTS)], lines)
 
 
 HOW = (
@@ -130,44 +127,36 @@ HOW = (
     "it has filled two slots or more, same seeds for each likelihood"
 )
 
-S35 = Claim(
-    id="S35", section="4.1.1",
-    statement="Uncertainty U/d lets one opponent fill all three slots; U/(d^3 angle) usually does not.",
-    method=f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
+S35 = claim(
+    "S35", "4.1.1", "Uncertainty U/d lets one opponent fill all three slots; U/(d^3 angle) usually does not.",
+    f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
     "players; the worst of them counts. The paper: U/d \"frequently caused a single foe to fill up all three foe "
     "slots\"; the other \"usually prevents one player from occupying multiple slots\".",
-    criteria=(
-        measured("U/d: runs in which it comes to fill all three slots", lambda s: min(by_case(s, f"all {FIRST}")),
-                 unit="%", at_least=50.0),
-        measured("U/(d^3 angle): time with one slot alone", lambda s: 100 - max(by_case(s, FINAL)), unit="%",
-                 above=50.0),
-        reported("U/d: two slots or more, at the least", lambda s: min(by_case(s, FIRST)), unit="%"),
-        *(reported(f"U/(d^3 angle), missed: {missed}", f"{FINAL}, {missed}", unit="%") for missed in MISSES),
-        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", f"steady {FINAL}", unit="%"),
-        reported("U/(d^3 angle), one sticker on a side, 5 % missed", "one sticker", unit="%"),
-        reported("U/(d^3 angle) with blobs grouped by factor 3", "grouped", unit="%"),
-        reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
-        reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
-    ),
-    measure=compare_misses, figures=slot_figure, batches=10, seconds=6.0,
+    measured("U/d: runs in which it comes to fill all three slots", lambda s: min(by_case(s, f"all {FIRST}")),
+             unit="%", at_least=50.0),
+    measured("U/(d^3 angle): time with one slot alone", lambda s: 100 - max(by_case(s, FINAL)), unit="%", above=50.0),
+    reported("U/d: two slots or more, at the least", lambda s: min(by_case(s, FIRST)), unit="%"),
+    *(reported(f"U/(d^3 angle), missed: {missed}", f"{FINAL}, {missed}", unit="%") for missed in MISSES),
+    reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", f"steady {FINAL}", unit="%"),
+    reported("U/(d^3 angle), one sticker on a side, 5 % missed", "one sticker", unit="%"),
+    reported("U/(d^3 angle) with blobs grouped by factor 3", "grouped", unit="%"),
+    reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
+    reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
+    measure=compare_misses, figures=plot_slots(FIRST, FINAL), batches=10, seconds=6.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
     "player seems half as far again, and may go into another slot.",
 )  # fmt: skip
 
 
-S36 = Claim(
-    id="S36", section="4.1.1",
-    statement="It is not clear that the factor of the angle helps.",
-    method=f"{HOW}: with the angle and without.",
-    criteria=(
-        reported("U/(d^3 angle)", "U/(d^3 a)", unit="%"),
-        reported("U/d^3", "U/d^3", unit="%"),
-        reported("U/(d angle)", "U/(d a)", unit="%"),
-        reported("U/d", "U/d", unit="%"),
-        reported("the angle takes away, of U/d^3", lambda s: 100 * mean(s["U/d^3"]) - 100 * mean(s["U/(d^3 a)"]),
-                 unit="%"),
-    ),
-    measure=compare_likelihoods, figures=slot_figure, batches=4, seconds=5.0,
+S36 = claim(
+    "S36", "4.1.1", "It is not clear that the factor of the angle helps.",
+    f"{HOW}: with the angle and without.",
+    reported("U/(d^3 angle)", "U/(d^3 a)", unit="%"),
+    reported("U/d^3", "U/d^3", unit="%"),
+    reported("U/(d angle)", "U/(d a)", unit="%"),
+    reported("U/d", "U/d", unit="%"),
+    reported("the angle takes away, of U/d^3", lambda s: 100 * mean(s["U/d^3"]) - 100 * mean(s["U/(d^3 a)"]), unit="%"),
+    measure=compare_likelihoods, figures=plot_slots(*POWERS), batches=4, seconds=5.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
 )  # fmt: skip

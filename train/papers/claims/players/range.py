@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Claim
-from soccer_env.train.papers.claims.players.seen import nearest_seen, put_facing, stage_watchers, stare, view_of
+from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, stacked, still_actions
+from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, record, still_actions
 from soccer_env.train.papers.true_sight import stare_for
 from soccer_env.train.papers.values import gain, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -27,36 +27,33 @@ ASIDE = 0.4  # [rad] of the bearing
 def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> Samples:
     """Let robots look at one other player; return believed and true values (M, T), "range" NaN in frames without it.
 
-    "range": error of the distance of body centres; "true": this distance; "infrared": 0 if none; all [m]; "view" [rad].
+    "range": error of the distance of body centres; "true": this distance; "infrared": 0 if none; all [m].
     """
     rng = batch.rng()
-    match = stage_watchers(batch, MATCHES, **settings)
     distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
-    put_facing(match, 1, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
-    begin_scene(match)
-    rows: dict[str, list[np.ndarray]] = {"range": [], "true": [], "view": [], "infrared": []}
-    for true in stare(match, still_actions(match), SETTLE, SECONDS):
-        rows["range"].append(nearest_seen(match)[0] - true)
-        rows["true"].append(true)
-        rows["view"].append(view_of(match, 1))
-        rows["infrared"].append(match.percepts["infrared"][:, 0].astype(float))
-    return stacked(match, rows)
+    match = watching.stage_player(batch, MATCHES, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES), **settings)
+
+    def read() -> Samples:
+        true, infrared = watching.distance_to_robot(match), match.percepts["infrared"][:, 0].astype(float)
+        return {"range": watching.nearest_seen(match)[0] - true, "true": true, "infrared": infrared}
+
+    return record(match, watching.stare(match, still_actions(match), SETTLE, SECONDS), read)
 
 
 def look_at_balls(batch: Batch) -> Samples:
     """Return the measured range of a ball ("range") and its true range ("true"), at the places of `look_at_players`."""
     rng = batch.rng()
-    match = stage_watchers(batch, MATCHES, sensors={"patches": 0.0})
+    match = watching.stage_watchers(batch, MATCHES, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_ball(match, *point_ahead(match, 0, distance, bearing))
     begin_scene(match)
-    rows: dict[str, list[np.ndarray]] = {"range": [], "true": []}
-    for _ in stare_for(match, SETTLE, SECONDS):
-        true, _ = distance_to_ball(match)
-        ball = match.beliefs["ball"][:, 0]
-        rows["range"].append(np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan))
-        rows["true"].append(true)
-    return stacked(match, rows)
+
+    def read() -> Samples:
+        true, ball = distance_to_ball(match)[0], match.beliefs["ball"][:, 0]
+        error = np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan)
+        return {"range": error, "true": true}
+
+    return record(match, stare_for(match, SETTLE, SECONDS), read)
 
 
 def compare_player_and_ball(batch: Batch) -> Samples:
@@ -81,17 +78,14 @@ def compare_ranger_rule(batch: Batch) -> Samples:
     return samples | {"true": runs["with"]["true"], "near": near, "taken": taken}
 
 
-S40 = Claim(
-    id="S40", section="4.1.2",
-    statement="A player's distance is often harder to estimate accurately than the ball's.",
-    method=f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
+S40 = claim(
+    "S40", "4.1.2", "A player's distance is often harder to estimate accurately than the ball's.",
+    f"{MATCHES} robots a batch stare at a standing player, seen from any side, and then at a ball in the same "
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
-    criteria=(
-        measured("relative range error of players over the ball's", ratio, "player", "ball", rms, above=1.0),
-        reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
-        reported("relative error, ball", "ball", of=rms, unit="%"),
-    ),
+    measured("relative range error of players over the ball's", ratio, "player", "ball", rms, above=1.0),
+    reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
+    reported("relative error, ball", "ball", of=rms, unit="%"),
     measure=compare_player_and_ball,
     figures=plot_bins("Range error of a player and of the ball", "distance [cm]", "rms error [%]",
                       {"player": "player", "ball": "ball"}, "true", np.linspace(NEAR, FAR, 8), rms),
@@ -99,22 +93,19 @@ S40 = Claim(
     ingredients=("sizes of stickers and ball", "sensors.dither", "the same camera and ranger for both"),
 )  # fmt: skip
 
-S41 = Claim(
-    id="S41", section="4.1.2",
-    statement="For a player in the picture's middle infrared under 40 cm gives the better distance.",
-    method=f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
+S41 = claim(
+    "S41", "4.1.2", "For a player in the picture's middle infrared under 40 cm gives the better distance.",
+    f"{MATCHES} robots a batch stare at a player {100 * RANGER_NEAR:.0f} to {100 * RANGER_FAR:.0f} cm away, "
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
-    criteria=(
-        measured("error without the rule less that with it", gain, "without", "with", rms, unit="cm", above=0.0),
-        reported("error with the rule (root mean square)", "with", of=rms, unit="cm"),
-        reported("error without the rule", "without", of=rms, unit="cm"),
-        reported("frames with a reading under 40 cm", "near", unit="%"),
-        reported("frames in which the rule takes it", "taken", unit="%"),
-    ),
+    measured("error without the rule less that with it", gain, "without", "with", rms, unit="cm", above=0.0),
+    reported("error with the rule (root mean square)", "with", of=rms, unit="cm"),
+    reported("error without the rule", "without", of=rms, unit="cm"),
+    reported("frames with a reading under 40 cm", "near", unit="%"),
+    reported("frames in which the rule takes it", "taken", unit="%"),
     measure=compare_ranger_rule,
     figures=plot_bins("Range error of a centred player, infrared below 40 cm", "distance between bodies' centres [cm]",
-                      "rms error [cm]", {"with": "by infrared", "without": "by size"}, "true",
+                      "rms error [cm]", {"by infrared": "with", "by size": "without"}, "true",
                       np.linspace(RANGER_NEAR, RANGER_FAR, 8), rms),
     seconds=1.0,
     ingredients=("sensors.infrared_noise, infrared_growth, infrared_pointing", "half a body behind the surface"),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED, Batch, Curve, Figure, claim
 from soccer_env.train.papers.staging import kick_off, wrap_angle
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -72,19 +72,16 @@ def view_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Angles under which players are seen, 3 v 3", angle, "share of views [%]", tuple(curves)),)
 
 
-S69 = Claim(
-    id="S69", section="4.1.2",
-    statement="A robot's most common view of another player is head-on.",
-    method=f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
+S69 = claim(
+    "S69", "4.1.2", "A robot's most common view of another player is head-on.",
+    f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
-    criteria=(
-        measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
-                 unit="%", above=0.0),
-        *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
-          for i, name in enumerate(THIRDS)),
-        reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
-    ),
+    measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
+             unit="%", above=0.0),
+    *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
+      for i, name in enumerate(THIRDS)),
+    reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     rules=PLAYED,
     measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}, figures=view_figure,
     seconds=4.0,

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_recovering, set_up_walk
 from soccer_env.train.papers.claims.stuck.sampled import BASE, MATCHES, SECONDS, MotionWindow, distance_from_camera
 from soccer_env.train.papers.staging import distance_to_ball, kick_off, play
@@ -83,17 +83,14 @@ def velocity_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure(f"Radial velocity over {WINDOW:g} s", "mean radial velocity [cm/s]", "robots [%]", tuple(curves)),)
 
 
-S04 = Claim(
-    id="S04", section="3",
-    statement="A robot that makes for the ball but comes no nearer is probably stuck.",
-    method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
+S04 = claim(
+    "S04", "3", "A robot that makes for the ball but comes no nearer is probably stuck.",
+    f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, in which nobody recovers; windows of {WINDOW:g} s "
     f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
     "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
-    criteria=(
-        measured("area under the ROC curve of the mean velocity", roc_area, at_least=0.9),
-        reported("median of free robots", "free", of=median, unit="cm/s"),
-        reported("median of held robots", "stuck", of=median, unit="cm/s"),
-    ),
+    measured("area under the ROC curve of the mean velocity", roc_area, at_least=0.9),
+    reported("median of free robots", "free", of=median, unit="cm/s"),
+    reported("median of held robots", "stuck", of=median, unit="cm/s"),
     rules=PLAYED, measure=velocity_windows, figures=velocity_figure, least=4, batches=12, seconds=2.0,
     ingredients=("sensors.dither", "memory.filter_length"),
 )  # fmt: skip

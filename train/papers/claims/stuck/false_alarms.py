@@ -6,7 +6,7 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, claim
 from soccer_env.train.papers.claims.stuck.detection import NEAR, latencies
 from soccer_env.train.papers.claims.stuck.runs import is_recovering, set_up_seekers
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, distance_from_camera
@@ -63,22 +63,19 @@ def false_alarm_rates(samples: Samples) -> list[float]:
     return [100.0 * mean(samples["false"][:, i]) for i in range(len(COUNTS))]
 
 
-S25 = Claim(
-    id="S25", section="3.3",
-    statement="Higher thresholds prevent false alarms, but delay the detection of collisions.",
-    method=f"Thresholds of {', '.join(map(str, COUNTS))} readings: held robots as in S22, {TRIES} a batch, the ball at "
+S25 = claim(
+    "S25", "3.3", "Higher thresholds prevent false alarms, but delay the detection of collisions.",
+    f"Thresholds of {', '.join(map(str, COUNTS))} readings: held robots as in S22, {TRIES} a batch, the ball at "
     f"35 to 80 cm, and {2 * TRIES} approaches to a ball 40 to 90 cm away in any direction, half of them to one that "
     f"rolls at {100 * ROLLS[0]:.0f} to {100 * ROLLS[1]:.0f} cm/s; each recovery there is a false alarm.",
-    criteria=(
-        measured("least rise of the delay from threshold to threshold", lambda s: least_rise(mean_latencies(s)),
-                 unit="s", above=0.0),
-        measured("least fall of the false alarms in 100 approaches",
-                 lambda s: least_rise([-v for v in false_alarm_rates(s)]), at_least=0.0),
-        measured("false alarms in 100 approaches: least threshold less greatest",
-                 lambda s: false_alarm_rates(s)[0] - false_alarm_rates(s)[-1], above=0.0),
-        reported("least threshold: delay", lambda s: mean_latencies(s)[0], unit="s"),
-        reported("greatest threshold: delay", lambda s: mean_latencies(s)[-1], unit="s"),
-    ),
+    measured("least rise of the delay from threshold to threshold", lambda s: least_rise(mean_latencies(s)),
+             unit="s", above=0.0),
+    measured("least fall of the false alarms in 100 approaches",
+             lambda s: least_rise([-v for v in false_alarm_rates(s)]), at_least=0.0),
+    measured("false alarms in 100 approaches: least threshold less greatest",
+             lambda s: false_alarm_rates(s)[0] - false_alarm_rates(s)[-1], above=0.0),
+    reported("least threshold: delay", lambda s: mean_latencies(s)[0], unit="s"),
+    reported("greatest threshold: delay", lambda s: mean_latencies(s)[-1], unit="s"),
     measure=sweep_thresholds,
     figures=plots(plot("Delay by threshold", "threshold [readings]", "mean time until noticed [s]", COUNTS,
                        {"held robots": mean_latencies}),
@@ -181,28 +178,24 @@ def cause_share(samples: Samples, cause: int) -> float:
     return 100.0 * float(samples["causes"][:, cause].sum()) / total if total else float("nan")
 
 
-S24 = Claim(
-    id="S24", section="3.3",
-    statement="False alarms are infrequent, usually while the ball moves away or the robot turns slowly.",
-    method=f"{MATCHES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
+S24 = claim(
+    "S24", "3.3", "False alarms are infrequent, usually while the ball moves away or the robot turns slowly.",
+    f"{MATCHES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
     f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the robot "
     "turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
     f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 "
     "to 90 cm away in any direction, nothing in the way.",
-    criteria=(
-        counted("approaches in play that end in a false alarm", "alarms", "approaches", at_most=5.0),
-        measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess, unit="pp",
-                 above=0.0),
-        *(reported(f"false alarms in play: {name}", cause_share, i, unit="%") for i, name in enumerate(CAUSES)),
-        reported("receding or turning in free approaches",
-                 lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0), unit="%"),
-        reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
-        reported("false alarms in play, in all", lambda s: float(s["alarms"].sum())),
-        reported("recoveries that are false alarms",
-                 lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0), unit="%"),
-        reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(),
-                 unit="%"),
-    ),
+    counted("approaches in play that end in a false alarm", "alarms", "approaches", at_most=5.0),
+    measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess, unit="pp",
+             above=0.0),
+    *(reported(f"false alarms in play: {name}", cause_share, i, unit="%") for i, name in enumerate(CAUSES)),
+    reported("receding or turning in free approaches",
+             lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0), unit="%"),
+    reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
+    reported("false alarms in play, in all", lambda s: float(s["alarms"].sum())),
+    reported("recoveries that are false alarms",
+             lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0), unit="%"),
+    reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(), unit="%"),
     rules=PLAYED_AND_STAGED, measure=count_alarm_causes, least=4, batches=12, seconds=4.5,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),
 )  # fmt: skip
