@@ -74,7 +74,7 @@ def plot_shares(
 
     def share(samples: Samples, line: Values, x: float) -> float:
         values = take(samples, line)
-        return 100.0 * float(holds(values[~np.isnan(values)], x).mean())
+        return 100.0 * mean(holds(values[~np.isnan(values)], x))
 
     drawn = {name: each(grid, share, line) for name, line in lines.items()}
     return plot(title, x_label, y_label, [place_scale * x for x in grid], drawn, **more)

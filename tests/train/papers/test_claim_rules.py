@@ -18,7 +18,7 @@ from soccer_env.train.papers.claims.dribble import or_shoot
 from soccer_env.train.papers.claims.stuck import branches
 from soccer_env.train.papers.claims.stuck.branches import FREE_TIME, Fate, follow_moments
 from soccer_env.train.papers.claims.stuck.collisions import count_near_ball, ended_by_referee
-from soccer_env.train.papers.claims.stuck.false_alarms import Approaches
+from soccer_env.train.papers.claims.stuck.detection import Approaches
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, stack_moments
 from soccer_env.train.papers.dribble_runs import PAPER, start_drill
 from soccer_env.train.papers.reproduction import reproduce

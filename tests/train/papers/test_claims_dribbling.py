@@ -10,7 +10,7 @@ from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
 from soccer_env.train.papers.claims.dribble import dribbling, past
 from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
-from soccer_env.train.papers.dribble_runs import contacts_of, play_drill
+from soccer_env.train.papers.dribble_runs import Contacts, play_drill
 from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage, stage_team
 
 BATCH = Batch("test", 0, 0)
@@ -81,7 +81,7 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
     begin_scene(match, placed=True)
     set_mass(match, (1,), 1e4, 1e4)  # the one that it meets does not give way
     dribble_runs.start_dribbling(match)
-    contacts, actions = contacts_of(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
+    contacts, actions = Contacts(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
     actions[2] = 0.0
     for _ in range(64):
         match.step(actions)

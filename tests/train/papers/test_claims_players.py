@@ -6,7 +6,6 @@ import pytest
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.optics import head_camera as optics
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.players import blobs as players_blobs
 from soccer_env.train.papers.claims.players import grouping as players_grouping
 from soccer_env.train.papers.claims.players import jersey as players_jersey
 from soccer_env.train.papers.claims.players import moving as players_moving
@@ -183,8 +182,8 @@ def test_a_jump_is_how_much_farther_a_headless_player_seems() -> None:
         "combined with head": np.full((4, 3, 2), 1.0), "combined without head": np.full((4, 3, 2), np.nan),
     }  # fmt: skip
     samples["combined without head"][:, :, 0] = [1.7, 2.0, 2.4]
-    assert players_blobs.sticker_range_ratios(samples, "largest") == pytest.approx(1.1)
-    assert players_blobs.worst_sticker_ratio(samples, "combined") == pytest.approx(2.4)
+    assert players_jersey.sticker_range_ratios(samples, "largest") == pytest.approx(1.1)
+    assert players_jersey.worst_sticker_ratio(samples, "combined") == pytest.approx(2.4)
 
 
 def test_movers_keep_their_speed_and_those_that_stand_stay() -> None:

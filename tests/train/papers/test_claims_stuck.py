@@ -6,7 +6,7 @@ import pytest
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.stuck import collisions, false_alarms, runs, surface, worth
+from soccer_env.train.papers.claims.stuck import collisions, runs, surface, worth
 from soccer_env.train.papers.claims.stuck import detection as stuck_detection
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, distance_from_camera, sample_moments
@@ -129,7 +129,7 @@ def test_the_cause_of_a_false_alarm_is_the_first_that_holds() -> None:
     signs = [
         (0.05, 1.0, 0.0, 0.2), (0.0, 1.0, 0.0, 0.2), (0.0, 0.0, 0.5, 0.5), (-0.1, 0.0, 0.0, 0.2), (0.0, 0.1, 0.1, 0.6),
     ]  # fmt: skip
-    found = [false_alarms.CAUSES[false_alarms.cause_of(np.array(one))] for one in signs]
+    found = [stuck_detection.CAUSES[stuck_detection.cause_of(np.array(one))] for one in signs]
     assert found == ["receding", "turning", "turning", "near", "other"]
 
 

@@ -28,8 +28,7 @@ Measure the paper's words over the range that they name; a claim that does not h
     stuck/           detecting that a robot is stuck      dribble/         keeping the ball, past others
     field/           the potential field                  goalkeeper.py    a goalkeeper's use of ball velocities
     planning/        the planners of 2006                 goalkeeping/     goalkeeper and receiver of 2006
-    own_pose.py      a middle-size robot's own pose       middle_size.py   middle-size vision in changing light
-    resolution.py    the gain of a finer camera           sensors.py       errors of all sensors over the range
+    middle_size.py   middle-size vision and own pose      sensors.py       errors of all sensors over the range
 """
 
 from collections.abc import Iterable, Mapping

@@ -10,7 +10,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import Batch, claim
-from soccer_env.train.papers.claims.resolution import LAYERS
+from soccer_env.train.papers.claims.ball.range import LAYERS
 from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage_team
 from soccer_env.train.papers.values import gain, mean

@@ -1,13 +1,14 @@
 """Dribbling round blockers against the team's former play: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
 
-from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match.staging import send_off
-from soccer_env.train.papers.claim import PLAYED, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import PLAYED, Batch, claim
 from soccer_env.train.papers.dribble_runs import start_drill
+from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 
@@ -67,18 +68,9 @@ def dribbling_advantage(samples: Samples, quantity: str, where: str = "", factor
     return factor * float(new - old)
 
 
-def goal_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of runs with a goal against the time."""
-    times = tuple(np.arange(0.0, SECONDS + 1.0, 5.0))
-    curves = tuple(
-        Curve(f"{name}, {text}", times, [
-            100.0 * float((samples[f"goals {name}{where}"] * (samples[f"ended {name}{where}"] <= time)).mean())
-            for time in times
-        ])
-        for name in STRATEGIES
-        for where, text in (("", "three who go for the ball"), (" still", "three still"), (" alone", "nobody"))
-    )  # fmt: skip
-    return (Figure("Goals of one robot with the ball", "time [s]", "runs with a goal [%]", curves),)
+def goal_times(samples: Samples, name: str) -> np.ndarray:
+    """Return the times of the goals [s] of a strategy, such as "dribble still", infinite for runs without one."""
+    return np.where(samples[f"goals {name}"] > 0.0, samples[f"ended {name}"], np.inf)
 
 
 S31 = claim(
@@ -97,7 +89,13 @@ S31 = claim(
              " still", unit="cm"),
     reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
              unit="%"),
-    rules=PLAYED, measure=compare_strategies, figures=goal_figure, batches=14, seconds=4.2,
+    rules=PLAYED, measure=compare_strategies,
+    figures=plot_shares("Goals of one robot with the ball", "time [s]", "runs with a goal [%]",
+                        np.arange(0.0, SECONDS + 1.0, 5.0),
+                        {f"{name}, {text}": partial(goal_times, name=f"{name}{where}") for name in STRATEGIES
+                         for where, text in (("", "three who go for the ball"), (" still", "three still"),
+                                             (" alone", "nobody"))}),
+    batches=14, seconds=4.2,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "
     "the ball away.",

@@ -89,11 +89,6 @@ S62 = claim(
 # A moving player
 
 
-def dribble_past_mover(batch: Batch) -> Samples:
-    """Dribble past one mover; columns: drills, in each the speeds."""
-    return play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER)
-
-
 def drill_columns(index: int, most: float = 1.0) -> list[int]:
     """Return the column indices of one drill of MOVING, at speeds up to `most` [m/s]."""
     return [index * len(SPEEDS) + i for i, speed in enumerate(SPEEDS) if speed <= most]
@@ -121,7 +116,7 @@ S63 = claim(
     reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody", "free",
              speed_columns(0.03, 0.06), unit="%"),
     reported("past with the ball, touched or not, all speeds", "past", unit="%"),
-    measure=dribble_past_mover,
+    measure=lambda batch: play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER),
     figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
                  {scene.removeprefix("dribble-past-"): columns(partial(clean_of_drill, index=i))
                   for i, scene in enumerate(MOVING)}, rules=(80.0,)),

@@ -12,7 +12,8 @@ from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
 from soccer_env.train.papers.claims.field.points import FIELD, SCENES, TOUCH, UNIT
 from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
-from soccer_env.train.papers.values import mean, median, reduction
+from soccer_env.train.papers.plots import columns
+from soccer_env.train.papers.values import least_fall, least_rise, mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 EXPONENTS = (1, 2, 3)
@@ -44,14 +45,7 @@ def matched_gain(exponent: int) -> float:
     return 0.8 * UNIT ** (exponent - 1)
 
 
-def median_for_exponent(samples: Samples, n: int, name: str, scale: float) -> float:
-    """Return the median of the quantity `name` for the exponent `n`, times `scale`."""
-    return scale * median(samples[name][:, EXPONENTS.index(n)])
-
-
-def medians_by_exponent(samples: Samples, name: str, scale: float) -> list[float]:
-    """Return the median of the quantity `name` for each exponent, times `scale`."""
-    return [median_for_exponent(samples, n, name, scale) for n in EXPONENTS]
+onsets, peaks = columns("onset", median, 100.0), columns("peak", median, DEGREES)  # [cm], [deg]: for each exponent
 
 
 def exponent_figures(samples: Samples) -> Sequence[Figure]:
@@ -76,13 +70,15 @@ S44 = claim(
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
     measured("least fall of the first reaction's distance with the exponent",
-             lambda samples: -float(np.diff(medians_by_exponent(samples, "onset", 100.0)).max()), unit="cm",
+             lambda s: least_fall(onsets(s)), unit="cm",
              above=0.0),
     measured("greatest turn rises with the exponent (least rise of the median)",
-             lambda samples: float(np.diff(medians_by_exponent(samples, "peak", DEGREES)).min()), unit="deg",
+             lambda s: least_rise(peaks(s)), unit="deg",
              above=0.0),
-    *(reported(f"exponent {n}: first reaction", median_for_exponent, n, "onset", 100.0, unit="cm") for n in EXPONENTS),
-    *(reported(f"exponent {n}: greatest turn", median_for_exponent, n, "peak", DEGREES, unit="deg") for n in EXPONENTS),
+    *(reported(f"exponent {n}: first reaction", lambda s, i: onsets(s)[i], i, unit="cm")
+      for i, n in enumerate(EXPONENTS)),
+    *(reported(f"exponent {n}: greatest turn", lambda s, i: peaks(s)[i], i, unit="deg")
+      for i, n in enumerate(EXPONENTS)),
     rules=NO_MATCH, measure=compare_exponents, figures=exponent_figures, batches=8, seconds=0.5,
     ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
 )  # fmt: skip

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, Batch, Figure, claim
+from soccer_env.train.papers.claim import NO_MATCH, Batch, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, gap_with_third_player, side_change_share
 from soccer_env.train.papers.claims.field.point_world import players
@@ -61,12 +61,6 @@ def trouble_share(samples: Samples, who: str, limit: str, scenes: Sequence[str] 
     return 100 * mean([has_trouble(samples, who, scene, limit) for scene in scenes])
 
 
-def minimum_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the paths of a dribbler with a player right ahead, with and without the limit of 70 degrees on its turn."""
-    plays = {"no limit": NO_LIMIT, "70 degrees": {}}
-    return (points.draw_field("A player right between dribbler and goal", [[0.0, 0.0]], plays),)
-
-
 S54 = claim(
     "S54", "4.3.3", "An obstacle right between robot and goal sometimes pushes it back: a local minimum.",
     f"{SCENES} points and {ROBOTS} robots a batch before a player within {100 * STRAIGHT:.0f} cm of their way, "
@@ -83,7 +77,10 @@ S54 = claim(
       for who in ("points", "robots") for scene in ("head-on", "gap")),
     *(reported(f"robots with the limits, {scene}", trouble_share, "robots", "on", (scene,), unit="%")
       for scene in ("head-on", "gap")),
-    measure=compare_angle_limits, figures=minimum_figures, batches=6, seconds=9.0,
+    measure=compare_angle_limits,
+    figures=lambda samples: [points.draw_field("A player right between dribbler and goal", [[0.0, 0.0]],
+                                  {"no limit": NO_LIMIT, "70 degrees": {}})],
+    batches=6, seconds=9.0,
     note="Robots that lose the ball, or touch a player, stall or go back as well: that is what they do with the "
     "limits.",
 )  # fmt: skip

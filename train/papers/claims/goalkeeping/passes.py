@@ -180,8 +180,7 @@ def compare_cycles(batch: Batch) -> Samples:
 
 H28 = claim(
     "H28", "2", "A cycle of 20 ms makes the robot extremely reactive.",
-    f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay as they "
-    "are.",
+    f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay as they are.",
     measured("more saves at 20 than at 100 ms, of 100", gain, "saved 0.02", "saved 0.1", above=0.0),
     measured("more balls had at 20 than at 100 ms, of 100", gain, "had 0.02", "had 0.1", above=0.0),
     measured("saves at 40 ms above 100 ms, of 100", gain, "saved 0.04", "saved 0.1", at_least=-5.0),

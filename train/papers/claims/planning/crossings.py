@@ -14,8 +14,18 @@ import numpy as np
 from soccer_env.baselines.weigel_2001.planner import Travel
 from soccer_env.train.papers.claim import NO_MATCH, STAGED, Arrows, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.planning import runs
-from soccer_env.train.papers.claims.planning.drives import DRIVE_TEXT, DRIVES, KINDS, drive_with_both_planners
-from soccer_env.train.papers.claims.planning.runs import CANONICAL, CROSSERS, CROSSING, PLANNERS, SLOW, SPEED, WAY
+from soccer_env.train.papers.claims.planning.runs import (
+    CANONICAL,
+    CROSSERS,
+    CROSSING,
+    DRIVE_TEXT,
+    DRIVES,
+    KINDS,
+    PLANNERS,
+    SLOW,
+    SPEED,
+    WAY,
+)
 from soccer_env.train.papers.values import mean, quantile, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -69,7 +79,7 @@ def _measure_cached(batch: Batch) -> Samples:
               for i, scene in enumerate(CANONICAL)}  # fmt: skip
     named = {"point": point, "figure": figure}
     shared = {f"{word} {name}": values for word, found in named.items() for name, values in found.items()}
-    return drive_with_both_planners(batch) | shared
+    return runs.drive_with_both_planners(batch) | shared
 
 
 def distance_from_first_plan(one: Travel) -> float:

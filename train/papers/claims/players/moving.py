@@ -10,7 +10,7 @@ from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.watching import look_at, nearest_seen, stage_watchers
 from soccer_env.train.papers.dribble_runs import play_drill
-from soccer_env.train.papers.plots import plot
+from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
 from soccer_env.train.papers.values import bin_masks, gain, least_rise, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -102,20 +102,10 @@ def error_by_distance(samples: Samples, speed: float) -> list[float]:
     return [100 * median(error[there]) for there in bin_masks(distance, BINS)]
 
 
-def error_by_speed(samples: Samples) -> list[float]:
-    """Return the median error of the believed place [cm] at each speed, over all distances."""
-    return [100 * median(samples["error"][:, i]) for i in range(len(SPEEDS))]
-
-
 def error_at_speed(samples: Samples, speed: float, beyond: bool) -> float:
     """Return the median error [cm] of movers at one speed, sighted beyond the cut-off distance or within it."""
     distance, error = (samples[name][:, SPEEDS.index(speed)] for name in ("distance", "error"))
     return 100 * median(error[(distance > CUT_OFF) == beyond])
-
-
-def cut_off_error_difference(samples: Samples, speed: float) -> float:
-    """Return the error of movers sighted beyond the cut-off minus the error of movers sighted within it [cm]."""
-    return error_at_speed(samples, speed, True) - error_at_speed(samples, speed, False)
 
 
 S70 = claim(
@@ -126,9 +116,9 @@ S70 = claim(
     "paper: with moving obstacles its place \"may be very different from its position when the dribbler gets closer to "
     "it\".",
     measured("median error of movers seen from beyond 1 m less that from within, least of the speeds",
-             lambda samples: min(cut_off_error_difference(samples, speed) for speed in SPEEDS[1:]), unit="cm",
+             lambda s: min(error_at_speed(s, v, True) - error_at_speed(s, v, False) for v in SPEEDS[1:]), unit="cm",
              above=0.0),
-    measured("least rise of the median error with the speed", lambda samples: least_rise(error_by_speed(samples)),
+    measured("least rise of the median error with the speed", lambda s: least_rise(columns("error", median)(s)),
              unit="cm", above=0.0),
     reported("at top speed, seen from within 1 m", error_at_speed, SPEEDS[-1], False, unit="cm"),
     reported("at top speed, seen from beyond 1 m", error_at_speed, SPEEDS[-1], True, unit="cm"),

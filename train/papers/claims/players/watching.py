@@ -25,15 +25,10 @@ def stage_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, 
     """Set up matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
     settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
     match = staging.stage(batch, matches=matches, home=home, away=away, **settings)
-    hide_ball(match)
+    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
+        match.balls[name] = value  # far behind the boards, at rest
     staging.put(match, 0, 0.0, 0.0, batch.rng(9).uniform(-np.pi, np.pi, matches))
     return match
-
-
-def hide_ball(match: Match) -> None:
-    """Put the ball out of sight: far behind the boards, at rest."""
-    for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
-        match.balls[name] = value
 
 
 def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> None:

@@ -111,7 +111,8 @@ def _follow_cached(
 ) -> Samples:
     """Compute `follow_moments` from hashable arguments, which the cache needs."""
     moments = sampled.sample_moments(batch)
-    place = index_within_match(moments)
+    before = np.tril(moments.match[:, None] == moments.match[None, :], -1)
+    place = before.sum(axis=1)  # of each moment within its match
     found = {
         name: np.full((MATCHES, MOST), np.nan) for name in (*NUMBERS, "near", "still", "touching", "theirs", "held")
     }
@@ -147,12 +148,6 @@ def run_branch(match: Match, robots: np.ndarray, batch: Batch, begun: bool, rand
                 memory["side"][steps] = side[steps]
     match.close()
     return fate.found
-
-
-def index_within_match(moments: sampled.Moments) -> np.ndarray:
-    """Return the index of each moment within its match."""
-    before = moments.match[:, None] == moments.match[None, :]
-    return np.asarray(np.tril(before, -1).sum(axis=1))
 
 
 def select_moments(found: Samples, **flags: float) -> np.ndarray:

@@ -1,6 +1,5 @@
 """Collisions on the way to the ball: their frequency and duration; stealing the ball by one.  [Sacks 2001, 1, 3, 4]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -8,10 +7,11 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, claim
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.runs import set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MotionWindow, behaviours
+from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.staging import begin_scene, kick_off, play, point_ahead, put, put_ball, stage
 from soccer_env.train.papers.values import mean, median, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -98,18 +98,6 @@ def compare_deadlocks(batch: Batch) -> Samples:
     return {**off, **{f"{name} on": values for name, values in on.items()}, **padded, "one": np.ones(PAIRS)}
 
 
-def deadlock_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of held pairs that do not have the ball yet against the time."""
-    grid = np.linspace(0.0, DEADLOCK, 41)
-    curves = []
-    for name, title in (("", "no detection"), (" on", "detection and recovery")):
-        until = samples[f"until{name}"][samples[f"held{name}"] == 1.0]
-        curves.append(Curve(title, grid.tolist(), [100.0 * mean(until > t) for t in grid]))
-    return (
-        Figure("Two robots held short of a still ball", "time [s]", "without ball [%]", tuple(curves), rules=(80.0,)),
-    )
-
-
 S03 = claim(
     "S03", "3", "Two robots pushing against each other over a still ball would both stay there.",
     f"{PAIRS} pairs a batch, both sacks-2001 without the stuck counters, go for a still ball 50 to 70 cm before "
@@ -124,7 +112,13 @@ S03 = claim(
     reported("held pairs without the ball 20 s later, with recovery", percent, "without on", "held on", unit="%"),
     reported("robots held in play, not free 20 s later", percent, "play bound", "play", unit="%"),
     reported("the same where the ball lay still", percent, "lay bound", "lay", unit="%"),
-    rules=PLAYED_AND_STAGED, measure=compare_deadlocks, figures=deadlock_figure, batches=12, seconds=4.0,
+    rules=PLAYED_AND_STAGED, measure=compare_deadlocks,
+    figures=plot_shares("Two robots held short of a still ball", "time [s]", "without ball [%]",
+                        np.linspace(0.0, DEADLOCK, 41),
+                        {"no detection": lambda s: s["until"][s["held"] == 1.0],
+                         "detection and recovery": lambda s: s["until on"][s["held on"] == 1.0]}, np.greater,
+                        rules=(80.0,)),
+    batches=12, seconds=4.0,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
     note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
     "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "

@@ -8,7 +8,7 @@ import numpy as np
 from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, claim
 from soccer_env.train.papers.claims.stuck.branches import FUTURE, count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
-from soccer_env.train.papers.plots import plot, plot_shares
+from soccer_env.train.papers.plots import columns, plot, plot_shares
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -48,14 +48,12 @@ def measure_held_again(batch: Batch, way_back: bool = False) -> Samples:
 BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
 
 
-def held_again_shares(samples: Samples) -> list[float]:
-    """Return the share of robots held again [%] for each number of steps back."""
-    return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
+held_again = columns("again")  # [%] for each number of steps back
 
 
 def ten_steps_ratio(samples: Samples) -> float:
     """Return the share held again after 10 steps back over the mean share after 2 and 5; NaN: no robot is held."""
-    two, five, ten, _ = held_again_shares(samples)
+    two, five, ten, _ = held_again(samples)
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
 
@@ -64,11 +62,11 @@ S26 = claim(
     SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
     "recovery.",
     measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
-    *(reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
+    *(reported(f"held again after {steps} steps back", "again", i, unit="%")
       for i, steps in enumerate(BACK_STEPS)),
     rules=PLAYED_AND_STAGED, measure=measure_held_again,
     figures=plot("Held again after a recovery", "steps back", "robots [%]", BACK_STEPS,
-                 {"held again within 5 s": held_again_shares}),
+                 {"held again within 5 s": held_again}),
     least=4, batches=12, seconds=4.0,
     without=Ablation("the way back counted in the five seconds, as here it is not",
                      partial(measure_held_again, way_back=True)),

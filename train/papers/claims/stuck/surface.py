@@ -14,8 +14,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.evaluate.report import table
 from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
-from soccer_env.train.papers.claims.stuck.detection import FARTHEST, NEAREST, WALK, latencies
-from soccer_env.train.papers.claims.stuck.false_alarms import TRIES, approach
+from soccer_env.train.papers.claims.stuck.detection import FARTHEST, NEAREST, TRIES, WALK, approach, latencies
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
