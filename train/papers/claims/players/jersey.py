@@ -180,8 +180,8 @@ S38 = claim(
 # All blobs of a player, or the largest one, while its head stickers come and go
 
 BLOB_RUNS = 48  # of each jersey
-SETTLE, SECONDS = 1.0, 2.0  # [s]
-NEAR, FARTHEST = 0.5, 2.6  # [m] as far as the field allows
+SECONDS = 2.0  # [s]
+FARTHEST = 2.6  # [m] as far as the field allows
 EYE_X = -1.3  # [m] of the robot that looks, at one end of the field
 HEAD_HEIGHT = 0.185  # [m] between the middles of the stickers of trunk and head
 MANY = {"sticker_miss": 0.3}  # a share of missed stickers that yields enough frames of a trunk without a head

@@ -179,7 +179,6 @@ WATCHERS = 256
 LOOK_ASIDE = 1.0  # [s] at the third opponent
 LOOK_AHEAD = 1.0  # [s] at the first two
 AFTER = 5.0  # [s] after the error
-ASIDE, TURNED = (1.1, 1.4), 1.25  # [rad] bearing of the third opponent, out of view of a head that looks ahead; pan
 THIRD_NEAR, THIRD_FAR = 0.5, 1.0  # [m] of the third opponent
 KNOWN = 1.0  # [m] beyond which a slot stands for nobody: obstacles exert no force from there, 4.3.2
 FOES = [1, 2, 3]

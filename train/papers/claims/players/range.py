@@ -116,7 +116,6 @@ S41 = claim(
 
 # A robot nearby that looks down at the ball: its black head hides its jersey
 
-SETTLE, SECONDS = 1.0, 1.0  # [s]
 HEAD_NEAR, HEAD_FAR = 0.35, 0.60  # [m] between the bodies' centres: from nearly touching to readings of 40 cm
 FRONTAL = 0.6  # [rad] from head-on: an opponent that comes for the ball
 DOWN = -1.0  # [rad] tilt of a head that looks at the ball before its paws

@@ -8,11 +8,10 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claims.stuck import sampled
 from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_recovering, set_up_seekers, set_up_walk
 from soccer_env.train.papers.claims.stuck.sampled import (
-    BASE,
     MATCHES,
-    OUT,
     SECONDS,
     MotionWindow,
     behaviours,
@@ -55,7 +54,7 @@ def velocity_windows(batch: Batch) -> Samples:
 
     Windows do not overlap; NaN: no further window in the match.
     """
-    match = kick_off(batch, matches=MATCHES, team=BASE)
+    match = kick_off(batch, matches=MATCHES, team=sampled.BASE)
     watch = MotionWindow(match, WINDOW)
     radial: list[np.ndarray] = []
     found: dict[str, list[np.ndarray]] = {"free": [], "stuck": []}
@@ -172,7 +171,7 @@ S25 = claim(
 
 # In play
 
-MATCHES, PLAY_TIME = 16, 60.0  # of 3 v 3, [s]
+GAMES, PLAY_TIME = 16, 60.0  # of 3 v 3, [s]
 CAUSES = ("receding", "turning", "near", "other")
 USUAL = [0, 1]  # the causes that the paper names
 BEFORE = 3.0  # [s] before an alarm that decide its cause
@@ -218,7 +217,9 @@ class Approaches:
         self.watch.look()
         self.signs = [*self.signs[1 - self.watch.size :], np.stack([signs_of(match, r) for r in rows], axis=-1)]
         now = behaviours(match)
-        begins = (now == BACK) & (self.was != BACK) & (self.was != OUT)  # a robot that returns resumes its behaviour
+        begins = (
+            (now == BACK) & (self.was != BACK) & (self.was != sampled.OUT)
+        )  # a robot that returns resumes its behaviour
         self.found["approaches"] += ((now == APPROACH) & ~self.goes).sum(axis=1)
         self.goes = (now == APPROACH) | (self.goes & (now == SEARCH))
         self.found["recoveries"] += begins.sum(axis=1)
@@ -238,15 +239,15 @@ class Approaches:
 
 def count_alarm_causes(batch: Batch) -> Samples:
     """Return false alarms of play by cause (M, causes), approaches, recoveries (M,), and alarms in staged runs (M,)."""
-    match = kick_off(batch, matches=MATCHES, team="sacks-2001")
+    match = kick_off(batch, matches=GAMES, team="sacks-2001")
     seen = Approaches(match)
     for step in play(match, PLAY_TIME):
         seen.look(step)
     match.close()
-    alarms = approach(batch, rolls=False).reshape(MATCHES, -1)
+    alarms = approach(batch, rolls=False).reshape(GAMES, -1)
     samples = {**seen.found, "causes": seen.causes, "false": alarms.sum(axis=1)}
     samples |= {"usual": seen.causes[:, USUAL].sum(axis=1), "alarms": seen.causes.sum(axis=1)}
-    return {**samples, "staged": np.full(MATCHES, float(alarms.shape[1]))}
+    return {**samples, "staged": np.full(GAMES, float(alarms.shape[1]))}
 
 
 def sign_frequency_excess(samples: Samples) -> float:
@@ -265,7 +266,7 @@ def cause_share(samples: Samples, cause: int) -> float:
 
 S24 = claim(
     "S24", "3.3", "False alarms are infrequent, usually while the ball moves away or the robot turns slowly.",
-    f"{MATCHES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
+    f"{GAMES} matches a batch of 3 v 3, {PLAY_TIME:g} s each: recoveries of robots that touched nobody for "
     f"most of the {BEFORE:g} s before are false alarms; their cause by that time: the ball moved away, else the robot "
     "turned or had the ball aside, else the ball was nearer than 35 cm, else none of these. The same told of "
     f"{BEFORE:g} s of free approaches without an alarm. Beside it {TRIES} staged approaches a batch to a still ball 40 "
