@@ -187,9 +187,8 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
     rng = batch.rng()
     settings = {"resolution": layer, "patches": 0.0, **sensors}
     match = stage_watchers(batch, STARERS, sensors=settings, memory={"infrared_override": override})
-    put_ball(
-        match, *point_ahead(match, 0, rng.uniform(STILL_NEAR, STILL_FAR, STARERS), rng.uniform(-0.4, 0.4, STARERS))
-    )
+    distance, bearing = rng.uniform(STILL_NEAR, STILL_FAR, STARERS), rng.uniform(-0.4, 0.4, STARERS)
+    put_ball(match, *point_ahead(match, 0, distance, bearing))
     begin_scene(match)
     true, _ = distance_to_ball(match)
 

@@ -56,15 +56,19 @@ def robots_succeed(batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dic
     return pad_with_nan(run_robots(batch, start, crowd, count=count, **play).is_clean)
 
 
+def values_of(who: str, axis: str) -> tuple[float, ...]:
+    """Return the values [m] of a constant that points or robots try."""
+    return AXES[axis] if who == "points" else TRIED[axis]
+
+
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
     """Return the share of clean runs [%] at each tried value of a constant."""
-    values = AXES[axis] if who == "points" else TRIED[axis]
-    return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values]
+    return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values_of(who, axis)]
 
 
 def least_sufficient_value(samples: Samples, who: str, kind: str, axis: str) -> float:
     """Return the least value [m] of a constant at which the fitted success curve is within NEARLY of its maximum."""
-    values = AXES[axis] if who == "points" else TRIED[axis]
+    values = values_of(who, axis)
     fine = np.linspace(np.log2(values[0]), np.log2(values[-1]), FINE)
     curve = np.polyval(np.polyfit(np.log2(values), success(samples, who, kind, axis), len(values) // 2), fine)
     return float(2.0 ** fine[int((curve >= min(curve.max(), 100.0) - NEARLY).argmax())])
@@ -77,19 +81,13 @@ def moving_over_standing_value(samples: Samples, who: str, axis: str) -> float:
 
 def line_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the share of clean runs against each constant, for points and for robots."""
+    lines = [(who, kind) for who in ("points", "robots") for kind in KINDS]
     return [
-        Figure(
-            f"Passing a player without touching it, against {axis}",
-            f"{axis} [m]",
-            "runs [%]",
-            tuple(
-                Curve(f"{who}, {kind}", list(values), success(samples, who, kind, axis))
-                for who, values in (("points", AXES[axis]), ("robots", TRIED[axis]))
-                for kind in KINDS
-            ),
-        )
+        Figure(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
+               tuple(Curve(f"{who}, {kind}", list(values_of(who, axis)), success(samples, who, kind, axis))
+                     for who, kind in lines))
         for axis in AXES
-    ]
+    ]  # fmt: skip
 
 
 S53 = claim(

@@ -35,10 +35,8 @@ BALL_TEXT = (
 
 def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE, **more: Any) -> Samples:
     """Roll balls past a field player of heinemann-2006; return which it gets (M,), times [s] and ball speeds [m/s]."""
-    rng, match = (
-        batch.rng(),
-        staging.stage_team(batch, "heinemann-2006", settings, league, matches=BALLS, home=2, **more),
-    )
+    rng = batch.rng()
+    match = staging.stage_team(batch, "heinemann-2006", settings, league, matches=BALLS, home=2, **more)
     x, y = rng.uniform(-2.0, 1.0, BALLS), rng.uniform(-1.5, 1.5, BALLS)
     from_, away = rng.uniform(-np.pi, np.pi, BALLS), rng.uniform(*FROM, BALLS)
     aside, speed = rng.choice([-1.0, 1.0], BALLS) * rng.uniform(*ASIDE, BALLS), rng.uniform(*SPEEDS, BALLS)

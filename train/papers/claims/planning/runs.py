@@ -160,16 +160,10 @@ def passing_side(travels: Travel, cycle: int) -> int:
 
 def travel_results(travels: list[Travel], name: str) -> Samples:
     """Return results of travels (M,): arrival, collision, smallest gap [m], time [s], length [m], turn [degrees] ..."""
-    figures = {
-        "arrived": [one.arrived for one in travels],
-        "hit": [one.clearance < 0.0 for one in travels],
-        "gap": [one.clearance for one in travels],
-        "time": [one.time for one in travels],
-        "length": [one.length for one in travels],
-        "turn": [np.degrees(one.turn) for one in travels],
-        "away": [one.cycles_away for one in travels],
-    }
-    return {f"{name} {key}": np.array(values, float) for key, values in figures.items()}
+    figures = {"arrived": "arrived", "gap": "clearance", "time": "time", "length": "length", "away": "cycles_away"}
+    found = {f"{name} {key}": np.array([getattr(one, part) for one in travels], float) for key, part in figures.items()}
+    turn = np.array([np.degrees(one.turn) for one in travels], float)
+    return found | {f"{name} hit": (found[f"{name} gap"] < 0.0).astype(float), f"{name} turn": turn}
 
 
 # Drives past moving robots on real bases
@@ -197,11 +191,8 @@ def draw_drives(batch: Batch, kind: str) -> dict[str, np.ndarray]:
     rng, (count, low, high) = batch.rng(list(KINDS).index(kind)), KINDS[kind]
     shape, drive = (DRIVES, count), find_league(MIDDLE).drive
     sign, y = rng.choice([-1.0, 1.0], DRIVES), rng.uniform(-1.0, 1.0, DRIVES)
-    far, late, speed = (
-        rng.uniform(0.3, 0.7, shape) * FAR,
-        rng.uniform(-LATE, LATE, shape),
-        rng.uniform(*CROSSERS, shape),
-    )
+    far, late = rng.uniform(0.3, 0.7, shape) * FAR, rng.uniform(-LATE, LATE, shape)
+    speed = rng.uniform(*CROSSERS, shape)
     course = np.pi * rng.uniform(low, high, shape) * rng.choice([-1.0, 1.0], shape)
     ux, uy = sign[:, None] * np.cos(course), np.sin(course)
     x = sign[:, None] * (far - 0.5 * FAR)

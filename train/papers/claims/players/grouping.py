@@ -13,7 +13,7 @@ from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.plots import each, plot, plots
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, still_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, play, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -145,9 +145,7 @@ def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     kept, merged = np.zeros((2, match.count))
-    true = np.stack(
-        [distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES], axis=1
-    )
+    true = np.stack([watching.distance_to_robot(match, r) for r in FOES], axis=1)
     for step in play(match, SETTLE + SECONDS, actions):
         if step < SETTLE * match.league.control_rate:
             continue
@@ -169,7 +167,7 @@ def kept_opponent(match: Match) -> np.ndarray:
     row = watching.is_fresh(match, slots).argmax(axis=1)
     away, true = watching.distances_from_camera(match, FOES)
     x, y = slots["x"][rows, row], slots["y"][rows, row]
-    places = [distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES]
+    places = [watching.distance_to_robot(match, r) for r in FOES]
     beside = np.abs(wrap_angle(watching.slot_bearings(match, slots)[rows, row][:, None] - true)) * away / ASIDE
     beyond = np.log(np.maximum(np.hypot(x, y), 0.01)[:, None] / np.stack(places, axis=1)) / RANGE
     return np.asarray((beside * beside + beyond * beyond).argmin(axis=1))

@@ -195,13 +195,8 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     match = stage_watchers(batch, WATCHERS, away=3)
     put_two_in_view(match, rng)
     side = rng.choice([-1.0, 1.0], WATCHERS)
-    put_facing(
-        match,
-        3,
-        rng.uniform(THIRD_NEAR, THIRD_FAR, WATCHERS),
-        side * rng.uniform(*ASIDE, WATCHERS),
-        rng.uniform(-3.0, 3.0, WATCHERS),
-    )
+    distance, bearing = rng.uniform(THIRD_NEAR, THIRD_FAR, WATCHERS), side * rng.uniform(*ASIDE, WATCHERS)
+    put_facing(match, 3, distance, bearing, rng.uniform(-3.0, 3.0, WATCHERS))
     begin_scene(match)
     actions = still_actions(match)
     for pan, seconds in ((side * TURNED, LOOK_ASIDE), (0.0, LOOK_AHEAD)):

@@ -66,9 +66,8 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
 
 def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
     """Tell which players of a team (M, n) have a memory slot within NEAR of their true place."""
-    return np.asarray(
-        np.isfinite(watching.matched_distances(watching.gaps_to(match, watching.slots_of(match, mates), rows), NEAR))
-    )
+    gaps = watching.gaps_to(match, watching.slots_of(match, mates), rows)
+    return np.asarray(np.isfinite(watching.matched_distances(gaps, NEAR)))
 
 
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:

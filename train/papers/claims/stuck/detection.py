@@ -217,9 +217,8 @@ class Approaches:
         self.watch.look()
         self.signs = [*self.signs[1 - self.watch.size :], np.stack([signs_of(match, r) for r in rows], axis=-1)]
         now = behaviours(match)
-        begins = (
-            (now == BACK) & (self.was != BACK) & (self.was != sampled.OUT)
-        )  # a robot that returns resumes its behaviour
+        returns = self.was == sampled.OUT  # and resumes its behaviour
+        begins = (now == BACK) & (self.was != BACK) & ~returns
         self.found["approaches"] += ((now == APPROACH) & ~self.goes).sum(axis=1)
         self.goes = (now == APPROACH) | (self.goes & (now == SEARCH))
         self.found["recoveries"] += begins.sum(axis=1)
