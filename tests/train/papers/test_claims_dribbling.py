@@ -8,8 +8,7 @@ from soccer_env.match.staging import memory_of, set_mass
 from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
-from soccer_env.train.papers.claims.dribble import dribbling, past
-from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
+from soccer_env.train.papers.claims.dribble import dribbling, or_shoot, past
 from soccer_env.train.papers.dribble_runs import Contacts, play_drill
 from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage, stage_team
 
@@ -114,7 +113,7 @@ def test_shots_at_an_empty_goal_go_in_and_a_goalkeeper_saves_some(monkeypatch: p
 
 @pytest.mark.slow
 def test_without_blockers_both_strategies_score() -> None:
-    for settings in dribble_or_shoot.STRATEGIES.values():
-        goals, against, progress, ended = dribble_or_shoot.play_to_goal(BATCH, settings, None)
+    for settings in or_shoot.STRATEGIES.values():
+        goals, against, progress, ended = or_shoot.play_to_goal(BATCH, settings, None)
         assert not against.any()
         assert goals.mean() > 0.6 and progress[goals > 0].min() > 1.0 and ended[goals > 0].max() < 60.0
