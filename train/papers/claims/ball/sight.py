@@ -123,7 +123,7 @@ S17 = claim(
 # In play
 
 GAMES, PLAYED_SECONDS = 32, 20.0  # [s] of 3 v 3: S10
-BEGUN = 3.0  # [s] after the kick-off, until heads have found the ball
+SETTLED = 3.0  # [s] after the kick-off, until heads have found the ball
 WATCHED, TIME = 48, 20.0  # matches with one robot that watches, [s]: S11
 KEPT = 0.5  # [m] from the ball, S11
 FARTHER = 0.5  # [m] in a frame, S11
@@ -140,7 +140,7 @@ def count_centred_frames(batch: Batch) -> Samples:
     for team, words in (("sacks-2001", ""), ("chaser", " by chasers")):
         match = kick_off(batch, matches=GAMES, team=team)
         on_ball, seen = np.zeros((2, GAMES))
-        for _ in watch(match, PLAYED_SECONDS, settle=BEGUN):
+        for _ in watch(match, PLAYED_SECONDS, settle=SETTLED):
             for r in range(match.robots.shape[1]):
                 fresh = match.beliefs["ball"][:, r]["age"] < 0.5 * match.league.dt
                 tracking = fresh & (match.robots["active"][:, r] == 1)
@@ -166,9 +166,9 @@ def count_jumps(batch: Batch, **memory: Any) -> tuple[np.ndarray, np.ndarray]:
         return match.beliefs["ball"]["distance"][:, 0].copy(), np.stack([match.balls["x"], match.balls["y"]])
 
     before, place_before = look()
-    for step in play(match, BEGUN + TIME, actions):
+    for step in play(match, SETTLED + TIME, actions):
         actions[:, 0, :3] = follow_ball(match, KEPT)
-        if (step + 1) * match.league.dt <= BEGUN:
+        if (step + 1) * match.league.dt <= SETTLED:
             continue
         (now, place), age = look(), match.beliefs["ball"]["age"][:, 0]
         true, put_elsewhere = distance_to_ball(match)[0], np.hypot(*(place - place_before)) > MOVED
