@@ -9,7 +9,7 @@ from soccer_env.baselines.sacks_2001.steering import limited
 from soccer_env.train.papers.claim import Batch, as_plain
 from soccer_env.train.papers.claims.field import constants, forces, minima, numbers, points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
-from soccer_env.train.papers.claims.field.robots import RobotRuns, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import RobotRuns, pad_with_nan, run_robots
 from soccer_env.train.papers.dribble_runs import DribbleRecord
 from soccer_env.train.papers.report import figure_table
 from soccer_env.train.report import draw_curves

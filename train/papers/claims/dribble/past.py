@@ -17,8 +17,7 @@ from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import legged_drill, put_at_distance, send_mover, start_dribble
 from soccer_env.scenes.scene import SceneRandom
 from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
-from soccer_env.train.papers.claims.field.points import player_near_path, starts
-from soccer_env.train.papers.claims.field.robots import run_robots
+from soccer_env.train.papers.claims.field.points import player_near_path, run_robots, starts
 from soccer_env.train.papers.dribble_runs import LONGEST, PAPER, play_drill
 from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.verdicts import Samples, measured, reported

@@ -8,8 +8,7 @@ import numpy as np
 
 from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.field import points
-from soccer_env.train.papers.claims.field.points import NOISE, SCENES, SPEEDS
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import NOISE, ROBOTS, SCENES, SPEEDS
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -53,7 +52,7 @@ def vary_each_constant(batch: Batch) -> Samples:
 
 def robots_succeed(batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int) -> np.ndarray:
     """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN."""
-    return pad_with_nan(run_robots(batch, start, crowd, count=count, **play).is_clean)
+    return points.pad_with_nan(points.run_robots(batch, start, crowd, count=count, **play).is_clean)
 
 
 def values_of(who: str, axis: str) -> tuple[float, ...]:

@@ -10,8 +10,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import FIELD, SCENES, TOUCH, UNIT
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import FIELD, ROBOTS, SCENES, TOUCH, UNIT
 from soccer_env.train.papers.plots import columns
 from soccer_env.train.papers.values import least_fall, least_rise, mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -125,9 +124,9 @@ def compare_cosine_factor(batch: Batch) -> Samples:
         runs = points.run_points(rng, start, crowd, cosine_factor=cosine)
         samples[f"deviation {name}"], samples[f"length {name}"] = runs.deviation, runs.length
         samples[f"hit {name}"] = points.collided(runs).astype(float)
-        robots = run_robots(batch, start, crowd, cosine_factor=cosine)
-        samples[f"robots deviation {name}"] = pad_with_nan(robots.deviation)
-        samples[f"robots clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = points.run_robots(batch, start, crowd, cosine_factor=cosine)
+        samples[f"robots deviation {name}"] = points.pad_with_nan(robots.deviation)
+        samples[f"robots clean {name}"] = points.pad_with_nan(robots.is_clean)
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 

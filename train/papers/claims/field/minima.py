@@ -9,8 +9,7 @@ from soccer_env.train.papers.claim import NO_MATCH, Batch, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.paths import GAP, HARD_GAPS, gap_with_third_player, side_change_share
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import NOISE, SCENES, SPEEDS, START
-from soccer_env.train.papers.claims.field.robots import ROBOTS, SECONDS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import NOISE, ROBOT_SECONDS, ROBOTS, SCENES, SPEEDS, START
 from soccer_env.train.papers.plots import each, plot, plot_shares, plots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -44,9 +43,9 @@ def compare_angle_limits(batch: Batch) -> Samples:
             name = f"{scene}, limit {limit}"
             samples[f"points {name}: stalls"] = (~runs.arrived).astype(float)
             samples[f"points {name}: retreats"] = (runs.retreats > 0).astype(float)
-            robots = run_robots(batch, start, crowd, **play)
-            samples[f"robots {name}: stalls"] = pad_with_nan(~robots.arrived)
-            samples[f"robots {name}: retreats"] = pad_with_nan(robots.retreat > BACK)
+            robots = points.run_robots(batch, start, crowd, **play)
+            samples[f"robots {name}: stalls"] = points.pad_with_nan(~robots.arrived)
+            samples[f"robots {name}: retreats"] = points.pad_with_nan(robots.retreat > BACK)
     return samples
 
 
@@ -67,7 +66,7 @@ S54 = claim(
     f"and as many before a square gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm, without the limits of 70 and 45 "
     "degrees and with them. A run retreats if a step of a point leads away from the goal, or if a robot is "
     f"{100 * BACK:.0f} cm farther from it than it was; it stalls if it does not come past within 70 s (points) or "
-    f"{SECONDS:.0f} s (robots).",
+    f"{ROBOT_SECONDS:.0f} s (robots).",
     measured("points without limits that stall or retreat", trouble_share, "points", "off", unit="%", above=SOMETIMES),
     measured("robots that do so: without limits less with them",
              lambda s: trouble_share(s, "robots", "off") - trouble_share(s, "robots", "on"), unit="pp",
@@ -93,11 +92,11 @@ def count_side_changes(batch: Batch) -> Samples:
     for name, play in DECISIONS.items():
         runs = points.run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
         samples[f"points {name}"] = runs.flips.astype(float)
-        robots = run_robots(batch, start, crowd, **play)
-        samples[f"robots {name}"] = pad_with_nan(robots.flips)
-        samples[f"clean {name}"] = pad_with_nan(robots.is_clean)
-    ideal = run_robots(batch, start, crowd, senses="ideal")
-    return samples | {"robots that see all": pad_with_nan(ideal.flips)}
+        robots = points.run_robots(batch, start, crowd, **play)
+        samples[f"robots {name}"] = points.pad_with_nan(robots.flips)
+        samples[f"clean {name}"] = points.pad_with_nan(robots.is_clean)
+    ideal = points.run_robots(batch, start, crowd, senses="ideal")
+    return samples | {"robots that see all": points.pad_with_nan(ideal.flips)}
 
 
 S68 = claim(

@@ -13,9 +13,9 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import FIELD, ROBOTS, SCENES, START, TOUCH
 from soccer_env.train.papers.staging import LEGGED, kick_off
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -95,9 +95,9 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
     start, crowd = scenes_along_wall(batch.rng())
     samples: Samples = {"ratio": np.full(SCENES, max(ratios))}
     for name, walls in (("with", True), ("without", False)):
-        runs = run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
+        runs = points.run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
         at_wall = np.nanmax(np.abs(runs.path[..., 1]), axis=0) > 1.0 - TOUCH / 2.0
-        samples[f"clean {name}"] = (is_clean(runs) & ~at_wall).astype(float)
+        samples[f"clean {name}"] = (points.is_clean(runs) & ~at_wall).astype(float)
         samples[f"at wall {name}"] = at_wall.astype(float)
         samples[f"clearance {name}"] = runs.clearance
     return samples
@@ -108,7 +108,9 @@ def walls_with_robots(batch: Batch, **play: Any) -> Samples:
     start, crowd = scenes_along_wall(batch.rng())
     samples = walls_against_players(batch, **play)
     for name, walls in (("with", True), ("without", False)):
-        samples[f"robots {name}"] = pad_with_nan(run_robots(batch, start, crowd, walls=walls, **play).is_clean)
+        samples[f"robots {name}"] = points.pad_with_nan(
+            points.run_robots(batch, start, crowd, walls=walls, **play).is_clean
+        )
     return samples
 
 
@@ -162,16 +164,16 @@ QUIET = 0.1  # [1] share of repetitions that no other program disturbs, assumed
 def time_decisions(batch: Batch) -> Samples:
     """Time a decision among five other players and a robot's whole frame [us], in 32 repetitions."""
     rng, repetitions = batch.rng(), 32
-    start = starts(rng, 64)
+    start = points.starts(rng, 64)
     crowd = players(np.stack([rng.uniform(-0.8, 1.2, (64, OTHERS)), rng.uniform(-0.9, 0.9, (64, OTHERS))], axis=-1))
-    run_points(rng, start, crowd)
+    points.run_points(rng, start, crowd)
     match = kick_off(batch, matches=4, team="sacks-2001")
     for _ in range(WARM):
         match.step()
     times, frames = [], []
     for _ in range(repetitions):
         begun = perf_counter()
-        steps = run_points(rng, start, crowd).steps.sum()
+        steps = points.run_points(rng, start, crowd).steps.sum()
         times.append(1e6 * (perf_counter() - begun) / steps)
         begun = perf_counter()
         for _ in range(STEPS):

@@ -9,8 +9,7 @@ import numpy as np
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Figure, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import BLOBS, NO_CUT_OFF, NOISE, SCENES
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import BLOBS, NO_CUT_OFF, NOISE, ROBOTS, SCENES
 from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.values import mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -112,9 +111,9 @@ def compare_gaps_with_robots(batch: Batch) -> Samples:
     start, crowd = points.starts(rng), points.gap_ahead(rng, *GAP, askew=0.0)
     samples = compare_gaps(batch)
     for name, keep in (("limit", False), ("rule", True)):
-        robots = run_robots(batch, start, crowd, keep_side=keep)
-        samples[f"robots {name}"] = pad_with_nan(robots.flips)
-        samples[f"clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = points.run_robots(batch, start, crowd, keep_side=keep)
+        samples[f"robots {name}"] = points.pad_with_nan(robots.flips)
+        samples[f"clean {name}"] = points.pad_with_nan(robots.is_clean)
     return samples
 
 
