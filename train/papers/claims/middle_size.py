@@ -6,20 +6,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Ablation, Batch, Curve, Figure, claim
 from soccer_env.train.papers.plots import plot_shares, plots
-from soccer_env.train.papers.staging import (
-    MIDDLE,
-    begin_scene,
-    distance_to_point,
-    play,
-    put,
-    put_ball,
-    record,
-    stage,
-    still_actions,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import median, middles_of, quantile, rms
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -42,15 +32,15 @@ THINGS = ("ball", "player", "own goal", "opponents' goal")
 def watch_in_light(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarray]:
     """Return for each frame (M, T): the light, the number of THINGS seen, the ball's range error [m]."""
     rng = batch.rng()
-    match = stage(batch, MIDDLE, matches=MATCHES, sensors=sensors, senses={"home": "sensors", "away": "ideal"})
+    match = staging.stage(batch, MIDDLE, matches=MATCHES, sensors=sensors, senses={"home": "sensors", "away": "ideal"})
     x, y = rng.uniform(-0.8, 0.8, (2, MATCHES))
-    put(match, 0, x, y, rng.uniform(-np.pi, np.pi, MATCHES))
+    staging.put(match, 0, x, y, rng.uniform(-np.pi, np.pi, MATCHES))
     course = rng.choice([0.0, np.pi], MATCHES) + rng.uniform(-0.5, 0.5, MATCHES)  # the ball here, the player there
     away, beyond = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(NEAR, FAR, MATCHES)
-    put_ball(match, x + away * np.cos(course), y + away * np.sin(course))
-    put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
+    staging.put_ball(match, x + away * np.cos(course), y + away * np.sin(course))
+    staging.put(match, 1, x - beyond * np.cos(course), y - beyond * np.sin(course))
     match.rebuild()  # without `begin`: the table has adapted to the light before
-    true, _ = distance_to_point(match, 0, match.balls["x"], match.balls["y"])
+    true, _ = staging.distance_to_point(match, 0, match.balls["x"], match.balls["y"])
 
     def read() -> Samples:
         percept = match.percepts[:, 0]
@@ -63,7 +53,7 @@ def watch_in_light(batch: Batch, sensors: dict[str, Any]) -> dict[str, np.ndarra
         }
 
     late = match.league.sensors.camera_delay + 1  # frames until the first picture is delivered
-    return record(match, (step for step in play(match, SECONDS) if step >= late), read)
+    return staging.record(match, (step for step in staging.play(match, SECONDS) if step >= late), read)
 
 
 def compare_tables(batch: Batch, **adaptive: Any) -> Samples:
@@ -180,7 +170,7 @@ class RandomDrivers:
         self.match, self.rng = match, rng
         self.x, self.y = self.targets()
         self.turn = rng.uniform(-0.3, 0.3, match.robots.shape)  # [1] of the top turn rate
-        self.actions = still_actions(match)
+        self.actions = staging.still_actions(match)
 
     def targets(self) -> tuple[np.ndarray, np.ndarray]:
         """Return random target places within the field (M, R) [m]."""
@@ -206,7 +196,7 @@ def pose_errors(match: Match) -> tuple[np.ndarray, np.ndarray]:
     """Return the errors of robot 0's own pose (M,) [m, rad]; home attacks +x, so that its frame is the field's."""
     own, robot = match.beliefs["own"][:, 0], match.robots[:, 0]
     place: np.ndarray = np.hypot(own["x"] - robot["x"], own["y"] - robot["y"])
-    return place, np.abs(wrap_angle(own["heading"] - robot["heading"]))
+    return place, np.abs(staging.wrap_angle(own["heading"] - robot["heading"]))
 
 
 def carry_away(match: Match, rng: np.random.Generator) -> None:
@@ -220,32 +210,32 @@ def carry_away(match: Match, rng: np.random.Generator) -> None:
             if gaps[0] > CARRIED and gaps[1:].min() > 0.8:
                 break
         robots["x"][m, 0], robots["y"][m, 0] = x, y
-    put(match, 0, robots["x"][:, 0].copy(), robots["y"][:, 0].copy(), rng.uniform(-np.pi, np.pi, match.count))
+    staging.put(match, 0, robots["x"][:, 0].copy(), robots["y"][:, 0].copy(), rng.uniform(-np.pi, np.pi, match.count))
     match.rebuild()
 
 
 def drive_and_carry(batch: Batch) -> Samples:
     """Return errors of place and heading while driving (M, T), and the time to recover after being carried (M,)."""
     rng = batch.rng()
-    match = stage(batch, MIDDLE, matches=DRIVERS, away=OTHERS, senses={"home": "sensors", "away": "ideal"})
+    match = staging.stage(batch, MIDDLE, matches=DRIVERS, away=OTHERS, senses={"home": "sensors", "away": "ideal"})
     for r in range(1 + OTHERS):  # in two rows, apart from each other
         x, y = 2.0 * (r // 2) - 4.0, 3.0 * (r % 2) - 1.5
         aside = rng.uniform(-0.6, 0.6, (2, DRIVERS))
-        put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, DRIVERS))
-    put_ball(match, 5.0, 3.5)
-    begin_scene(match)
+        staging.put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, DRIVERS))
+    staging.put_ball(match, 5.0, 3.5)
+    staging.begin_scene(match)
     drivers = RandomDrivers(match, rng)
-    for step in play(match, SETTLE, drivers.actions):
+    for step in staging.play(match, SETTLE, drivers.actions):
         drivers.steer(step)
     rows = []
-    for step in play(match, DRIVEN, drivers.actions):
+    for step in staging.play(match, DRIVEN, drivers.actions):
         drivers.steer(step)
         if step % EVERY == 0:
             rows.append(np.stack(pose_errors(match)))
     place, heading = np.stack(rows, axis=2)
     carry_away(match, rng)
     lost = []
-    for step in play(match, LONGEST + HELD, drivers.actions):
+    for step in staging.play(match, LONGEST + HELD, drivers.actions):
         drivers.steer(step)
         off, turned = pose_errors(match)
         lost.append((off > LOST) | (turned > TURNED))

@@ -9,20 +9,11 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.players.watching import stage_watchers
 from soccer_env.train.papers.plots import plot_bins, plots
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    point_ahead,
-    put_ball,
-    record,
-    stage_ball,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import LEGGED
 from soccer_env.train.papers.true_sight import look_first, range_from_camera, stare_for
 from soccer_env.train.papers.values import bin_masks, median, middles_of, quantile, ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -58,16 +49,16 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     """
     rng, count = batch.rng(), len(place)
     pose = rng.uniform(-0.5, 0.5, count), rng.uniform(-0.2, 0.2, count), rng.uniform(-np.pi, np.pi, count)
-    match = stage_ball(batch, *pose, CAMERA_AHEAD + place, rng.uniform(-0.7, 0.7, count), **settings)
+    match = staging.stage_ball(batch, *pose, CAMERA_AHEAD + place, rng.uniform(-0.7, 0.7, count), **settings)
     look_first(match, SETTLE)
 
     def read() -> Samples:
-        (true, bearing), ball = distance_to_ball(match), match.beliefs["ball"][:, 0]
-        errors = {"distance": ball["distance"] - true, "bearing": wrap_angle(ball["bearing"] - bearing)}
+        (true, bearing), ball = staging.distance_to_ball(match), match.beliefs["ball"][:, 0]
+        errors = {"distance": ball["distance"] - true, "bearing": staging.wrap_angle(ball["bearing"] - bearing)}
         seen = {name: np.where(ball["age"] < FRESH, error, np.nan) for name, error in errors.items()}
         return {"range": range_from_camera(match), **seen}
 
-    return record(match, play(match, seconds), read)
+    return staging.record(match, staging.play(match, seconds), read)
 
 
 def range_figure(samples: Samples) -> Sequence[Figure]:
@@ -188,16 +179,16 @@ def watch_still_balls(batch: Batch, layer: str, override: bool = False, **sensor
     settings = {"resolution": layer, "patches": 0.0, **sensors}
     match = stage_watchers(batch, STARERS, sensors=settings, memory={"infrared_override": override})
     distance, bearing = rng.uniform(STILL_NEAR, STILL_FAR, STARERS), rng.uniform(-0.4, 0.4, STARERS)
-    put_ball(match, *point_ahead(match, 0, distance, bearing))
-    begin_scene(match)
-    true, _ = distance_to_ball(match)
+    staging.put_ball(match, *staging.point_ahead(match, 0, distance, bearing))
+    staging.begin_scene(match)
+    true, _ = staging.distance_to_ball(match)
 
     def read() -> Samples:
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
         return {name: np.where(seen, ball[name], np.nan) for name in ("distance", "radial")}
 
-    found = record(match, stare_for(match, STARE_SETTLE, STARE_SECONDS), read)
+    found = staging.record(match, stare_for(match, STARE_SETTLE, STARE_SECONDS), read)
     return {"true": true, "range": subtract_row_mean(found["distance"]), "velocity": found["radial"]}
 
 

@@ -6,21 +6,11 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import PLAYED, Ablation, Batch, claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    distance_to_ball,
-    kick_off,
-    play,
-    put_ball,
-    stage,
-    stage_ball,
-    still_actions,
-    watch,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import LEGGED
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball, look_first
 from soccer_env.train.papers.values import bin_masks, percent, ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
@@ -48,19 +38,19 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
         league = replace(league, ball=replace(league.ball, radius=radius))
     pose = rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES)
     place, aside = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-0.4, 0.4, MATCHES)
-    match = stage_ball(batch, *pose, CAMERA_AHEAD + place, aside, league=league)
-    true, bearing = distance_to_ball(match)
+    match = staging.stage_ball(batch, *pose, CAMERA_AHEAD + place, aside, league=league)
+    true, bearing = staging.distance_to_ball(match)
     look_first(match, SETTLE)
     frames = []
     draws = match.robots["noise"][:, 0, CAMERA]
     before = draws.copy()
-    for step in play(match, SECONDS):
+    for step in staging.play(match, SECONDS):
         if (step + 1) % hold:
             draws[:] = before  # the next frame repeats the noise of this one
         before = draws.copy()
         ball = match.beliefs["ball"][:, 0]
         seen = ball["age"] < 0.5 * match.league.dt
-        aside = true * wrap_angle(ball["bearing"] - bearing)
+        aside = true * staging.wrap_angle(ball["bearing"] - bearing)
         frames.append([np.where(seen, x, np.nan) for x in (ball["distance"], ball["filtered_distance"], aside)])
     match.close()
     raw, filtered, aside = (subtract_row_mean(np.stack(values, axis=1)) for values in zip(*frames, strict=True))
@@ -70,11 +60,11 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
 
 def averaging_time(batch: Batch) -> float:
     """Return the filter's averaging time [s]: from a jump of the ball until the estimate is within 10 % of the jump."""
-    match = stage_ball(batch, 0.0, 0.0, 0.0, np.array([0.5]), 0.0, sensors=STEADY)
+    match = staging.stage_ball(batch, 0.0, 0.0, 0.0, np.array([0.5]), 0.0, sensors=STEADY)
     look_first(match, SETTLE)
-    put_ball(match, 0.5 + JUMP, 0.0)
+    staging.put_ball(match, 0.5 + JUMP, 0.0)
     match.rebuild()
-    places = [float(match.beliefs["ball"]["filtered_distance"][0, 0]) for _ in play(match, SETTLE)]
+    places = [float(match.beliefs["ball"]["filtered_distance"][0, 0]) for _ in staging.play(match, SETTLE)]
     match.close()
     still = [abs(place - places[-1]) < 0.1 * JUMP for place in places]
     return (still.index(True) + 1) * match.league.dt if True in still else float("nan")
@@ -138,9 +128,9 @@ def count_centred_frames(batch: Batch) -> Samples:
     """
     samples: Samples = {}
     for team, words in (("sacks-2001", ""), ("chaser", " by chasers")):
-        match = kick_off(batch, matches=GAMES, team=team)
+        match = staging.kick_off(batch, matches=GAMES, team=team)
         on_ball, seen = np.zeros((2, GAMES))
-        for _ in watch(match, PLAYED_SECONDS, settle=SETTLED):
+        for _ in staging.watch(match, PLAYED_SECONDS, settle=SETTLED):
             for r in range(match.robots.shape[1]):
                 fresh = match.beliefs["ball"][:, r]["age"] < 0.5 * match.league.dt
                 tracking = fresh & (match.robots["active"][:, r] == 1)
@@ -158,20 +148,20 @@ def count_jumps(batch: Batch, **memory: Any) -> tuple[np.ndarray, np.ndarray]:
     Return counts (M,): jumps of the believed ball to a wrong distance, and frames with a correct sighting.
     """
     senses = {"home": "sensors", "away": "ideal"}
-    match = stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
+    match = staging.stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
-    (jumps, right), actions = np.zeros((2, WATCHED)), still_actions(match)
+    (jumps, right), actions = np.zeros((2, WATCHED)), staging.still_actions(match)
 
     def look() -> tuple[np.ndarray, np.ndarray]:
         return match.beliefs["ball"]["distance"][:, 0].copy(), np.stack([match.balls["x"], match.balls["y"]])
 
     before, place_before = look()
-    for step in play(match, SETTLED + TIME, actions):
+    for step in staging.play(match, SETTLED + TIME, actions):
         actions[:, 0, :3] = follow_ball(match, KEPT)
         if (step + 1) * match.league.dt <= SETTLED:
             continue
         (now, place), age = look(), match.beliefs["ball"]["age"][:, 0]
-        true, put_elsewhere = distance_to_ball(match)[0], np.hypot(*(place - place_before)) > MOVED
+        true, put_elsewhere = staging.distance_to_ball(match)[0], np.hypot(*(place - place_before)) > MOVED
         jumps += np.isfinite(age) & ~put_elsewhere & (now - before > FARTHER) & (np.abs(now - true) > FARTHER)
         right += (age < 0.5 * match.league.dt) & (np.abs(now - true) < RIGHT * true)
         before, place_before = now, place

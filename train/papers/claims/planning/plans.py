@@ -14,16 +14,7 @@ from soccer_env.compiled import compiled
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, claim
 from soccer_env.train.papers.claims.planning import runs
 from soccer_env.train.papers.claims.planning.crossings import ASSUMED, LOOKED_AT
-from soccer_env.train.papers.claims.planning.runs import (
-    CANONICAL,
-    CROSSING,
-    PLANNED,
-    PLANNERS,
-    SCENES,
-    WAY,
-    plan,
-    plans_of,
-)
+from soccer_env.train.papers.claims.planning.runs import CANONICAL, CROSSING, PLANNED, PLANNERS, SCENES, WAY
 from soccer_env.train.papers.staging import MIDDLE, make_matches
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
@@ -226,7 +217,7 @@ def measure_plan_times(batch: Batch, slower: float = 1.0) -> Samples:
     """Return T over T_min (M,), passes, convergence and collisions of plans; `slower` multiplies T_min."""
     samples: Samples = {}
     for name, changes in KINDS.items():
-        plans = plans_of(batch, **changes)
+        plans = runs.plans_of(batch, **changes)
         samples[f"{name} ratio"] = np.array([one.time / (slower * one.least_time) for one in plans])
         samples[f"{name} passes"] = np.array([one.iterations for one in plans], float)
         samples[f"{name} open"] = np.array([not one.converged for one in plans], float)
@@ -265,7 +256,7 @@ H13 = claim(
 
 def first_plans(batch: Batch, chosen: bool = True) -> Samples:
     """Return passes and error of T [s] of first plans: of both canonical crossings (2,), or of random ones (M,)."""
-    plans = [plan(scene) for scene in CANONICAL.values()] if chosen else plans_of(batch)
+    plans = [runs.plan(scene) for scene in CANONICAL.values()] if chosen else runs.plans_of(batch)
     return {
         "passes": np.array([one.iterations for one in plans], float),
         "error": np.array([abs(one.times[0] - one.guesses[0]) for one in plans]),

@@ -13,13 +13,6 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
-from soccer_env.train.papers.claims.players.watching import (
-    distance_to_robot,
-    nearest_seen,
-    stage_player,
-    stare,
-    view_of,
-)
 from soccer_env.train.papers.plots import Drawing, columns, plot, plot_bins, plots
 from soccer_env.train.papers.staging import begin_scene, put, record, still_actions
 from soccer_env.train.papers.values import bin_masks, mean, median, ratio, rms, row_means, subtract_row_mean
@@ -65,16 +58,16 @@ def turn_player_once(batch: Batch, jersey: float, view: str, **sensors: Any) -> 
     rng, settings = batch.rng(), {"jersey": jersey, **sensors}
     place = rng.uniform(NEAR, FAR, RUNS), rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS)
     memory = {"player_infrared": False, "player_view": view}
-    match = stage_player(batch, RUNS, *place, sensors=settings, memory=memory)
+    match = watching.stage_player(batch, RUNS, *place, sensors=settings, memory=memory)
     actions = still_actions(match)
 
     def read() -> Samples:
         actions[:, 1, 2] = 1.0
-        sector = np.round(view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
-        error = nearest_seen(match)[0] / distance_to_robot(match) - 1.0
+        sector = np.round(watching.view_of(match, 1) / (2.0 * np.pi) * SECTORS).astype(int) % SECTORS
+        error = watching.nearest_seen(match)[0] / watching.distance_to_robot(match) - 1.0
         return {"sector": sector, **box_sizes(match), f"{view} table": error}
 
-    rows = record(match, stare(match, actions, SETTLE, ROUND), read)
+    rows = record(match, watching.stare(match, actions, SETTLE, ROUND), read)
     sector = rows.pop("sector")
     return {name: mean_by_sector(sector, values) for name, values in rows.items()}
 

@@ -13,15 +13,8 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
-from soccer_env.train.papers.claims.players.watching import (
-    gaps_to,
-    is_fresh,
-    matched_distances,
-    put_facing,
-    slots_of,
-    stage_watchers,
-)
 from soccer_env.train.papers.plots import Drawing, columns, plot
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
@@ -58,10 +51,10 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
     "filled": number of slots filled since then, ideally one; "range": relative scatter of the believed range [1].
     """
     rng = batch.rng()
-    match = stage_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
+    match = watching.stage_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
     for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
         distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
-        put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
+        watching.put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
     actions = still_actions(match)
     for pan in (TURNED, -TURNED, 0.0):
@@ -71,10 +64,10 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
     filled: list[np.ndarray] = []
     seen: list[np.ndarray] = []
     for step in play(match, SECONDS, actions):
-        slots = slots_of(match)
+        slots = watching.slots_of(match)
         since = (step + 0.5) * match.league.dt
         filled.append(((slots["present"] == 1) & (slots["age"] < since)).sum(axis=1))
-        nearest = np.where(is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
+        nearest = np.where(watching.is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
         seen.append(np.where(np.isfinite(nearest), nearest, np.nan))
     match.close()
     ranges = np.stack(seen, axis=1)
@@ -192,11 +185,11 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     "ghosts" and "missed" (M,): their numbers in the frame of the event.
     """
     rng = batch.rng()
-    match = stage_watchers(batch, WATCHERS, away=3)
+    match = watching.stage_watchers(batch, WATCHERS, away=3)
     put_two_in_view(match, rng)
     side = rng.choice([-1.0, 1.0], WATCHERS)
     distance, bearing = rng.uniform(THIRD_NEAR, THIRD_FAR, WATCHERS), side * rng.uniform(*ASIDE, WATCHERS)
-    put_facing(match, 3, distance, bearing, rng.uniform(-3.0, 3.0, WATCHERS))
+    watching.put_facing(match, 3, distance, bearing, rng.uniform(-3.0, 3.0, WATCHERS))
     begin_scene(match)
     actions = still_actions(match)
     for pan, seconds in ((side * TURNED, LOOK_ASIDE), (0.0, LOOK_AHEAD)):
@@ -217,7 +210,7 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
 
 def memory_error(match: Match) -> np.ndarray:
     """Return the mean distance (M,) [m] of the opponents from the slots matched to them, KNOWN if none is matched."""
-    gaps = matched_distances(gaps_to(match, slots_of(match), FOES), KNOWN)
+    gaps = watching.matched_distances(watching.gaps_to(match, watching.slots_of(match), FOES), KNOWN)
     return np.asarray(np.minimum(gaps, KNOWN).mean(axis=1))
 
 

@@ -10,13 +10,7 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.stuck import sampled
 from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_recovering, set_up_seekers, set_up_walk
-from soccer_env.train.papers.claims.stuck.sampled import (
-    MATCHES,
-    SECONDS,
-    MotionWindow,
-    behaviours,
-    distance_from_camera,
-)
+from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
 from soccer_env.train.papers.plots import columns, plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, kick_off, play, point_ahead, put, put_ball
 from soccer_env.train.papers.values import known, least_fall, least_rise, mean, median, middles_of
@@ -40,7 +34,7 @@ def latencies(batch: Batch, **settings: Any) -> tuple[np.ndarray, np.ndarray]:
     for _ in play(match, WALK):
         pass
     immobilise_robots(match)
-    distance = distance_from_camera(match, *distance_to_ball(match))
+    distance = sampled.distance_from_camera(match, *distance_to_ball(match))
     after, began = np.full(HELD, np.inf), is_recovering(match)
     for step in play(match, WAIT):
         after[is_recovering(match) & np.isinf(after)] = (step + 1) * match.league.dt
@@ -55,7 +49,7 @@ def velocity_windows(batch: Batch) -> Samples:
     Windows do not overlap; NaN: no further window in the match.
     """
     match = kick_off(batch, matches=MATCHES, team=sampled.BASE)
-    watch = MotionWindow(match, WINDOW)
+    watch = sampled.MotionWindow(match, WINDOW)
     radial: list[np.ndarray] = []
     found: dict[str, list[np.ndarray]] = {"free": [], "stuck": []}
     for _ in play(match, SECONDS):
@@ -64,7 +58,9 @@ def velocity_windows(batch: Batch) -> Samples:
         if len(radial) < watch.size:
             continue
         x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
-        near = distance_from_camera(match, np.hypot(x, y), np.arctan2(y, x) - match.robots["heading"]) <= FARTHEST
+        near = (
+            sampled.distance_from_camera(match, np.hypot(x, y), np.arctan2(y, x) - match.robots["heading"]) <= FARTHEST
+        )
         free = (watch.mean(4) == 1.0) & (watch.mean(3) == 0.0)
         for name, there in (("free", free & near), ("stuck", watch.held() & near)):
             found[name].append(np.where(there, np.mean(radial, axis=0), np.nan))
@@ -190,7 +186,7 @@ def signs_of(match: Match, r: int) -> np.ndarray:
     angle = match.robots["heading"][:, r] + bearing
     away = match.balls["vx"] * np.cos(angle) + match.balls["vy"] * np.sin(angle)
     turn = np.abs(match.robots["omega"][:, r])
-    return np.stack([away, np.abs(bearing), turn, distance_from_camera(match, distance, bearing)])
+    return np.stack([away, np.abs(bearing), turn, sampled.distance_from_camera(match, distance, bearing)])
 
 
 def cause_of(signs: np.ndarray) -> int:
@@ -204,7 +200,7 @@ class Approaches:
     """Approaches to the ball in play, by robots (M, R): counts of approaches, recoveries and false alarms by cause."""
 
     def __init__(self, match: Match) -> None:
-        self.match, self.watch = match, MotionWindow(match, BEFORE)
+        self.match, self.watch = match, sampled.MotionWindow(match, BEFORE)
         self.signs: list[np.ndarray] = []
         self.was = np.zeros(match.robots.shape, int)
         self.goes = np.zeros(match.robots.shape, bool)  # goes for the ball, also while it is lost for a moment
@@ -216,7 +212,7 @@ class Approaches:
         match, rows = self.match, range(self.match.robots.shape[1])
         self.watch.look()
         self.signs = [*self.signs[1 - self.watch.size :], np.stack([signs_of(match, r) for r in rows], axis=-1)]
-        now = behaviours(match)
+        now = sampled.behaviours(match)
         returns = self.was == sampled.OUT  # and resumes its behaviour
         begins = (now == BACK) & (self.was != BACK) & ~returns
         self.found["approaches"] += ((now == APPROACH) & ~self.goes).sum(axis=1)
