@@ -58,9 +58,8 @@ def velocity_windows(batch: Batch) -> Samples:
         if len(radial) < watch.size:
             continue
         x, y = match.balls["x"][:, None] - match.robots["x"], match.balls["y"][:, None] - match.robots["y"]
-        near = (
-            sampled.distance_from_camera(match, np.hypot(x, y), np.arctan2(y, x) - match.robots["heading"]) <= FARTHEST
-        )
+        bearing = np.arctan2(y, x) - match.robots["heading"]
+        near = sampled.distance_from_camera(match, np.hypot(x, y), bearing) <= FARTHEST
         free = (watch.mean(4) == 1.0) & (watch.mean(3) == 0.0)
         for name, there in (("free", free & near), ("stuck", watch.held() & near)):
             found[name].append(np.where(there, np.mean(radial, axis=0), np.nan))
