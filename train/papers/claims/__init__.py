@@ -7,9 +7,9 @@ To add a claim:
    words: it is a row of the team's page.
 2. `rules` names the rule sets of its matches: STAGED (`stage`, `drill`; the default), PLAYED (`kick_off`), both, or
    NO_MATCH; a match under other rules is refused. Measurements skip robots that are sent off (`active`).
-3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin_scene, play, record), plays them,
-   and returns arrays whose first axis is independent units (normally the matches); NaN stands for "no value". All
-   randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
+3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin_scene, play, record),
+   plays them, and returns arrays whose first axis is independent units (normally the matches); NaN stands for "no
+   value". All randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
    among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
    names the number in a few words; the bound is the requirement, by the words of the sentence, which `method` quotes
